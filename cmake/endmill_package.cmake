@@ -22,7 +22,7 @@ endfunction()
 
 # endmill_package(): a Debian package of all that is installed. The program's libraries are
 # dependencies, found by dpkg-shlibdeps; those that only a user of the C++ libraries needs are
-# recommended. Call it last, at the top level.
+# suggested. Call it last, at the top level.
 macro(endmill_package)
   set(CPACK_GENERATOR DEB)
   set(CPACK_PACKAGE_NAME endmill)
@@ -35,7 +35,7 @@ macro(endmill_package)
   set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The endmill authors")
   set(CPACK_DEBIAN_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-  string(JOIN ", " CPACK_DEBIAN_PACKAGE_RECOMMENDS "libeigen3-dev (>= 3.4)" libtbb-dev libboost-dev
+  string(JOIN ", " CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev (>= 3.4)" libtbb-dev libboost-dev
          "libcgal-dev (>= 5.5)" nlohmann-json3-dev libopenmesh-dev)
   include(CPack)
 endmacro()

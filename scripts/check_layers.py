@@ -5,7 +5,7 @@
 The script reports:
 
 * An #include uses a module that src/CMakeLists.txt does not declare for it, or is relative.
-* A module other than job, figures and files uses files. Modules that compute do not read files.
+* A module uses files. Only the program does; modules that compute or draw do not read files.
 * A folder under src/endmill is not a declared module, or a declared module has no folder.
 * A module folder has other folders than detail/.
 * A module has more than 14 public headers, or all modules together have more than 130.
@@ -26,7 +26,6 @@ MODULE = re.compile(r"endmill_module\(([^)]*)\)")
 KEYWORDS = {"USES", "LIBRARIES", "PRIVATE_LIBRARIES", "OPTIONS", "TEST_LIBRARIES"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 KEPT_INSIDE = re.compile(r"^(CGAL|OpenMesh|boost|embree\d*|tbb|oneapi)/")
-MAY_USE_FILES = {"figures", "job"}  # and src/cli, which is not a module
 MOST_HEADERS_OF_A_MODULE = 14
 MOST_HEADERS = 130  # of all modules, umbrella headers included
 SPDX = "SPDX-License-Identifier:"
@@ -47,8 +46,8 @@ def declared_arrows(text, bad):
                 uses.add(token)
         for later in sorted(uses - arrows.keys()):
             bad.append(f"src/CMakeLists.txt: {name} uses {later}, which is not declared above it")
-        if "files" in uses and name not in MAY_USE_FILES:
-            bad.append(f"src/CMakeLists.txt: {name} uses files; only figures, job and cli may")
+        if "files" in uses:
+            bad.append(f"src/CMakeLists.txt: {name} uses files; only cli may")
         arrows[name] = uses
     return arrows
 

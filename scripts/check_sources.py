@@ -9,19 +9,22 @@ A source has one of these forms, and several sources may follow each other:
 * `docs/mathematics/removal.md, section 4` or `paper/notes/swept-cutter.md, section 2`: a file of the
   repository and a heading in it that begins with this number.
 
-The text of a source ends with its paragraph. No comment may refer to a "spec" or "specification" as a
-document.
+The text of a source ends with its paragraph. No comment, and no docstring of a Python file, may refer to
+a "spec" or "specification" as a document; these words in quotes are allowed.
 
 Each header that src/endmill/README.md or src/endmill/MODULE/README.md names must exist: `vec.h` in any module or
 its detail/ folder, `detail/line.h` in the README's own module, `core/orientation.h` and
 `endmill/core/orientation.h` below src/endmill.
 """
+import ast
+import io
 import re
 import sys
+import tokenize
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-FOLDERS = ("src", "tests", "experiments")
+FOLDERS = ("src", "tests", "experiments", "scripts", "docs")
 COMMENT = re.compile(r"^\s*(?://+[/!<]*|\*|#)\s?(.*)$")
 TRAILING = re.compile(r"\s//+<?\s?(.*)$")
 KEYED = re.compile(r"\[([A-Z][A-Za-z0-9]+)(?:,\s*([^\]]*))?\]")
@@ -30,7 +33,8 @@ ENTRY = re.compile(r"^@\w+\{([^,]+),", re.M)
 HEADING = re.compile(r"^#+\s+(?:section\s+)?([0-9]+(?:\.[0-9]+)*)\b", re.M | re.I)
 HEADER = re.compile(r"(?<![\w./-])[\w./-]*\w\.h\b")
 # Words such as specifier and specialisation are allowed.
-SPEC = re.compile(r"\bspec\b|\bspecs\b|\bspecification\b|\bspec's\b", re.I)
+SPEC = re.compile(r"(?<!\")\b(?:specs?|specification|spec's)\b(?!\")", re.I)
+DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
 
 
 def paragraphs(text):
@@ -48,6 +52,16 @@ def paragraphs(text):
             lines.append(body)
     if lines:
         yield begin, " ".join(lines)
+
+
+def python_paragraphs(text):
+    """The same of the docstrings and comments of a Python file; each of them is one paragraph."""
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, DOCUMENTED) and ast.get_docstring(node):
+            yield node.body[0].lineno, " ".join(ast.get_docstring(node).split())
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.COMMENT:
+            yield token.start[0], token.string
 
 
 def faults(source, keys, root):
@@ -86,13 +100,15 @@ def main(root):
     bad, count = [], 0
     for folder in FOLDERS:
         for file in sorted((root / folder).rglob("*")):
-            if file.suffix not in (".h", ".cpp"):
+            if file.suffix not in (".h", ".cpp", ".py"):
                 continue
-            for line, text in paragraphs(file.read_text(encoding="utf-8")):
+            is_python = file.suffix == ".py"
+            parts = python_paragraphs if is_python else paragraphs
+            for line, text in parts(file.read_text(encoding="utf-8")):
                 where = f"{file.relative_to(root)}:{line}"
                 if SPEC.search(text):
                     bad.append(f"{where}: refers to a specification that is not in the repository")
-                if re.search(r"(?<!\w)(?<!::)Source:(?!:)", text):
+                if not is_python and re.search(r"(?<!\w)(?<!::)Source:(?!:)", text):
                     count += 1
                     source = text.split("Source:", 1)[1]
                     bad += [f"{where}: {fault}" for fault in faults(source, keys, root)]

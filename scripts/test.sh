@@ -19,8 +19,10 @@ It takes at most 20 minutes on two cores, beginning with an empty clone.
 
   --all          also runs all tests under sanitizers, fuzzes each reader for 60 s,
                  compiles the benchmarks, compiles every installed header alone, builds
-                 and tests the Debian package, builds the documentation, and runs
-                 clang-tidy on every file; about an hour and a half on two cores
+                 and tests the Debian package, builds the documentation, runs an
+                 experiment by scripts/reproduce.sh, compares every picture of docs/images
+                 with what its commands make, and runs clang-tidy on every file; about an
+                 hour and a half on two cores
   --no-install   installs nothing and checks that every program and library is there
 
 Build folders: build/release, build/asan, build/fuzz. Rebuilds only changed files.
@@ -112,6 +114,8 @@ if $all; then
     run "package: build" cmake --build --preset release --target package
     run "package: try" /usr/bin/python3 tests/package/package_test.py
     run documentation scripts/docs.sh "${setup_options[@]}"
+    run reproduction scripts/reproduce.sh "${setup_options[@]}" economic-cl-data/table-1
+    run pictures /usr/bin/python3 scripts/write_pictures.py --check --all
 fi
 run clang-tidy /usr/bin/python3 scripts/check_tidy.py "${tidy_options[@]}"
 

@@ -17,7 +17,7 @@ try {
         plan_iso_parametric(part.surfaces, ball, {.chord_tolerance = 0.5}).path;
     const SegmentCuts cuts = segment_cuts(path, {.radius = 5, .stock_top = 6});
 
-    const MillingTool tool{.radius = 5, .flutes = 2, .cutting_force_n = 1200};
+    const MillingTool tool{.radius = 5, .flutes = 2, .limits = {.cutting_force_n = 1200}};
     const MillingJob job{read_material("datasets/materials/steel.json"), tool};
     const FeedPlan plan = feed_plan(cuts.cuts, job, FeedPlanOptions{});
 

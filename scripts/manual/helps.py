@@ -11,7 +11,6 @@ from dataclasses import dataclass, field
 
 ENTRY = re.compile(r"  (\S.*)")
 CONTINUED = re.compile(r"\s{10,}(\S.*)")
-RELATION = re.compile(r"\s(?:Excludes|Needs):.*$")
 OPTION_NAME = re.compile(r"--?[A-Za-z][\w-]*")
 ENTRY_SECTIONS = re.compile(r"(Positionals|Options.*|Subcommands|\w[\w ,-]*[Oo]ptions.*):$")
 
@@ -33,7 +32,7 @@ class Entry:
     def value(self):
         """The value of the option, such as `mm|inch` or `FILE`. Empty for a switch."""
         rest = self.term.split(" ")[1:] if self.names else []
-        return " ".join(word for word in rest if word != "REQUIRED")
+        return " ".join(word for word in rest if word != "(required)")
 
 
 @dataclass
@@ -63,10 +62,7 @@ def split_entry(line):
     name of an option with its value, which is in capitals or a choice.
     """
     term, _, text = line.strip().partition("  ")
-    related = RELATION.search(term)
-    if related:
-        return term[:related.start()], text.strip()
-    crowded = re.match(r"(-\S+ (?:[A-Z]\S*|\S+\|\S+)(?: REQUIRED)?) ([a-z].*)$", term)
+    crowded = re.match(r"(-\S+ (?:[A-Z]\S*|\S+\|\S+)(?: \(required\))?) ([a-z].*)$", term)
     return (crowded[1], crowded[2]) if crowded else (term, text.strip())
 
 

@@ -2,16 +2,26 @@
 #include "cli/answer.h"
 
 #include "cli/console.h"
+#include "cli/shown_numbers.h"
 #include "endmill/files/output_folder.h"
 
 namespace endmill {
+namespace {
+
+std::string value_text(const Json& value)
+{
+    if (value.is_string())
+        return value.get<std::string>();
+    return value.is_number_float() ? shown(value.get<double>()) : value.dump();
+}
+
+}  // namespace
 
 std::string answer_lines(const Json& answer)
 {
     std::string lines;
     for (const auto& [key, item] : answer.items())
-        lines += key + " = " +
-                 (item.is_string() ? item.get<std::string>() : item.dump()) + "\n";
+        lines += key + " = " + value_text(item) + "\n";
     return lines;
 }
 

@@ -8,7 +8,7 @@
 
 namespace endmill {
 
-/// One line "key = value" for each key of an answer.
+/// One line "key = value" for each key of an answer. Numbers are rounded by `shown`.
 std::string answer_lines(const Json& answer);
 
 /// Prints the answer of a command in the format that `options` ask for. With --output it

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later endmill coefficients: the cutting action
-// coefficients of one engagement, and its forces.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// endmill coefficients: the cutting action coefficients of one engagement, and its forces.
 
 #include <array>
 #include <memory>

@@ -76,7 +76,7 @@ void add_forces(CLI::App& command, CoefficientsOptions& options)
 void add_coefficients_options(CLI::App& command, CoefficientsOptions& options)
 {
     add_geometry(command, options);
-    add_chip_option(command, options.chip);
+    add_chip_option(command, options.chip, "paper");
     add_forces(command, options);
     add_number(command,
                {"--accuracy", "EPS", "largest error of a coefficient", accuracy_domain},
@@ -89,11 +89,11 @@ void add_coefficients_options(CLI::App& command, CoefficientsOptions& options)
                 NumberDomain::from_zero()},
                options.runout_mm)
         ->needs(profile);
-    add_number(
-        command,
-        {"--runout-deg", "DEG", "azimuth of the runout while flute 0 is at azimuth 0",
-         NumberDomain::any()},
-        options.runout_deg)
+    add_number(command,
+               {"--runout-deg", "DEG",
+                "azimuth of the runout while flute 0 is at azimuth 0 (--profile)",
+                NumberDomain::any()},
+               options.runout_deg)
         ->needs(profile);
     add_common_options(command, options.common);
 }

@@ -2,11 +2,13 @@
 // endmill eval: the library's closed formulas by name.
 
 #include <memory>
+#include <string>
 
 #include "cli/answer.h"
 #include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/eval_formulas.h"
+#include "endmill/core/error.h"
 
 namespace endmill {
 namespace {
@@ -16,9 +18,21 @@ struct EvalOptions {
     Numbers numbers;
 };
 
+// A message of the library without the name of the function that begins it.
+std::string without_function(const std::string& message)
+{
+    const std::size_t end = message.find_first_not_of("abcdefghijklmnopqrstuvwxyz_");
+    const bool has_name = end != std::string::npos && message.substr(end, 2) == ": ";
+    return has_name ? message.substr(end + 2) : message;
+}
+
 ExitCode run_formula(const Formula& formula, const EvalOptions& options)
 {
-    give_answer(options.common, {}, formula.value(options.numbers));
+    try {
+        give_answer(options.common, {}, formula.value(options.numbers));
+    } catch (const DomainError& error) {
+        throw DomainError{without_function(error.what())};
+    }
     return ExitCode::Yes;
 }
 

@@ -59,13 +59,14 @@ Json highest_scallop_json(const Numbers& numbers)
 
 const std::array formulas{
     Formula{"path-interval",
-            "largest interval between passes for a scallop height, eq. (4), (5)",
+            "largest interval between passes for a scallop height (Kim and Choi, eq. "
+            "(4), (5))",
             "--radius 5 --curvature 0.01 --scallop 0.1",
             {radius, curvature, scallop},
             path_interval_json},
     Formula{
         "step-length",
-        "longest step within a chord tolerance, eq. (1), (2)",
+        "longest step within a chord tolerance (Kim and Choi, eq. (1), (2))",
         "--curvature 0.01 --chord-tolerance 0.5",
         {curvature,
          {"chord-tolerance", "MM", "largest distance from the curve to its chord", true}},

@@ -25,13 +25,6 @@ HeightStock stock_of(const FeedInput& input, const FeedCommandOptions& options)
     return block_stock(input.stock.block, options.resolution);
 }
 
-bool is_engaged(const BallFront& front)
-{
-    const auto is_material = [](double value) { return value > 0; };
-    return std::ranges::any_of(front.engaged, is_material) ||
-           std::ranges::any_of(front.shank, is_material);
-}
-
 std::string stock_text(const FeedInput& input)
 {
     const auto& [low, high] = input.stock.block;
@@ -54,35 +47,19 @@ CutsPlan stock_plan(const FeedInput& input, const SegmentCuts& cuts,
                     const FeedCommandOptions& options)
 {
     HeightStock stock = stock_of(input, options);
-    const FeedRules rules = feed_rules(input.job, input.plan);
-    FeedPlan plan;
-    plan.rows.resize(cuts.cuts.size());
-    std::vector<Milling> milling(cuts.cuts.size(), Milling::Down);
-    bool is_any_engaged = false;
-    std::vector<double> lengths;
-    for (const SegmentCut& cut : cuts.cuts)
-        lengths.push_back(cut.length_mm);
     ProgressLine progress{"removing material and planning feeds", options.common};
-    for_each_ball_front(
-        stock,
-        {.path = &input.program.path,
-         .cutter = input.tool.cutter,
-         .points = cuts.points,
-         .progress = [&](double share) { progress.show(share); }},
-        [&](std::size_t number, const BallFront& front) {
-            is_any_engaged = is_any_engaged || is_engaged(front);
-            milling[number] =
-                front.stock_side == FeedSide::Right ? Milling::Down : Milling::Up;
-            plan.rows[number] = segment_feed(
-                front_load(lengths[number], front, input.job.tool, input.plan, rules),
-                rules);
-        });
-    if (!is_any_engaged)
+    const BallFrontTask task{.path = &input.program.path,
+                             .cutter = input.tool.cutter,
+                             .points = cuts.points,
+                             .progress = [&](double share) { progress.show(share); }};
+    MeasuredFeeds measured = measured_feed_plan(
+        cuts.cuts, input.job, input.plan,
+        [&](const FrontVisit& visit) { for_each_ball_front(stock, task, visit); });
+    if (!measured.has_engagement)
         throw GeometryError{"no cutting move finds material in " + stock_text(input) +
                             ", though the cutter goes through its box; expected a "
                             "--stock with material where the path cuts"};
-    plan.totals = feed_plan_totals(plan.rows, lengths, rules.limits);
-    return {std::move(plan), std::move(milling)};
+    return {std::move(measured.plan), std::move(measured.milling)};
 }
 
 }  // namespace

@@ -2,11 +2,13 @@
 #include "cli/feed_input.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "cli/console.h"
+#include "cli/idle_options.h"
 #include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -49,11 +51,11 @@ void apply_options(Tool& tool, const ToolOptions& options)
     if (options.helix_deg)
         tool.helix = Angle::degrees(*options.helix_deg);
     if (options.max_force_n)
-        tool.limits.cutting_force = options.max_force_n;
+        tool.limits.cutting_force_n = options.max_force_n;
     if (options.max_thrust_n)
-        tool.limits.thrust = options.max_thrust_n;
+        tool.limits.thrust_n = options.max_thrust_n;
     if (options.max_torque_n_m)
-        tool.limits.torque = options.max_torque_n_m;
+        tool.limits.torque_n_m = options.max_torque_n_m;
 }
 
 void require_same_cutter(const std::optional<Tool>& tool,
@@ -180,6 +182,24 @@ void require_cut(const Program& program)
     throw GeometryError{found + "; expected a cutting move of some length"};
 }
 
+// The tolerance applies to contacts that the path states, which are checked in any case,
+// and to those that are projected on the part.
+void require_contacts(const FeedInput& input, const FeedCommandOptions& options)
+{
+    const auto has_contact = [](const PathPoint& point) {
+        return point.contact.has_value();
+    };
+    const bool is_by_passes = options.engagement == EngagementChoice::Passes;
+    if (std::ranges::any_of(input.program.path.points, has_contact) ||
+        (!input.part.empty() && !is_by_passes))
+        return;
+    refuse_idle_options(
+        options.common, std::array{"--contact-tolerance"},
+        is_by_passes ? "--engagement passes and a path without contacts"
+                     : "a path without contacts",
+        is_by_passes ? "--engagement auto or contact, and --part" : "--part");
+}
+
 void add_stock(FeedInput& input, const FeedCommandOptions& options)
 {
     VerifyOptions stock;
@@ -246,6 +266,7 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
         input.part =
             read_surface_for(options.part.path, "feed --part", options.common).surfaces;
     require_cut(input.program);
+    require_contacts(input, options);
     add_stock(input, options);
     return input;
 }

@@ -64,10 +64,12 @@ void add_engagement_options(CLI::App& command, FeedCommandOptions& options)
             "surface that the path was planned for; it gives contacts and curvature")
         ->type_name("FILE");
     add_mesh_options(command, options.part);
-    add_number(command,
-               {"--contact-tolerance", "MM",
-                "largest gap between the ball and the part at a contact"},
-               options.contact_tolerance);
+    add_number(
+        command,
+        {"--contact-tolerance", "MM",
+         "largest gap between the ball and the part at a contact that the path or --part "
+         "gives"},
+        options.contact_tolerance);
     add_number(command,
                {"--stock-top", "Z",
                 "height of the top of the stock in mm (default: that of --stock, or of "
@@ -85,7 +87,7 @@ void add_model_options(CLI::App& command, FeedCommandOptions& options)
     add_choice<FeedMode>(command, "--mode", options.mode, feed_modes,
                          "rules of the plan (default paper); planned: as corrected, with "
                          "the acceleration limit of the machine");
-    add_chip_option(command, options.chip);
+    add_chip_option(command, options.chip, "paper; --mode corrected, planned: exact");
     command
         .add_option_function<std::string>(
             "--peak",
@@ -181,11 +183,13 @@ std::string peak_word(PeakRule rule, double factor)
     return {};
 }
 
-void add_chip_option(CLI::App& command, std::optional<ChipModel>& chip)
+void add_chip_option(CLI::App& command, std::optional<ChipModel>& chip,
+                     const std::string& default_words)
 {
     add_choice<ChipModel>(
         command, "--chip", chip, chip_models,
-        "chip thickness: as the paper approximates it, or exact (default: the mode's)");
+        "chip thickness: as the paper approximates it, or exact (default " +
+            default_words + ")");
 }
 
 void add_feed_options(CLI::App& command, FeedCommandOptions& options)

@@ -119,7 +119,9 @@ struct FeedCommandOptions {
 };
 
 /// Adds --chip, which `feed` and `coefficients` share.
-void add_chip_option(CLI::App& command, std::optional<ChipModel>& chip);
+/// \param default_words the default, as the help text states it.
+void add_chip_option(CLI::App& command, std::optional<ChipModel>& chip,
+                     const std::string& default_words);
 
 /// Adds every option of `feed` to `command`.
 void add_feed_options(CLI::App& command, FeedCommandOptions& options);

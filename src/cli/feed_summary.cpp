@@ -40,9 +40,9 @@ void add_tool(Json& summary, const FeedInput& input)
     summary["flutes"] = tool.flutes;
     summary["helix_deg"] =
         input.tool.helix ? Json(input.tool.helix->written_degrees()) : Json(nullptr);
-    summary["max_force_n"] = number_or_null(tool.cutting_force_n);
-    summary["max_thrust_n"] = number_or_null(tool.thrust_n);
-    summary["max_tool_torque_n_m"] = number_or_null(tool.torque_n_m);
+    summary["max_force_n"] = number_or_null(tool.limits.cutting_force_n);
+    summary["max_thrust_n"] = number_or_null(tool.limits.thrust_n);
+    summary["max_tool_torque_n_m"] = number_or_null(tool.limits.torque_n_m);
 }
 
 void add_choices(Json& summary, const FeedResult& result)

@@ -91,6 +91,15 @@ std::string place_shown(const Json& place)
                       {at[0].get<double>(), at[1].get<double>(), at[2].get<double>()});
 }
 
+// The largest break between two patches. A surface that is G1 has only breaks by rounding.
+std::string break_shown(const Json& s)
+{
+    if (s["continuity"] == continuity_name(Continuity::G1))
+        return "";
+    return ", largest break " + shown_degrees(s["worst_break_deg"].get<double>()) +
+           " degrees" + place_shown(s["worst_break_at"]);
+}
+
 std::string size_text(const Json& s)
 {
     return fmt::format(
@@ -140,14 +149,13 @@ std::string surface_text(const Json& s)
     return fmt::format(
         "{}: {}\n"
         "{}"
-        "  continuity    {}, largest break {} degrees{}\n"
+        "  continuity    {}{}\n"
         "  curvature     {} to {} per mm (positive: convex)\n"
         "  ball cutter   {}\n"
         "  tool axis     {}\n",
         s["name"].get<std::string>(), patches_text(s), size_text(s),
-        s["continuity"].get<std::string>(),
-        shown_degrees(s["worst_break_deg"].get<double>()),
-        place_shown(s["worst_break_at"]), shown_or_none(s["min_curvature_per_mm"]),
+        s["continuity"].get<std::string>(), break_shown(s),
+        shown_or_none(s["min_curvature_per_mm"]),
         shown_or_none(s["max_curvature_per_mm"]), limit_text(s),
         s["unreachable_at"].is_null()
             ? "the cutter can touch the whole surface"

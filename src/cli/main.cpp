@@ -1,7 +1,9 @@
-// SPDX-License-Identifier: GPL-3.0-or-later The program endmill. It parses the command
-// line, runs one command, and reports errors by a message and an exit code.
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program endmill. It parses the command line, runs one command, and reports errors by
+// a message and an exit code.
 
 #include <algorithm>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +11,7 @@
 #include "build_facts.h"
 #include "cli/command.h"
 #include "cli/console.h"
+#include "cli/help_formatter.h"
 #include "cli/interrupt.h"
 #include "cli/usage_message.h"
 
@@ -28,6 +31,7 @@ ExitCode run(int argc, char** argv, bool json_errors)
 {
     CLI::App program{"Computational geometry of sculptured-surface machining.",
                      "endmill"};
+    program.formatter(std::make_shared<HelpFormatter>());
     program.footer(footer);
     program.set_version_flag("--version", "endmill " + std::string{program_version});
     program.require_subcommand(1);

@@ -147,12 +147,12 @@ TrimInput read_trim_input(const TrimOptions& options)
     PartFile file = read_part_for(options.part, options.common);
     input.remarks = std::move(file.notes);
     if (auto* mesh = std::get_if<TriangleMesh>(&file.part)) {
-        RemarkedMesh known = remarked(std::move(*mesh));
-        *mesh = std::move(known.mesh);
-        for (std::string& remark : known.remarks) {
+        CleanedMesh cleaned = without_degenerate_or_duplicate(*mesh);
+        for (std::string& remark : mesh_remarks(cleaned)) {
             warn(options.common, options.part.path + ": " + remark);
             input.remarks.push_back(std::move(remark));
         }
+        *mesh = std::move(cleaned.mesh);
     }
     input.name = file.name;
     input.source = file.source;

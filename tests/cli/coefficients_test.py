@@ -110,7 +110,7 @@ class Coefficients(ProgramTest):
     def test_required_options_have_no_default(self):
         text = endmill("coefficients", "--help").stdout
         for line in text.splitlines():
-            self.assertFalse("REQUIRED" in line and "default" in line, line)
+            self.assertFalse("(required)" in line and "default" in line, line)
 
     def refused(self, *options, words=()):
         done = endmill("coefficients", *options, cwd=self.folder)

@@ -310,6 +310,14 @@ class Feed(ProgramTest):
                        "--contact-tolerance", "0.5", "-o", "out", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_contact_tolerance_without_contacts_is_refused(self):
+        options = ["--tool", TOOL, "--stock-top", "5", "--contact-tolerance", "0.5"]
+        self.refused(2, "--contact-tolerance: has no effect with a path without contacts; expected --part",
+                     options=options)
+        surface = self.file(plane(size=(60, 30)))
+        self.refused(2, "--contact-tolerance: has no effect with --engagement passes",
+                     options=[*options, "--part", surface, "--engagement", "passes"])
+
     def test_move_of_zero_length_is_left_out(self):
         text = "tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n5,0,0\n5,0,0\n9,0,0\n"
         out, facts = self.fed(self.file(text, "p.csv"), "--tool", TOOL, "--stock-top", "5")

@@ -56,7 +56,7 @@ class Info(ProgramTest):
             path = self.file(plane(patches, patches))
             facts = self.summary("info", path)
             self.assertEqual((facts["worst_break_deg"], facts["worst_break_at"]), (0, None))
-            self.assertIn("continuity    G1, largest break 0 degrees\n", endmill("info", path).stdout)
+            self.assertIn("continuity    G1\n", endmill("info", path).stdout)
 
     def test_zero_is_printed_without_a_sign(self):
         surface = plane(2, 2)

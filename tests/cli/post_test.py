@@ -114,7 +114,7 @@ class Post(ProgramTest):
         self.assertIn("G0 Z7.0000", blocks(self.folder / "out/p.ngc"))
         self.assertGreater(self.summary("post", path, "-o", "plain")["points"], 60)
         self.assert_refused(endmill("post", path, "--programmed-point", "centre", cwd=self.folder), 2,
-                            "--programmed-point centre: expected --cutter")
+                            "--programmed-point centre: the cutter is not known; expected --cutter")
         self.file({"cutter": "ball:6"}, "summary.json")
         facts = self.summary("post", path, "--programmed-point", "centre", "-o", "known")
         self.assertEqual(facts["safe_height_mm"], 7)
@@ -128,7 +128,7 @@ class Post(ProgramTest):
                 if path == canonical and option != ["--block-delete"]:
                     continue
                 done = endmill("post", path, "--cutter", "ball:6", "--feed", "9", *option, cwd=self.folder)
-                self.assert_refused(done, 2, f"{' '.join(option[:1])}", f"is {kind}", "expected G-code")
+                self.assert_refused(done, 2, f"{' '.join(option[:1])}", f"is {kind}", "expects G-code")
         self.summary("post", csv, "--feed", "9", "--programmed-point", "tip", "-o", "out")
         for option in (["--safe-height", "9"], ["--tool-number", "3"], ["--line-numbers"], ["--comments", "no"]):
             done = endmill("post", csv, "--feed", "9", "--format", "apt", *option, cwd=self.folder)

@@ -62,7 +62,7 @@ class Program(ProgramTest):
                 (("verify", path, *ball, "--tolerance", "1"), "--tolerance", "--part"),
                 (("verify", path, *ball, "--max-refine", "1"), "--max-refine", "--part"),
                 (("verify", path, *ball, "--units", "inch"), "--units", "--part or --stock"),
-                (("verify", path, *ball, "--block-delete"), "--block-delete", "expected G-code"),
+                (("verify", path, *ball, "--block-delete"), "--block-delete", "expects G-code"),
                 (("post", path, *ball, "--feed", "1", "--format", "apt", "--comments", "yes"), "--comments", "gcode"),
                 ((*feed, "--corner-tolerance", "1"), "--corner-tolerance", "--mode planned"),
                 ((*feed, "--corner-tolerance", "1", "--mode", "corrected"), "--corner-tolerance", "--mode planned"),

@@ -34,6 +34,16 @@ TEST(ClosestWord, FindsNothingThatIsNotClose)
     EXPECT_EQ(closest_word(std::string(1000, 'n'), keys), std::nullopt);
 }
 
+// Another letter or another unit is another name, not a slip of the hand.
+TEST(ClosestWord, FindsNothingThatSharesLessThanHalfTheName)
+{
+    constexpr std::array<std::string_view, 5> names{"u", "v", "mm", "s_mm",
+                                                    "feed_mm_per_min"};
+    for (const std::string_view other : {"x", "cm", "y_mm", "z_mm_per_min"})
+        EXPECT_EQ(closest_word(other, names), std::nullopt) << other;
+    EXPECT_EQ(closest_word("fed_mm_per_min", names), "feed_mm_per_min");
+}
+
 TEST(OneOf, ListsAllAndSuggestsOne)
 {
     constexpr std::array<std::string_view, 3> directions{"u", "v", "both"};

@@ -19,7 +19,7 @@ Tool sound_tool()
             .flutes = 2,
             .helix = Angle::degrees(30),
             .length = 100,
-            .limits = {.cutting_force = 1, .thrust = {}, .torque = 2},
+            .limits = {.cutting_force_n = 1, .torque_n_m = 2},
             .shank = {{.diameter = 9, .from = 12, .to = 40}},
             .holder = {{.diameter = 24, .from = 40, .to = 60},
                        {.diameter = 30, .from = 60, .to = 80}}};
@@ -44,7 +44,7 @@ TEST(Tool, RefusesInvalidTools)
         [&](Tool& tool) { tool.length = infinite; },
         [](Tool& tool) { tool.flutes = 0; },
         [](Tool& tool) { tool.helix = Angle::degrees(90); },
-        [](Tool& tool) { tool.limits.thrust = 0; },
+        [](Tool& tool) { tool.limits.thrust_n = 0; },
     };
     for (const auto& fault : faults) {
         Tool tool = sound_tool();

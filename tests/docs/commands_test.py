@@ -19,7 +19,9 @@ PAGES = [ROOT / "README.md", *sorted((ROOT / "docs/guide").glob("*.md"))]
 BLOCK = re.compile(r"^```sh\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 # Commands that this test does not run: scripts/test.sh itself builds the program and runs this test, and
-# with --all also the experiments. The test sets the path itself.
+# with --all also docs.sh and `reproduce.sh economic-cl-data/table-1`, as the guide prints it. No test runs
+# reproduce.sh without a name, which takes 15 minutes; tests/scripts/reproduce_test.py tests how it
+# chooses the experiments. The test sets the path itself.
 RUN_BY_TEST_SH = re.compile(r"^(scripts/(test|reproduce|docs|bench|setup|fuzz)\.sh|cmake |ctest |export PATH=)")
 
 

@@ -137,7 +137,8 @@ TEST(ParseCsv, StatesWhichColumnIsMissing)
         static_cast<void>(parse_csv("a\n1\n", "f").number(0, "b"));
         FAIL();
     } catch (const FormatError& error) {
-        EXPECT_STREQ(error.what(), "f:1: no column \"b\"");
+        EXPECT_STREQ(error.what(),
+                     "f:1: no column \"b\"; expected a column of this name");
     }
 }
 

@@ -40,6 +40,9 @@ TEST(ToolLifeCsv, StatesTheLineOfAnError)
                 HasSubstr("no column v_m_per_min"));
     EXPECT_THAT(complaint_about("phi_over_pi,v_m_per_mim\n"),
                 HasSubstr("did you mean \"v_m_per_min\"?"));
+    EXPECT_THAT(complaint_about("x,v_m_per_min\n"),
+                testing::EndsWith("unknown column \"x\"; expected phi_over_pi and "
+                                  "v_m_per_min"));
     EXPECT_THAT(complaint_about("phi_over_pi,phi_over_pi\n"),
                 HasSubstr("column phi_over_pi twice"));
     EXPECT_THAT(complaint_about_rows("0.1,64\n0.2\n"),

@@ -29,8 +29,7 @@ TEST(ToolFile, HoldsATool)
     ASSERT_TRUE(tool.helix);
     EXPECT_NEAR(tool.helix->degrees(), -30, 1e-13);
     EXPECT_EQ(tool.length, 120);
-    EXPECT_EQ(tool.limits,
-              (ToolLimits{.cutting_force = {}, .thrust = 200, .torque = {}}));
+    EXPECT_EQ(tool.limits, (LoadLimits{.thrust_n = 200}));
     ASSERT_EQ(tool.shank.size(), 1U);
     EXPECT_EQ(tool.shank[0], (ToolCylinder{.diameter = 9, .from = 15, .to = 40}));
     ASSERT_EQ(tool.holder.size(), 1U);

@@ -10,6 +10,7 @@
 #include "endmill/files/mesh_file.h"
 #include "endmill/files/surface_file.h"
 #include "endmill/mesh/mesh_checks.h"
+#include "surface_json.h"
 #include "temporary_folder.h"
 #include "test_meshes.h"
 #include "test_surfaces.h"
@@ -22,7 +23,7 @@ using testing::HasSubstr;
 
 std::string plane_text()
 {
-    return surface_json({"plate", "by hand", {test::plane(20, 10)}, {}});
+    return test::surface_json({"plate", "by hand", {test::plane(20, 10)}, {}});
 }
 
 TEST(PartFile, IsASurfaceIfItsContentIsOne)

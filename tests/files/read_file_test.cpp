@@ -37,9 +37,11 @@ TEST(ReadFile, GivesEveryByteAsItStands)
 TEST(ReadFile, StatesWhyAFileCannotBeOpened)
 {
     const TemporaryFolder folder;
-    EXPECT_THAT(code_and_message(folder.path() / "none"),
-                testing::AllOf(testing::StartsWith("E_OPEN"),
-                               testing::HasSubstr("none: cannot open: No such file")));
+    EXPECT_THAT(
+        code_and_message(folder.path() / "none"),
+        testing::AllOf(testing::StartsWith("E_OPEN"),
+                       testing::HasSubstr("none: cannot open: No such file or "
+                                          "directory; expected an existing file")));
     EXPECT_THAT(code_and_message(folder.path()),
                 testing::AllOf(testing::StartsWith("E_OPEN"),
                                testing::HasSubstr("is a directory")));
@@ -56,8 +58,10 @@ TEST(ReadFile, ReportsAMissingPermission)
         const AsNobody nobody;
         message = code_and_message(path);
     }
-    EXPECT_THAT(message, testing::AllOf(testing::StartsWith("E_OPEN"),
-                                        testing::HasSubstr("permission denied")));
+    EXPECT_THAT(message, testing::AllOf(
+                             testing::StartsWith("E_OPEN"),
+                             testing::HasSubstr("permission denied; expected a file that "
+                                                "you may read")));
 }
 
 TEST(ReadFile, DoesNotWaitForAPipeOrADevice)
@@ -75,7 +79,7 @@ TEST(ReadFile, RefusesFilesThatAreEmptyOrWhiteSpace)
     for (const auto content : {""sv, " \n\t\r\n"sv})
         EXPECT_THAT(code_and_message(folder.put("a", content)),
                     testing::AllOf(testing::StartsWith("E_EMPTY"),
-                                   testing::HasSubstr("file is empty")));
+                                   testing::HasSubstr("file is empty; expected a file")));
 }
 
 // The magic numbers of gzip (RFC 1952), zip, xz, bzip2 and zstd (RFC 8878).

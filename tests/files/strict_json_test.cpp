@@ -11,7 +11,6 @@
 namespace endmill {
 namespace {
 
-using std::string_literals::operator""s;
 using testing::HasSubstr;
 
 class JsonValueOf {
@@ -123,7 +122,8 @@ TEST(JsonValue, AMissingKeyIsNamedAndAnOptionalOneIsNot)
     const auto refuses = [](const std::string& message) {
         return testing::ThrowsMessage<FormatError>(message);
     };
-    EXPECT_THAT([&] { root.member("b"); }, refuses("f: key \"b\" is missing"));
+    EXPECT_THAT([&] { root.member("b"); },
+                refuses("f: key \"b\" is missing; expected a value under this key"));
     EXPECT_THAT([&] { root.size(); }, refuses("f: an object; expected an array"));
     const JsonValue number = root.member("a");
     EXPECT_THAT([&] { number.find_member("c"); }, refuses("f:/a: 1; expected an object"));
@@ -137,15 +137,6 @@ TEST(JsonValue, AWordIsOneOfThoseAllowed)
     EXPECT_THAT(JsonValueOf{R"({"x": "inches"})"}.complaint(read),
                 HasSubstr("did you mean \"inch\"?"));
     EXPECT_THAT(JsonValueOf{R"({"x": 3})"}.complaint(read), HasSubstr("a string"));
-}
-
-TEST(JsonString, ReadsBackAsTheSameText)
-{
-    for (const std::string& text : {"plain"s, "\"q\" \\ / \n\t"s, "ä\u2028"s, "a\0b"s}) {
-        const JsonDocument document{"[" + json_string(text) + "]", "f"};
-        const JsonValue root = document.root();
-        EXPECT_EQ(root.item(0).text(), text);
-    }
 }
 
 }  // namespace

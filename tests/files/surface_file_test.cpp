@@ -12,6 +12,8 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "random.h"
+#include "surface_json.h"
 #include "temporary_folder.h"
 
 namespace endmill {
@@ -263,39 +265,23 @@ TEST(ReadSurface, ReadsOrRefusesEveryMutatedFile)
     }
 }
 
-TEST(SurfaceJson, ReadsBackAsTheSameDoubles)
+TEST(SurfaceFile, KeepsEveryDoubleOfItsText)
 {
-    std::mt19937_64 random{3};
-    std::uniform_real_distribution<double> coordinate{-1e6, 1e6};
-    std::vector<Vec3> net(static_cast<std::size_t>(7) * 10);
+    test::Random random{3};
+    std::vector<Vec3> net(16);
     for (Vec3& point : net)
-        point = {coordinate(random), coordinate(random) * 1e-9, coordinate(random)};
+        point = {random.uniform(-1e6, 1e6), random.uniform(-1e-3, 1e-3),
+                 random.uniform(-1e6, 1e6)};
     const SurfaceFile written{"a \"name\"",
                               "by hand\\",
-                              {composite_bezier(2, 3, net, ToolSide::DuCrossDv)},
+                              {composite_bezier(1, 1, net, ToolSide::DuCrossDv)},
                               {}};
-    const SurfaceFile read = parse_surface(surface_json(written), "f");
+    const SurfaceFile read = parse_surface(test::surface_json(written), "f");
     EXPECT_EQ(read.name, written.name);
     EXPECT_EQ(read.source, written.source);
     EXPECT_EQ(read.surfaces.front().tool_side(), ToolSide::DuCrossDv);
-    for (int row = 0; row < 10; ++row)
-        for (int column = 0; column < 7; ++column) {
-            const int i = std::min(column / 3, 1);
-            const int j = std::min(row / 3, 2);
-            EXPECT_EQ(read.surfaces.front().patch(i, j).control_point(column - 3 * i,
-                                                                      row - 3 * j),
-                      net[7 * row + column]);
-        }
-}
-
-TEST(SurfaceJson, RefusesSurfacesOutsideTheFormat)
-{
-    const BezierPatch patch =
-        parse_surface(surface_text(), "f").surfaces.front().patch(0, 0);
-    EXPECT_THROW(surface_json({"", "", {Surface{{0, 2}, {0, 1}, {patch}}}, {}}),
-                 DomainError);
-    EXPECT_THROW(surface_json({"", "", {Surface{{0, 1, 2}, {0, 1}, {patch, patch}}}, {}}),
-                 DomainError);
+    for (int k = 0; k < 16; ++k)
+        EXPECT_EQ(read.surfaces.front().patch(0, 0).control_point(k % 4, k / 4), net[k]);
 }
 
 }  // namespace

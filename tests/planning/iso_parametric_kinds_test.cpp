@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "elevated.h"
 #include "endmill/surface/nurbs.h"
 #include "planned_path.h"
 #include "revolved_surfaces.h"
@@ -240,7 +241,9 @@ void expect_same_path(const ToolPath& path, const ToolPath& expected)
 TEST(PlannedKinds, OneSurfaceHasTheSamePathInEveryKind)
 {
     const Surface bezier = bicubic_graph({1, 1});
-    const auto higher = [](const BezierPatch& patch) { return elevated(patch, 5, 4); };
+    const auto higher = [](const BezierPatch& patch) {
+        return test::elevated(patch, 5, 4);
+    };
     const Surface kinds[] = {as_nurbs(bezier), as_height_grid(bezier),
                              with_patches(bezier, higher), bicubic_graph({3, 2})};
     for (const Parameter direction : {Parameter::U, Parameter::V}) {

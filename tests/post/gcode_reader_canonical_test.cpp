@@ -268,7 +268,8 @@ TEST(ParseCanonical, RefusesImpossibleArcs)
 
 TEST(ParseCanonical, RefusesLinesAndPathsThatAreTooLong)
 {
-    EXPECT_EQ(refusal_of([] { parse_canonical("\n", "f"); }), "E_EMPTY f: file is empty");
+    EXPECT_EQ(refusal_of([] { parse_canonical("\n", "f"); }),
+              "E_EMPTY f: file is empty; expected a file with content");
     EXPECT_THAT(refusal("COMMENT(\"" + std::string(1U << 20U, 'x') + "\")"),
                 StartsWith("E_LIMIT f.txt:8: line is longer"));
 }

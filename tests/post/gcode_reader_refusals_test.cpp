@@ -112,7 +112,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ParseGcode, RefusesEmptyFilesAndEndlessLines)
 {
-    EXPECT_EQ(gcode_refusal(" \n"), "E_EMPTY f.ngc: file is empty");
+    EXPECT_EQ(gcode_refusal(" \n"),
+              "E_EMPTY f.ngc: file is empty; expected a file with content");
     EXPECT_EQ(gcode_refusal("G21\n(" + std::string(1U << 20U, 'x') + ")\n"),
               "E_LIMIT f.ngc:2: line is longer than 1 MiB; expected lines of at most "
               "1048576 bytes");

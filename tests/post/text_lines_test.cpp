@@ -35,7 +35,8 @@ TEST(TextLines, HaveNoByteOrderMark)
 TEST(TextLines, RefuseAnEmptyFile)
 {
     for (const std::string text : {"", " \t\r\n\n", "\xef\xbb\xbf\n"})
-        EXPECT_EQ(refusal_of([&] { lines_of(text); }), "E_EMPTY f: file is empty");
+        EXPECT_EQ(refusal_of([&] { lines_of(text); }),
+                  "E_EMPTY f: file is empty; expected a file with content");
 }
 
 TEST(TextLines, AreAtMostAMebibyteLong)

@@ -48,12 +48,12 @@ TEST(FeedOptions, RuleOverTheMaterial)
 TEST(FeedOptions, TheWeakerOfToolAndSpindleBoundsTheTorque)
 {
     MillingJob one = job();
-    EXPECT_EQ(feed_rules(one, {}).limits.torque_n_m, one.tool.torque_n_m);
+    EXPECT_EQ(feed_rules(one, {}).limits.torque_n_m, one.tool.limits.torque_n_m);
     one.machine.max_torque_n_m = 5;
     EXPECT_EQ(feed_rules(one, {}).limits.torque_n_m, 5);
-    one.tool.torque_n_m = 4;
+    one.tool.limits.torque_n_m = 4;
     EXPECT_EQ(feed_rules(one, {}).limits.torque_n_m, 4);
-    one.tool.torque_n_m = std::nullopt;
+    one.tool.limits.torque_n_m = std::nullopt;
     EXPECT_EQ(feed_rules(one, {}).limits.torque_n_m, 5);
     one.machine.max_torque_n_m = std::nullopt;
     EXPECT_FALSE(feed_rules(one, {}).limits.torque_n_m);

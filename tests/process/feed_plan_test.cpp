@@ -64,8 +64,8 @@ TEST(FeedPlan, OfASlotIsClosed)
 {
     MillingJob job = steel_job();
     job.material.specific_resistance_n_per_mm2 = 2000;
-    job.tool.cutting_force_n = 1200;
-    job.tool.thrust_n = job.tool.torque_n_m = std::nullopt;
+    job.tool.limits.cutting_force_n = 1200;
+    job.tool.limits.thrust_n = job.tool.limits.torque_n_m = std::nullopt;
     job.machine = {};
     const SegmentCut slot{
         .length_mm = 100, .depth_mm = 5, .previous = PreviousPass::None};
@@ -262,16 +262,18 @@ TEST(FeedPlan, ReportsSufficientLimits)
     MillingJob job = steel_job();
     FeedPlan plan = feed_plan(cuts, job, {});
     ASSERT_GT(plan.totals.infeasible, 0U);
-    const NeededLimits needed = plan.totals.needed;
+    const LoadLimits needed = plan.totals.needed;
     ASSERT_TRUE(needed.cutting_force_n || needed.thrust_n);
-    job.tool.cutting_force_n = needed.cutting_force_n.value_or(*job.tool.cutting_force_n);
-    job.tool.thrust_n = needed.thrust_n.value_or(*job.tool.thrust_n);
+    job.tool.limits.cutting_force_n =
+        needed.cutting_force_n.value_or(*job.tool.limits.cutting_force_n);
+    job.tool.limits.thrust_n = needed.thrust_n.value_or(*job.tool.limits.thrust_n);
     EXPECT_EQ(feed_plan(cuts, job, {}).totals.infeasible, 0U);
     // A slightly smaller limit does not suffice.
     job = steel_job();
-    job.tool.cutting_force_n =
-        0.999 * needed.cutting_force_n.value_or(*job.tool.cutting_force_n);
-    job.tool.thrust_n = 0.999 * needed.thrust_n.value_or(*job.tool.thrust_n);
+    job.tool.limits.cutting_force_n =
+        0.999 * needed.cutting_force_n.value_or(*job.tool.limits.cutting_force_n);
+    job.tool.limits.thrust_n =
+        0.999 * needed.thrust_n.value_or(*job.tool.limits.thrust_n);
     EXPECT_GT(feed_plan(cuts, job, {}).totals.infeasible, 0U);
 }
 
@@ -306,9 +308,10 @@ TEST(FeedPlan, KeepsTheLimitsUnderEveryRule)
                           (rule == PeakRule::Torque && few[i].depth_mm > 0));
             if (row.tooth.is_infeasible)
                 continue;
-            EXPECT_LE(row.loads.cutting_force_n, *job.tool.cutting_force_n * (1 + 2e-5));
-            EXPECT_LE(row.loads.thrust_n, *job.tool.thrust_n * (1 + 2e-5));
-            EXPECT_LE(row.loads.torque_n_m, *job.tool.torque_n_m * (1 + 2e-5));
+            EXPECT_LE(row.loads.cutting_force_n,
+                      *job.tool.limits.cutting_force_n * (1 + 2e-5));
+            EXPECT_LE(row.loads.thrust_n, *job.tool.limits.thrust_n * (1 + 2e-5));
+            EXPECT_LE(row.loads.torque_n_m, *job.tool.limits.torque_n_m * (1 + 2e-5));
         }
     }
 }
@@ -357,8 +360,8 @@ TEST(FeedPlan, RefusesMovesThatAreNotSound)
     refused([](SegmentCut& cut) { cut.depth_mm = nan; });
     MillingJob unbounded = steel_job();
     unbounded.material.max_feed_per_tooth_mm = std::nullopt;
-    unbounded.tool.cutting_force_n = unbounded.tool.thrust_n = unbounded.tool.torque_n_m =
-        std::nullopt;
+    unbounded.tool.limits.cutting_force_n = unbounded.tool.limits.thrust_n =
+        unbounded.tool.limits.torque_n_m = std::nullopt;
     EXPECT_THROW(feed_plan(std::vector{good}, unbounded, {}), DomainError);
 }
 

@@ -130,6 +130,40 @@ TEST(FrontLoad, IsThatOfTheSameEngagementInClosedForm)
     }
 }
 
+// A move in air, and one whose front is visited first; each is planned by itself.
+TEST(MeasuredFeedPlan, IsTheFeedOfEachFrontInWhateverOrder)
+{
+    const MillingJob job{test::steel(), test::ball_10(), {}};
+    FeedPlanOptions options;
+    options.max_feed_per_tooth_mm = 0.3;
+    const std::vector<SegmentCut> cuts{{.length_mm = 2}, {.length_mm = 3}};
+    std::vector<BallFront> fronts(2, front_of({0, 0, 0.5, 1}, 96, 128));
+    fronts[0].rim_angle = pi / 3;
+    fronts[0].stock_side = FeedSide::Left;
+    fronts[1].engaged.assign(fronts[1].engaged.size(), 0);
+    const MeasuredFeeds found =
+        measured_feed_plan(cuts, job, options, [&](const FrontVisit& visit) {
+            visit(1, fronts[1]);
+            visit(0, fronts[0]);
+        });
+    const FeedRules rules = feed_rules(job, options);
+    double cut_min = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const SegmentFeed alone = segment_feed(
+            front_load(cuts[k].length_mm, fronts[k], job.tool, options, rules), rules);
+        EXPECT_EQ(found.plan.rows[k].table.feed_mm_per_min, alone.table.feed_mm_per_min);
+        cut_min += cuts[k].length_mm / alone.table.feed_mm_per_min;
+    }
+    EXPECT_NEAR(found.plan.totals.cut_min, cut_min, 1e-12 * cut_min);
+    EXPECT_EQ(found.milling, (std::vector{Milling::Up, Milling::Down}));
+    EXPECT_TRUE(found.has_engagement);
+    const auto air = [&](const FrontVisit& visit) {
+        visit(0, fronts[1]);
+        visit(1, fronts[1]);
+    };
+    EXPECT_FALSE(measured_feed_plan(cuts, job, options, air).has_engagement);
+}
+
 TEST(FrontLoad, NeedsASoundFront)
 {
     BallFront front = front_of({0, 0, 0.5, 1}, 8, 8);

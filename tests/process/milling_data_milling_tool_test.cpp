@@ -15,23 +15,25 @@ namespace {
 
 TEST(MillingTool, CopiesTheDataOfTheTool)
 {
-    const Tool tool{.cutter = Cutter::ball(4),
-                    .flutes = 3,
-                    .helix = Angle::degrees(30),
-                    .limits = {.cutting_force = 1200, .thrust = 450, .torque = 20}};
+    const Tool tool{
+        .cutter = Cutter::ball(4),
+        .flutes = 3,
+        .helix = Angle::degrees(30),
+        .limits = {.cutting_force_n = 1200, .thrust_n = 450, .torque_n_m = 20}};
     const MillingTool seen = milling_tool(tool);
     EXPECT_EQ(seen.radius, 4);
     EXPECT_EQ(seen.flutes, 3);
     EXPECT_DOUBLE_EQ(seen.helix, std::numbers::pi / 6);
-    EXPECT_EQ(seen.cutting_force_n, 1200);
-    EXPECT_EQ(seen.thrust_n, 450);
-    EXPECT_EQ(seen.torque_n_m, 20);
+    EXPECT_EQ(seen.limits.cutting_force_n, 1200);
+    EXPECT_EQ(seen.limits.thrust_n, 450);
+    EXPECT_EQ(seen.limits.torque_n_m, 20);
 }
 
 TEST(MillingTool, WithoutLimitsHasNone)
 {
     const MillingTool seen = milling_tool({.cutter = Cutter::ball(4), .flutes = 1});
-    EXPECT_FALSE(seen.cutting_force_n || seen.thrust_n || seen.torque_n_m);
+    EXPECT_FALSE(seen.limits.cutting_force_n || seen.limits.thrust_n ||
+                 seen.limits.torque_n_m);
     EXPECT_EQ(seen.helix, 0);
 }
 
@@ -64,9 +66,9 @@ TEST(MillingTool, RefusesNumbersOutOfRange)
     for (const double helix : {std::numbers::pi / 2, -2.0, nan})
         refused([&](MillingTool& tool) { tool.helix = helix; });
     for (const double limit : {0.0, -1.0, nan}) {
-        refused([&](MillingTool& tool) { tool.cutting_force_n = limit; });
-        refused([&](MillingTool& tool) { tool.thrust_n = limit; });
-        refused([&](MillingTool& tool) { tool.torque_n_m = limit; });
+        refused([&](MillingTool& tool) { tool.limits.cutting_force_n = limit; });
+        refused([&](MillingTool& tool) { tool.limits.thrust_n = limit; });
+        refused([&](MillingTool& tool) { tool.limits.torque_n_m = limit; });
     }
     refused([](MillingTool& tool) { tool.flutes = 0; });
 }

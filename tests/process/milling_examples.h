@@ -28,9 +28,9 @@ inline MillingTool ball_10()
     return {.radius = 5,
             .flutes = 2,
             .helix = 0.5235987755982988,  // 30 degrees
-            .cutting_force_n = 128.3 * 9.80665,
-            .thrust_n = 46.19 * 9.80665,
-            .torque_n_m = 2 * 9.80665};
+            .limits = {.cutting_force_n = 128.3 * 9.80665,
+                       .thrust_n = 46.19 * 9.80665,
+                       .torque_n_m = 2 * 9.80665}};
 }
 
 /// The machine for steel of the same section.

@@ -33,9 +33,9 @@ MillingJob job_of_the_vectors()
 {
     MillingJob job{test::steel(), test::ball_10(), {}};
     job.material.specific_resistance_n_per_mm2 = 2000;
-    job.tool.cutting_force_n = 1200;
-    job.tool.thrust_n = 450;
-    job.tool.torque_n_m = 20;
+    job.tool.limits.cutting_force_n = 1200;
+    job.tool.limits.thrust_n = 450;
+    job.tool.limits.torque_n_m = 20;
     return job;
 }
 

@@ -3,6 +3,8 @@
 
 The test compiles only the changed table. It links the program and the tests again from the objects of
 the build. The new object comes before the library, so that the linker ignores the library's own.
+
+  recipe_test.py --picture FILE   writes the picture of docs/guide/extend.md instead
 """
 import csv
 import os
@@ -10,6 +12,7 @@ import re
 import shlex
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -17,6 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("ENDMILL_BUILD", ROOT / "build/release")).resolve()
 TABLE = "src/endmill/trimming/trimming_methods.cpp"
+PICTURE = ROOT / "docs/images/extend.svg"
 # docs/mathematics/interference.md, section 11, T1: one symmetric loop that crosses itself at (0, 0).
 LOOP = "s_mm,z_mm\n-6,6\n2,-2\n0,-1\n-2,-2\n6,6\n"
 
@@ -59,22 +63,22 @@ def build_command(target, text):
     return shlex.split([command for command in commands if text in command][-1])
 
 
-class Recipe(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name).resolve()
-        copy = cls.folder / "copy"
+class Changed:
+    """The table of methods, compiled after the recipe, and the programs that are linked with it."""
+
+    def __init__(self, folder):
+        self.folder = folder
+        copy = folder / "copy"
         shutil.copytree(ROOT / "src", copy / "src")
         apply_recipe(copy)
-        cls.table = cls.folder / "table.o"
+        self.table = folder / "table.o"
         words = build_command("endmill", f"-c {ROOT / TABLE}")
         words = [word.replace(f"{ROOT}/src", f"{copy}/src")
                  if word in (f"-I{ROOT}/src", str(ROOT / TABLE)) else word for word in words]
-        for option, path in (("-o", cls.table), ("-MF", cls.folder / "table.d")):
+        for option, path in (("-o", self.table), ("-MF", folder / "table.d")):
             words[words.index(option) + 1] = path
         succeed(*words, cwd=BUILD)
+        (folder / "datasets").symlink_to(ROOT / "datasets")
 
     def linked(self, made):
         """Links a program of the build with the new table."""
@@ -85,14 +89,29 @@ class Recipe(unittest.TestCase):
         succeed(*words, cwd=BUILD)
         return program
 
-    def test_program_has_the_new_method(self):
-        endmill = self.linked("src/cli/endmill")
-        (self.folder / "curves.csv").write_text(LOOP, encoding="ascii")
+    def trimmed(self, endmill, output):
+        """Runs the command of the page. Returns what it prints."""
         *_, call = recipe()
         name, *words = call.split()
-        self.assertEqual(name, "endmill")
-        said = succeed(endmill, *words, "--output", "out", cwd=self.folder)
-        self.assertIn("forward", said)
+        assert name == "endmill", call
+        return succeed(endmill, *words, "--output", output, cwd=self.folder)
+
+
+class Recipe(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name).resolve()
+        cls.changed = Changed(cls.folder)
+
+    def test_program_has_the_new_method(self):
+        endmill = self.changed.linked("src/cli/endmill")
+        self.assertIn("forward", self.changed.trimmed(endmill, "picture"))
+        self.assertEqual((self.folder / "picture/section-0.svg").read_bytes(), PICTURE.read_bytes(),
+                         "stale: run scripts/write_pictures.py extend.svg")
+        (self.folder / "curves.csv").write_text(LOOP, encoding="ascii")
+        succeed(endmill, *"trim --polyline curves.csv --method forward --explain -o out".split(), cwd=self.folder)
         with open(self.folder / "out/trimmed.csv", encoding="ascii", newline="") as file:
             left = [(row["s_mm"], row["z_mm"]) for row in csv.DictReader(file)]
         self.assertEqual(left, [("-6", "6"), ("2", "-2"), ("6", "6")])
@@ -104,10 +123,20 @@ class Recipe(unittest.TestCase):
         self.assertIn("|forward|all", succeed(endmill, "trim", "--help", cwd=self.folder))
 
     def test_new_method_passes_the_tests_of_all_methods(self):
-        program = self.linked("src/endmill_trimming_test")
+        program = self.changed.linked("src/endmill_trimming_test")
         said = succeed(program, "--gtest_filter=TrimmingMethods.*", cwd=self.folder)
         self.assertIn("TrimmingMethods.AllKeepTheContract", said)
 
 
+def write_picture(file):
+    with tempfile.TemporaryDirectory() as folder:
+        changed = Changed(Path(folder).resolve())
+        changed.trimmed(changed.linked("src/cli/endmill"), "picture")
+        shutil.copyfile(changed.folder / "picture/section-0.svg", file)
+
+
 if __name__ == "__main__":
-    unittest.main()
+    if sys.argv[1:2] == ["--picture"]:
+        write_picture(sys.argv[2])
+    else:
+        unittest.main()

@@ -57,6 +57,14 @@ class Sources(FakeTree):
     def test_mention_of_a_specification_is_reported(self):
         self.assert_found("specification", "As the spec of removal has it.")
 
+    def test_mention_of_a_specification_in_python_is_reported(self):
+        for text in ('"""As the spec of removal has it."""\n', "x = 1  # see the specification\n",
+                     'def f():\n    """The vectors\n    of the spec."""\n'):
+            self.write("tests/cli/new_test.py", text)
+            self.assert_found("tests/cli/new_test.py:", "Source: [KimChoi, eq. (4)].")
+        self.write("tests/cli/new_test.py", '"""Specialised."""\nspec = "spec"  # not a "spec"\n')
+        self.assert_good("Source: [KimChoi, eq. (4)].")
+
 
 class NamedHeaders(FakeTree):
     def setUp(self):

@@ -26,12 +26,11 @@ Example:
 Usage: endmill plan [OPTIONS] PART
 
 Positionals:
-  PART TEXT REQUIRED          surface file
+  PART (required)             surface file
 
 Options:
   -h,--help                   Print this help message and exit
-  --order zigzag|one-way Excludes: --curves
-                              sense of neighbouring passes; default zigzag
+  --order zigzag|one-way      sense of neighbouring passes; default zigzag
   --detection guarded|literal how folds are found; default guarded
   --cutter CUTTER             ball:DIAMETER in mm
 
@@ -46,7 +45,7 @@ Example:
     "eval": "evaluates a formula\nUsage: endmill eval [SUBCOMMAND]\n\nSubcommands:\n"
             "  step                        a step\n",
     "eval step": "a step\nUsage: endmill eval step [OPTIONS]\n\nOptions:\n"
-                 "  --radius MM REQUIRED        radius\n",
+                 "  --radius MM (required)      radius\n",
 }
 
 

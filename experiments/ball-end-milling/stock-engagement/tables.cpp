@@ -62,7 +62,7 @@ void PeakForceRun::add(CsvTable& table, CsvTable& along, const std::string& name
     const std::vector<double> right_by_model = peak_cutting_forces(moves, right_hand);
     const std::vector<double> right_by_stock =
         peak_cutting_forces(moves, simulated.fronts, right_hand);
-    const double limit_n = job.tool.cutting_force_n.value();
+    const double limit_n = job.tool.limits.cutting_force_n.value();
     add_named(table, name,
               {{"cut_min", plan.totals.cut_min},
                {"infeasible", static_cast<std::int64_t>(plan.totals.infeasible)},

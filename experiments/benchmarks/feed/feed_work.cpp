@@ -24,9 +24,9 @@ const MillingJob job{{2000.5566, 0.016, 0.4, 0.4, 0.2, 0.6, 0.3680141, 28.4313},
                      {.radius = feed_radius_mm,
                       .flutes = 2,
                       .helix = 0.5235987755982988,
-                      .cutting_force_n = 1258.193195,
-                      .thrust_n = 452.9691635,
-                      .torque_n_m = 19.6133}};
+                      .limits = {.cutting_force_n = 1258.193195,
+                                 .thrust_n = 452.9691635,
+                                 .torque_n_m = 19.6133}}};
 
 }  // namespace
 
@@ -83,20 +83,16 @@ double stock_feed(const ToolPath& path, const SegmentCuts& cuts, PeakRule peak,
                   int threads)
 {
     set_thread_count(threads);
-    const FeedPlanOptions options = feed_options(peak);
-    const FeedRules rules = feed_rules(job, options);
     Block block = LowSaddle::block();
     block.high.z() = stock_top_mm;
     HeightStock stock = block_stock(block, 0.1);
-    std::vector<SegmentFeed> rows(cuts.cuts.size());
-    for_each_ball_front(
-        stock, {&path, Cutter::ball(feed_radius_mm), cuts.points},
-        [&](std::size_t i, const BallFront& front) {
-            rows[i] = segment_feed(
-                front_load(cuts.cuts[i].length_mm, front, job.tool, options, rules),
-                rules);
-        });
-    return rows.back().table.feed_mm_per_min;
+    const auto measure = [&](const FrontVisit& visit) {
+        for_each_ball_front(stock, {&path, Cutter::ball(feed_radius_mm), cuts.points},
+                            visit);
+    };
+    return measured_feed_plan(cuts.cuts, job, feed_options(peak), measure)
+        .plan.rows.back()
+        .table.feed_mm_per_min;
 }
 
 }  // namespace endmill

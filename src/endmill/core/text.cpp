@@ -106,6 +106,16 @@ std::string quoted(std::string_view word)
     return '"' + std::string{word} + '"';
 }
 
+// Length of the unit that both names end in, such as "_mm" of "x_mm" and "y_mm". It says
+// nothing about how close the names are.
+std::size_t common_unit(std::string_view a, std::string_view b)
+{
+    const std::size_t underscore = a.rfind('_');
+    const bool is_common =
+        underscore != std::string_view::npos && b.ends_with(a.substr(underscore));
+    return is_common ? a.size() - underscore : 0;
+}
+
 }  // namespace
 
 void append_text(std::string& text, double value)
@@ -172,6 +182,9 @@ std::optional<std::string_view> closest_word(std::string_view word,
     std::size_t limit = std::max<std::size_t>(1, word.size() / 3);
     for (const std::string_view candidate : words) {
         const std::size_t distance = edit_distance(word, candidate);
+        const std::size_t own = word.size() - common_unit(word, candidate);
+        if (distance > 0 && 2 * distance >= own)
+            continue;
         if (distance < limit || (distance == limit && !closest)) {
             closest = candidate;
             limit = distance;

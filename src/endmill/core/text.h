@@ -42,8 +42,8 @@ std::string printable(std::string_view text, std::size_t max_characters =
 /// least edit distance (insertions, deletions, replacements and swaps of neighbouring
 /// letters).
 /// \return the first of several equally close words; nothing if the distance exceeds both
-///         1 and a third of the length of `word`, or if `word` has more than 64
-///         characters.
+///         1 and a third of the length of `word`, or reaches half of the length without a
+///         unit that both end in, or if `word` has more than 64 characters.
 std::optional<std::string_view> closest_word(std::string_view word,
                                              std::span<const std::string_view> words);
 

@@ -32,17 +32,6 @@ struct Engagement {
     std::vector<EngagedRing> rings;  ///< the rings that are engaged somewhere
 };
 
-/// Area of the engaged region in mm^2, where each ring counts as a flat strip of its
-/// width.
-inline double engaged_area(const Engagement& engagement)
-{
-    double area = 0;
-    for (const EngagedRing& ring : engagement.rings)
-        for (const AzimuthInterval& interval : ring.engaged)
-            area += ring.radius * (interval.to - interval.from) * ring.width;
-    return area;
-}
-
 /// A side of a move, seen along the feed from above.
 enum class FeedSide { Left, Right };
 

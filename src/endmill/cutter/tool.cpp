@@ -35,7 +35,7 @@ void require_sound(const Tool& tool)
     require(!tool.helix || std::abs(tool.helix->radians()) < std::numbers::pi / 2,
             "Tool: need a helix within 90 degrees");
     for (const auto& limit :
-         {tool.limits.cutting_force, tool.limits.thrust, tool.limits.torque})
+         {tool.limits.cutting_force_n, tool.limits.thrust_n, tool.limits.torque_n_m})
         require(!limit || is_positive(*limit), "Tool: need 0 < limit");
 }
 

@@ -20,14 +20,14 @@ struct ToolCylinder {
     friend bool operator==(const ToolCylinder&, const ToolCylinder&) = default;
 };
 
-/// The largest loads of a tool. A limit that is not given does not apply.
-struct ToolLimits {
-    std::optional<double> cutting_force;  ///< N
-    std::optional<double> thrust;         ///< N
-    std::optional<double> torque;         ///< N m
+/// Limits of the loads on a cutter. A missing limit does not apply.
+struct LoadLimits {
+    std::optional<double> cutting_force_n = {};  ///< N, across the axis
+    std::optional<double> thrust_n = {};         ///< N, along the axis
+    std::optional<double> torque_n_m = {};       ///< N m, about the axis
 
     /// Whether both have the same limits.
-    friend bool operator==(const ToolLimits&, const ToolLimits&) = default;
+    friend bool operator==(const LoadLimits&, const LoadLimits&) = default;
 };
 
 /// A cutter with its shank, its holder and its properties, as a tool file describes it.
@@ -37,7 +37,7 @@ struct Tool {
     std::optional<int> flutes = {};   ///< number of flutes, if known
     std::optional<Angle> helix = {};  ///< helix angle between flutes and axis, if known
     double length = 0;                ///< mm, from the tip to the spindle nose
-    ToolLimits limits = {};           ///< greatest loads, if known
+    LoadLimits limits = {};           ///< largest loads, if known
     std::vector<ToolCylinder> shank = {};   ///< cylinders between cutter and holder
     std::vector<ToolCylinder> holder = {};  ///< cylinders of the tool holder
 };

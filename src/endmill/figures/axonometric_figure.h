@@ -16,6 +16,8 @@
 /// Drawing in SVG: pictures in the plane (`SvgPicture`, lengths in px), and drawings in
 /// space in parallel projection with title, axes and legend (`AxonometricFigure`, lengths
 /// in mm). All other figures of this module use these two classes.
+///
+/// Implemented in `svg.cpp` (SvgPicture) and `axonometric_figure.cpp`.
 
 namespace endmill {
 

@@ -12,6 +12,9 @@
 /// \file
 /// Figures of sets of tool directions: on the sphere, and in charts of the plane. A set
 /// is the feasible tool motion of a machine; FeasibleDirections computes its border.
+///
+/// Implemented in `direction_sphere_svg.cpp` (the sphere) and `direction_charts.cpp` (the
+/// charts).
 
 namespace endmill {
 

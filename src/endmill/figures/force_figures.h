@@ -12,6 +12,8 @@
 /// Figures of ball-end milling: the engaged part of the ball, and the frame of the
 /// cutting forces on an element of the edge. Both draw in the frame of BallEngagement,
 /// whose lengths are in radii of the ball.
+///
+/// Implemented in `engagement_svg.cpp` and `force_frame_svg.cpp`.
 
 namespace endmill {
 

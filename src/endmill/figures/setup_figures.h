@@ -22,6 +22,9 @@
 ///
 /// Sketches of milling machines: which axes they have, in which order, and what each
 /// carries.
+///
+/// Implemented in `shown_setup.cpp` (what the figures share), `setup_svg.cpp`,
+/// `sphere_svg.cpp`, `setup_vtp.cpp` and `machine_figure.cpp` (the sketches).
 
 namespace endmill {
 

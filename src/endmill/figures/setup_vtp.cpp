@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "endmill/core/detail/appended_arrays.h"
 #include "endmill/core/error.h"
-#include "endmill/files/detail/appended_arrays.h"
 
 // The file holds three kinds of cells: the facets of the part, lines for the axes, and
 // lines on a sphere around the part for the borders of the motion. One integer for each

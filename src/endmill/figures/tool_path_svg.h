@@ -7,6 +7,10 @@
 #include "endmill/path/tool_path.h"
 #include "endmill/surface/surface.h"
 
+/// \file
+/// Figures of a tool path and of a surface. Implemented in `tool_path_svg.cpp` and
+/// `surface_svg.cpp`.
+
 namespace endmill {
 
 /// A tool path in parallel projection, as an SVG file: contact points (tips where there

@@ -196,7 +196,8 @@ const std::string& CsvTable::cell(std::size_t row, std::string_view column) cons
     const auto found = std::find(columns_.begin(), columns_.end(), column);
     if (found == columns_.end())
         throw FormatError{"E_CSV",
-                          {file_, "1", "no column \"" + std::string{column} + "\"", ""}};
+                          {file_, "1", "no column \"" + std::string{column} + "\"",
+                           "a column of this name"}};
     return cells_[row * columns_.size() + (found - columns_.begin())];
 }
 

@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "endmill/core/detail/appended_arrays.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/deviation/detail/deviation_cells.h"
-#include "endmill/files/detail/appended_arrays.h"
 
 // A part has many more cells than a viewer can show. If there are too many, consecutive
 // cells are grouped into runs of equal length and each run is represented by its two

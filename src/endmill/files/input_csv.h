@@ -15,6 +15,8 @@
 /// Readers of small CSV inputs: directions, curves of one plane, and cutting speeds. Each
 /// input has a `parse_...` function for a text in memory and a `read_...` function for a
 /// file. Columns may stand in any order; unknown columns are refused.
+///
+/// Implemented in `directions_csv.cpp`, `polyline_csv.cpp` and `tool_life_csv.cpp`.
 
 namespace endmill {
 

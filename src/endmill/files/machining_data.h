@@ -19,6 +19,8 @@
 ///
 /// Readers of the files that describe a cut: the tool ("endmill-tool/1") and the material
 /// of the workpiece ("endmill-material/1").
+///
+/// Implemented in `machine_file.cpp`, `tool_file.cpp` and `material_file.cpp`.
 
 namespace endmill {
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/orientation.h"
 #include "endmill/core/text.h"
@@ -35,7 +36,6 @@ namespace {
 //
 // Every step that changes something adds a note.
 
-constexpr double mm_per_inch = 25.4;
 constexpr std::array<std::string_view, 4> extensions{".stl", ".obj", ".ply", ".off"};
 
 // Upper bound of the memory that exact welding takes for each point (weld.h).

@@ -18,6 +18,9 @@
 /// \file
 /// Tool paths in files: recognition of the format, reading of all formats, writing of the
 /// CSV format, and the summary.json that stands beside a planned path.
+///
+/// Implemented in `path_file.cpp` (reading), `tool_path_csv.cpp` (writing) and
+/// `path_summary.cpp` (summary.json).
 
 namespace endmill {
 

@@ -13,6 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
@@ -20,8 +21,6 @@ namespace endmill {
 namespace {
 
 using std::string_view_literals::operator""sv;
-
-constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
 
 // The number with two significant digits, for messages.
 std::string two_digits(double value)
@@ -42,7 +41,7 @@ constexpr std::array compressed_beginnings{
 
 // Throws the error that a file cannot be opened or read.
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& found,
-                         const std::string& expected = {})
+                         const std::string& expected)
 {
     throw FormatError{"E_OPEN", {shown_path(path), "", found, expected}};
 }
@@ -51,8 +50,9 @@ constexpr std::array compressed_beginnings{
 [[noreturn]] void refuse_for(const std::filesystem::path& path, int error)
 {
     if (error == EACCES)
-        refuse(path, "cannot open: permission denied");
-    refuse(path, "cannot open: " + std::generic_category().message(error));
+        refuse(path, "cannot open: permission denied", "a file that you may read");
+    refuse(path, "cannot open: " + std::generic_category().message(error),
+           error == ENOENT ? "an existing file" : "a readable file");
 }
 
 // A regular file that is open for reading. O_NONBLOCK keeps `open` from waiting for the
@@ -130,14 +130,14 @@ std::string read_file(const std::filesystem::path& path, const ReadLimits& limit
         if (text.starts_with(beginning))
             throw FormatError{
                 "E_COMPRESSED",
-                {file, "", "compressed input is not accepted; decompress it first", ""}};
+                {file, "", "compressed input is not accepted", "the decompressed file"}};
     // A file that exceeds the limit is refused before it is read. Readers check the
     // memory of the data that they build from the text separately.
     require_memory(file, static_cast<double>(size), limits);
     if (size > text.size())
         input.append_to(text, size - text.size());
     if (text.find_first_not_of(" \t\r\n\v\f") == std::string::npos)
-        throw FormatError{"E_EMPTY", {file, "", "file is empty", ""}};
+        throw FormatError{"E_EMPTY", {file, "", "file is empty", "a file with content"}};
     return text;
 }
 

@@ -22,6 +22,9 @@
 /// \file
 /// Results as CSV files, one function for each kind of result. Every column name carries
 /// the unit of its numbers; an unknown value is an empty cell.
+///
+/// Implemented in one source file for each kind of result, such as `deviation_csv.cpp`
+/// and `feed_csv.cpp`.
 
 namespace endmill {
 

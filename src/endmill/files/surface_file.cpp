@@ -10,6 +10,7 @@
 #include <span>
 #include <utility>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/core/tolerance.h"
@@ -28,9 +29,6 @@
 //    reported as errors in the file.
 // 4. Poles are found: borders that are a single point, and corners without a normal. Such
 //    surfaces are valid, but a tool cannot be placed there, so a note states each pole.
-//
-// Writing is possible for composite bicubic surfaces only. The control points that
-// neighbouring patches share are written once, after a check that they are equal.
 
 namespace endmill {
 namespace {
@@ -38,7 +36,6 @@ namespace {
 using Words = std::span<const std::string_view>;
 
 constexpr std::string_view format_name = "endmill-surface/1";
-constexpr double mm_per_inch = 25.4;
 constexpr std::size_t longest_name = 200;
 constexpr std::size_t longest_source = 2000;
 
@@ -198,89 +195,6 @@ std::vector<std::string> pole_notes(std::span<const Surface> surfaces)
     return notes;
 }
 
-// Whether the breaks are 0, 1, 2, …
-bool counts_up_from_zero(std::span<const double> breaks)
-{
-    for (std::size_t i = 0; i < breaks.size(); ++i)
-        if (breaks[i] != static_cast<double>(i))
-            return false;
-    return true;
-}
-
-// The control point in column i and row j of the composite net. A shared point is taken
-// from the patch with the larger indices, except at the last border.
-Vec3 net_point(const Surface& surface, int i, int j)
-{
-    const int patch_i = std::min(i / 3, surface.patches(Parameter::U) - 1);
-    const int patch_j = std::min(j / 3, surface.patches(Parameter::V) - 1);
-    return surface.patch(patch_i, patch_j)
-        .control_point(i - 3 * patch_i, j - 3 * patch_j);
-}
-
-// Whether all patches are bicubic and polynomial.
-bool is_bicubic(const Surface& surface)
-{
-    for (int j = 0; j < surface.patches(Parameter::V); ++j)
-        for (int i = 0; i < surface.patches(Parameter::U); ++i) {
-            const BezierPatch& patch = surface.patch(i, j);
-            if (patch.degree(Parameter::U) != 3 || patch.degree(Parameter::V) != 3 ||
-                patch.is_rational())
-                return false;
-        }
-    return true;
-}
-
-// Whether the composite net of `net_point` reproduces every patch.
-bool shares_borders(const Surface& surface)
-{
-    for (int patch_j = 0; patch_j < surface.patches(Parameter::V); ++patch_j)
-        for (int patch_i = 0; patch_i < surface.patches(Parameter::U); ++patch_i)
-            for (int k = 0; k < 16; ++k) {
-                const Vec3 own =
-                    surface.patch(patch_i, patch_j).control_point(k % 4, k / 4);
-                if (own != net_point(surface, 3 * patch_i + k % 4, 3 * patch_j + k / 4))
-                    return false;
-            }
-    return true;
-}
-
-// Appends a point as a JSON array.
-void append_point(std::string& text, const Vec3& point)
-{
-    text += '[';
-    append_text(text, point.x());
-    text += ", ";
-    append_text(text, point.y());
-    text += ", ";
-    append_text(text, point.z());
-    text += ']';
-}
-
-// The composite control net as a JSON array of rows, one row on a line.
-std::string net_json(const Surface& surface)
-{
-    const int columns = 3 * surface.patches(Parameter::U) + 1;
-    const int rows = 3 * surface.patches(Parameter::V) + 1;
-    std::string text = "[\n";
-    for (int j = 0; j < rows; ++j) {
-        text += "  [";
-        for (int i = 0; i < columns; ++i) {
-            text += i == 0 ? "" : ", ";
-            append_point(text, net_point(surface, i, j));
-        }
-        text += j + 1 < rows ? "],\n" : "]\n";
-    }
-    return text + " ]";
-}
-
-// The word of a tool side in files.
-std::string_view tool_side_name(ToolSide side)
-{
-    if (side == ToolSide::Up)
-        return "up";
-    return side == ToolSide::DuCrossDv ? "du_cross_dv" : "dv_cross_du";
-}
-
 }  // namespace
 
 SurfaceFile read_surface(const std::filesystem::path& path, const ReadLimits& limits)
@@ -305,29 +219,6 @@ SurfaceFile parse_surface(std::string_view content, const std::filesystem::path&
     return {text_or(root, "name", longest_name, printable(path.stem().string())),
             text_or(root, "source", longest_source, {}), std::move(surfaces),
             std::move(notes)};
-}
-
-std::string surface_json(const SurfaceFile& file)
-{
-    require(file.surfaces.size() == 1, "surface_json: need one surface");
-    const Surface& surface = file.surfaces.front();
-    require(counts_up_from_zero(surface.breaks(Parameter::U)) &&
-                counts_up_from_zero(surface.breaks(Parameter::V)),
-            "surface_json: the breaks must be 0, 1, 2, …");
-    require(is_bicubic(surface), "surface_json: the patches must be bicubic");
-    require(shares_borders(surface),
-            "surface_json: the patches do not share their borders");
-
-    std::string text = "{\n \"format\": \"endmill-surface/1\",\n";
-    text += " \"name\": " + json_string(file.name) + ",\n";
-    text += " \"source\": " + json_string(file.source) + ",\n";
-    text += " \"type\": \"bezier\",\n";
-    text +=
-        " \"tool_side\": \"" + std::string{tool_side_name(surface.tool_side())} + "\",\n";
-    text += " \"patches_u\": " + std::to_string(surface.patches(Parameter::U)) + ",\n";
-    text += " \"patches_v\": " + std::to_string(surface.patches(Parameter::V)) + ",\n";
-    text += " \"control_points\": " + net_json(surface) + "\n}\n";
-    return text;
 }
 
 }  // namespace endmill

@@ -39,11 +39,4 @@ SurfaceFile read_surface(const std::filesystem::path& path,
 SurfaceFile parse_surface(std::string_view content, const std::filesystem::path& path,
                           const ReadLimits& limits = {});
 
-/// The content of a file of type "bezier" from which `read_surface` reads the same
-/// doubles, except that minus zero becomes zero. The notes are not written.
-/// \throws DomainError unless there is one surface, its breaks are 0, 1, 2, …, and its
-///         patches are bicubic, without weights, and share the control points of their
-///         borders.
-std::string surface_json(const SurfaceFile& file);
-
 }  // namespace endmill

@@ -65,12 +65,12 @@ std::vector<ToolCylinder> cylinders(const JsonValue& root, std::string_view key,
 }
 
 // The loads that the tool bears; each is optional.
-ToolLimits tool_limits(const JsonValue& root)
+LoadLimits tool_limits(const JsonValue& root)
 {
     constexpr std::array<std::string_view, 3> keys{"cutting_force_n", "thrust_n",
                                                    "torque_n_m"};
     constexpr double most = 1e9;  // N or N m: beyond every tool, and finite
-    ToolLimits limits;
+    LoadLimits limits;
     const auto value = root.find_member("limits");
     if (!value)
         return limits;

@@ -15,6 +15,8 @@
 /// \file
 /// VTK XML files for ParaView and VTK: tool paths, stocks and deviations. Lengths are in
 /// mm. A stock file can also be read back.
+///
+/// Implemented in `vtp.cpp` (tool paths), `vti.cpp` (stocks) and `deviation_vtp.cpp`.
 
 namespace endmill {
 

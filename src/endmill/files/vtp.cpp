@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "endmill/core/detail/appended_arrays.h"
 #include "endmill/core/error.h"
-#include "endmill/files/detail/appended_arrays.h"
 
 namespace endmill {
 namespace {

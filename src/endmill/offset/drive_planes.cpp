@@ -58,7 +58,7 @@ DrivePlanes drive_planes_by_pitch(const DriveFrame& frame, const Interval& acros
 
 Interval extent_across(std::span<const Surface> surfaces, const DriveFrame& frame)
 {
-    return extent(surfaces, frame.across_direction());
+    return extent(surfaces, frame.point(0, 1, 0));
 }
 
 Interval extent_across(const TriangleMesh& mesh, const DriveFrame& frame)

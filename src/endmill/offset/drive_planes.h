@@ -36,8 +36,6 @@ public:
     {
         return {s * cosine_ - t * sine_, s * sine_ + t * cosine_, z};
     }
-    /// Unit direction of growing t.
-    Vec3 across_direction() const { return {-sine_, cosine_, 0}; }
 
 private:
     double cosine_;

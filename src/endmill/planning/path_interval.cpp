@@ -3,22 +3,33 @@
 
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <numbers>
+#include <sstream>
+#include <string>
 
 #include "endmill/core/error.h"
-#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// A length in mm for a message, to six digits.
+std::string rounded(double mm)
+{
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << mm;
+    return text.str();
+}
+
 // R is the radius of the ball in mm, k the curvature in 1/mm.
 void require_fit(double R, double k)
 {
     if (1 + k * R <= 0)
-        throw GeometryError{"path_interval: a ball of radius " + to_text(R) +
-                            " mm does not fit a concavity of radius " + to_text(-1 / k) +
+        throw GeometryError{"a ball of radius " + rounded(R) +
+                            " mm does not fit a concavity of radius " + rounded(-1 / k) +
                             " mm, its limit"};
 }
 
@@ -83,11 +94,11 @@ double scallop_height(const BallCutter& cutter, double curvature, double interva
     // m: distance of a ball centre from the bisector of the two contacts.
     const double m = (1 + k * R) * l / 2;
     if (std::abs(k) * l > 2)
-        throw GeometryError{"scallop_height: the interval is longer than the diameter " +
-                            to_text(2 / std::abs(k)) + " mm of the section"};
+        throw GeometryError{"the interval is longer than the diameter " +
+                            rounded(2 / std::abs(k)) + " mm of the section"};
     if (m > R)
-        throw GeometryError{"scallop_height: balls further apart than " +
-                            to_text(2 * R / (1 + k * R)) + " mm do not meet"};
+        throw GeometryError{"balls further apart than " + rounded(2 * R / (1 + k * R)) +
+                            " mm do not meet"};
     const double c = std::sqrt(1 - k * k * l * l / 4);
     const double A = R * c - k * l * l / (4 * (1 + c));
     return (1 + k * R) * l * l / (2 * (1 + c) * (A + std::sqrt(R * R - m * m)));

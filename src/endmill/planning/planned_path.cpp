@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/planning/iso_parametric.h"
@@ -14,7 +15,6 @@
 namespace endmill {
 namespace {
 
-constexpr double bytes_per_gib = 0x1p30;
 // Factor within which estimated_points is right.
 constexpr double estimate_margin = 2;
 // Share of the memory that paths may need together to be planned at the same time. The

@@ -3,6 +3,8 @@
 
 /// \file
 /// Reader and writer of CL data (cutter location data) in the words of APT.
+///
+/// Implemented in `apt_reader.cpp` and `apt_writer.cpp`.
 
 #include <cstddef>
 #include <optional>

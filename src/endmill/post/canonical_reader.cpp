@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/post/detail/arc.h"
 #include "endmill/post/detail/canonical_line.h"
 #include "endmill/post/detail/gcode_arc.h"
@@ -31,7 +32,6 @@ namespace {
 
 constexpr double half_last_decimal =
     5e-5;  // of four decimals, in the unit of the program
-constexpr double mm_per_inch = 25.4;
 
 class CanonicalReader {
 public:

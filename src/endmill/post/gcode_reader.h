@@ -4,6 +4,8 @@
 /// \file
 /// Readers of G-code programs: of RS-274 directly, and of the canonical output that
 /// LinuxCNC's interpreter prints for a program with parameters, subprograms or cycles.
+///
+/// Implemented in `gcode_reader.cpp` and `canonical_reader.cpp` (canonical output).
 
 #include <string>
 #include <string_view>

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <limits>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 
 namespace endmill {
 
 std::size_t points_within(double memory_gib)
 {
-    constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
     // A growing vector needs the memory of its points three times: once for the old
     // array, and twice for the new array of double size.
     constexpr double bytes_per_point =

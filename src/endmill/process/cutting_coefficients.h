@@ -4,6 +4,9 @@
 /// \file
 /// The cutting action coefficients of a ball-end mill: exact for any engagement, or
 /// interpolated in a table, which is faster.
+///
+/// Implemented in `cutting_coefficients.cpp` and `coefficient_table.cpp`
+/// (CoefficientTable).
 
 #include <array>
 #include <span>

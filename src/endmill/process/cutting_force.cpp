@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/process/detail/force_pattern.h"
 #include "endmill/process/detail/helical_edge.h"
@@ -24,8 +25,6 @@ namespace endmill {
 namespace {
 
 using std::numbers::pi;
-
-constexpr double mm_per_m = 1000;
 
 // Gauss nodes on [-1, 1] above 0, and their weights. The table of the handbook has 16
 // digits; its last digit is rounded differently from that of the exact value, and stored

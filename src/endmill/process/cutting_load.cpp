@@ -4,10 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "endmill/core/detail/units.h"
+
 namespace endmill {
 namespace {
 
-constexpr double mm_per_m = 1000;
 constexpr double newton_per_kgf = 9.80665;
 // kgf mm rpm per kW. Source: [ParkMaeng, eq. (19)].
 constexpr double paper_power_constant = 974000;
@@ -95,7 +96,6 @@ FeedBounds feed_bounds(const LoadModel& model, const EdgeSums& sums,
 double cutting_power_w(LimitForm form, double torque_n_m, double spindle_rpm)
 {
     constexpr double watt_per_kw = 1000;
-    constexpr double seconds_per_min = 60;
     if (form == LimitForm::Paper)
         return watt_per_kw * spindle_rpm * (mm_per_m * torque_n_m / newton_per_kgf) /
                paper_power_constant;

@@ -4,6 +4,9 @@
 /// \file
 /// A path with the feeds of a plan, and the machining time: block by block at the
 /// programmed feeds, or with the acceleration limit of a machine.
+///
+/// Implemented in `fed_path.cpp` (the path), `feed_times.cpp` (times at programmed feeds)
+/// and `planned_feed.cpp` (a machine of limited acceleration).
 
 #include <cstddef>
 #include <optional>

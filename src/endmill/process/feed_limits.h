@@ -8,6 +8,9 @@
 /// them into loads at a feed per tooth, and `feed_bounds` turns limits of the loads into
 /// bounds of the feed per tooth. `segment_feed` runs the stages of the paper:
 /// I the feed per tooth, II and III the spindle speed, IV the table feed.
+///
+/// Implemented in `cutting_load.cpp` (loads and bounds) and `feed_limits.cpp` (the
+/// stages).
 
 #include <array>
 #include <functional>
@@ -54,13 +57,6 @@ struct CuttingLoads {
     double cutting_force_n = 0;  ///< N, across the axis
     double thrust_n = 0;         ///< N, along the axis
     double torque_n_m = 0;       ///< N m, about the axis
-};
-
-/// Limits of the loads. A missing limit does not bind.
-struct LoadLimits {
-    std::optional<double> cutting_force_n = {};  ///< N, above 0
-    std::optional<double> thrust_n = {};         ///< N, above 0
-    std::optional<double> torque_n_m = {};       ///< N m, above 0
 };
 
 /// Feed per tooth in mm at which each limit is reached. std::nullopt where the limit does

@@ -2,6 +2,7 @@
 #include "endmill/process/feed_plan.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -74,6 +75,13 @@ std::optional<double> smaller(const std::optional<double>& one,
     return one ? one : other;
 }
 
+bool is_engaged(const BallFront& front)
+{
+    const auto is_material = [](double value) { return value > 0; };
+    return std::ranges::any_of(front.engaged, is_material) ||
+           std::ranges::any_of(front.shank, is_material);
+}
+
 }  // namespace
 
 FeedRange feed_range(const CuttingMaterial& material, const FeedPlanOptions& options)
@@ -102,8 +110,8 @@ FeedRules feed_rules(const MillingJob& job, const FeedPlanOptions& options)
             "feed plan: need 1 <= peak factor");
     const FeedRules rules{
         .model = {job.material, job.tool.radius, options.form},
-        .limits = {job.tool.cutting_force_n, job.tool.thrust_n,
-                   smaller(job.tool.torque_n_m, job.machine.max_torque_n_m)},
+        .limits = {job.tool.limits.cutting_force_n, job.tool.limits.thrust_n,
+                   smaller(job.tool.limits.torque_n_m, job.machine.max_torque_n_m)},
         .range = feed_range(job.material, options),
         .drive = {.radius = job.tool.radius,
                   .flutes = job.tool.flutes,
@@ -144,6 +152,32 @@ SegmentLoad front_load(double length_mm, const BallFront& front, const MillingTo
             .loads = [pattern, &rules](double feed) {
                 return pattern->largest_loads(rules.model, feed);
             }};
+}
+
+MeasuredFeeds measured_feed_plan(
+    std::span<const SegmentCut> cuts, const MillingJob& job,
+    const FeedPlanOptions& options,
+    const std::function<void(const FrontVisit& visit)>& measure)
+{
+    const FeedRules rules = feed_rules(job, options);
+    MeasuredFeeds measured;
+    measured.plan.rows.resize(cuts.size());
+    measured.milling.resize(cuts.size(), Milling::Down);
+    std::vector<double> lengths;
+    for (const SegmentCut& cut : cuts)
+        lengths.push_back(cut.length_mm);
+    std::atomic<bool> has_engagement = false;
+    measure([&](std::size_t number, const BallFront& front) {
+        if (is_engaged(front))
+            has_engagement = true;
+        measured.milling[number] =
+            front.stock_side == FeedSide::Right ? Milling::Down : Milling::Up;
+        measured.plan.rows[number] = segment_feed(
+            front_load(lengths[number], front, job.tool, options, rules), rules);
+    });
+    measured.has_engagement = has_engagement;
+    measured.plan.totals = feed_plan_totals(measured.plan.rows, lengths, rules.limits);
+    return measured;
 }
 
 FeedPlanTotals feed_plan_totals(const std::vector<SegmentFeed>& rows,

@@ -82,14 +82,6 @@ FeedRules feed_rules(const MillingJob& job, const FeedPlanOptions& options);
 SegmentLoad front_load(double length_mm, const BallFront& front, const MillingTool& tool,
                        const FeedPlanOptions& options, const FeedRules& rules);
 
-/// Limits that would just make all moves feasible at the least feed per tooth.
-/// std::nullopt for a limit that makes no move infeasible.
-struct NeededLimits {
-    std::optional<double> cutting_force_n = {};  ///< N
-    std::optional<double> thrust_n = {};         ///< N
-    std::optional<double> torque_n_m = {};       ///< N m
-};
-
 /// Totals of a feed plan. Shares are fractions of the total length.
 struct FeedPlanTotals {
     double length_mm = 0;  ///< mm, length of all cutting moves
@@ -101,9 +93,11 @@ struct FeedPlanTotals {
     /// of `all_speed_limits`.
     std::array<double, all_speed_limits.size()> speed_limit_shares{};
     std::size_t infeasible = 0;  ///< number of infeasible moves
-    NeededLimits needed = {};    ///< limits that would make them feasible
-    double max_torque_n_m = 0;   ///< N m, largest torque of all moves
-    double max_power_w = 0;      ///< W, largest power of all moves
+    /// The smallest limits for which every move would be feasible at the least feed per
+    /// tooth. A limit that makes no move infeasible is missing.
+    LoadLimits needed = {};
+    double max_torque_n_m = 0;  ///< N m, largest torque of all moves
+    double max_power_w = 0;     ///< W, largest power of all moves
 };
 
 /// Feed and spindle speed of every cutting move of a path.
@@ -133,6 +127,31 @@ FeedPlan feed_plan(std::size_t count,
 ///         cut; the message names the move.
 FeedPlan feed_plan(std::span<const SegmentCut> cuts, const MillingJob& job,
                    const FeedPlanOptions& options);
+
+/// A function that takes the number of a move and the engaged front of the ball on it.
+using FrontVisit = std::function<void(std::size_t number, const BallFront& front)>;
+
+/// Feeds of moves whose engagement was measured in the stock.
+struct MeasuredFeeds {
+    FeedPlan plan;                 ///< feed and spindle speed of each move
+    std::vector<Milling> milling;  ///< side of the feed with the stock, for each move
+    bool has_engagement = false;   ///< whether some move finds material
+};
+
+/// Feed and spindle speed of each of `cuts` from the engagement that `measure` finds in
+/// the stock, instead of that of the geometry. The plan does not depend on the order of
+/// the visits.
+/// \param cuts only their lengths are used.
+/// \param job material, tool and machine.
+/// \param options chip model and peak rule.
+/// \param measure calls its argument once for each of `cuts`, from any thread, as
+///        `for_each_ball_front` of the module stock does.
+/// \throws DomainError as `feed_rules`, `front_load` and `segment_feed`.
+/// Source: docs/mathematics/ball-end-milling.md, section 12.
+MeasuredFeeds measured_feed_plan(
+    std::span<const SegmentCut> cuts, const MillingJob& job,
+    const FeedPlanOptions& options,
+    const std::function<void(const FrontVisit& visit)>& measure);
 
 /// Totals of a plan, summed over its rows in the order of the moves.
 /// \param rows the rows of the plan.

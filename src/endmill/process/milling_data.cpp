@@ -41,7 +41,8 @@ void require_sound(const MillingTool& tool)
     require(tool.flutes >= 1, "MillingTool: need a flute");
     require(std::abs(tool.helix) <= most_helix,
             "MillingTool: need a helix within 80 degrees");
-    for (const auto& limit : {tool.cutting_force_n, tool.thrust_n, tool.torque_n_m})
+    for (const auto& limit :
+         {tool.limits.cutting_force_n, tool.limits.thrust_n, tool.limits.torque_n_m})
         require(!limit || is_positive(*limit), "MillingTool: need 0 < limit");
 }
 
@@ -55,9 +56,7 @@ MillingTool milling_tool(const Tool& tool)
     const MillingTool seen{.radius = tool.cutter.radius(),
                            .flutes = *tool.flutes,
                            .helix = tool.helix ? tool.helix->radians() : 0,
-                           .cutting_force_n = tool.limits.cutting_force,
-                           .thrust_n = tool.limits.thrust,
-                           .torque_n_m = tool.limits.torque};
+                           .limits = tool.limits};
     require_sound(seen);
     return seen;
 }

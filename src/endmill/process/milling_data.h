@@ -66,10 +66,7 @@ struct MillingTool {
     /// depend on the helix. In a full slot, its sign has no effect on the peaks.
     /// Source: docs/mathematics/ball-end-milling.md, section 4.
     double helix = 0;
-    /// N, largest force across the axis at any time, above 0.
-    std::optional<double> cutting_force_n = {};
-    std::optional<double> thrust_n = {};    ///< N, largest force along the axis, above 0
-    std::optional<double> torque_n_m = {};  ///< N m, largest torque, above 0
+    LoadLimits limits = {};  ///< largest loads at any time, above 0
 };
 
 /// Checks the ranges that MillingTool states.

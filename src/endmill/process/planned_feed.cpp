@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 
 // The motion is planned in three passes over the points
@@ -91,7 +92,6 @@ double segment_time(double length, double from, double to, double feed, double a
 // Feed in mm/s of the move to point i, or std::nullopt for a rapid.
 std::optional<double> feed_of_move(const ToolPath& path, std::size_t i)
 {
-    constexpr double seconds_per_min = 60;
     const Move move = path.points[i].move;
     const auto feed = move == Move::Rapid || path.conditions.empty()
                           ? std::nullopt

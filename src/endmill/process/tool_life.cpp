@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
@@ -126,7 +127,6 @@ double economic_speed(const SpeedLine& line, double phi_over_pi)
 
 double spindle_speed_rpm(double v_m_per_min, double radius_mm)
 {
-    constexpr double mm_per_m = 1000;
     require(is_positive(v_m_per_min), "spindle_speed_rpm: need 0 < cutting speed");
     require(is_positive(radius_mm), "spindle_speed_rpm: need 0 < radius");
     return mm_per_m * v_m_per_min / (2 * std::numbers::pi * radius_mm);

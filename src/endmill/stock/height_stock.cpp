@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
@@ -33,7 +34,6 @@ int tiles_across(int cells)
     return (cells - 1) / HeightStock::tile_side + 1;
 }
 
-constexpr double bytes_per_gib = 0x1p30;
 // Working memory of `remove_along` for the current moves and their groups; measured, with
 // a margin.
 constexpr double work_bytes_per_cell = 1.5;

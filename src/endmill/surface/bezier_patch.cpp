@@ -188,21 +188,6 @@ BezierPatch rearranged(const BezierPatch& patch, Degrees degrees, const Point& p
     return BezierPatch::from_homogeneous(degrees.u, degrees.v, net, patch.is_rational());
 }
 
-// The patch with its degree in u raised by one.
-BezierPatch elevated_in_u(const BezierPatch& patch)
-{
-    const int degree = patch.degree(Parameter::U) + 1;
-    return rearranged(patch, {degree, patch.degree(Parameter::V)}, [&](int i, int j) {
-        const double share = i / double(degree);
-        Eigen::Vector4d point = Eigen::Vector4d::Zero();
-        if (i > 0)
-            point += share * patch.homogeneous_point(i - 1, j);
-        if (i < degree)
-            point += (1 - share) * patch.homogeneous_point(i, j);
-        return point;
-    });
-}
-
 }  // namespace
 
 BezierPatch::BezierPatch(int degree_u, int degree_v, bool is_rational)
@@ -347,20 +332,6 @@ BezierPatch reversed_in_u(const BezierPatch& patch)
     return rearranged(patch, {degree, patch.degree(Parameter::V)}, [&](int i, int j) {
         return patch.homogeneous_point(degree - i, j);
     });
-}
-
-BezierPatch elevated(const BezierPatch& patch, int degree_u, int degree_v)
-{
-    require(patch.degree(Parameter::U) <= degree_u && degree_u <= most_degree &&
-                patch.degree(Parameter::V) <= degree_v && degree_v <= most_degree,
-            "elevated: degrees must not fall, and be at most 25");
-    BezierPatch result = patch;
-    while (result.degree(Parameter::U) < degree_u)
-        result = elevated_in_u(result);
-    result = transposed(result);
-    while (result.degree(Parameter::U) < degree_v)
-        result = elevated_in_u(result);
-    return transposed(result);
 }
 
 }  // namespace endmill

@@ -8,6 +8,10 @@
 #include "endmill/core/vec.h"
 #include "endmill/surface/surface_jet.h"
 
+/// \file
+/// Bezier patches and conversions to them. Implemented in `bezier_patch.cpp` and
+/// `ferguson.cpp` (FergusonPatch).
+
 namespace endmill {
 
 /// A Bezier patch over the unit square, of degree p in u and q in v, both up to 25; with
@@ -103,11 +107,6 @@ BezierPatch transposed(const BezierPatch& patch);
 
 /// The same patch with u replaced by 1 - u.
 BezierPatch reversed_in_u(const BezierPatch& patch);
-
-/// The same patch represented with higher degrees. Control points are accurate to a few
-/// roundings.
-/// \throws DomainError unless degree(U) <= degree_u <= 25, and likewise for v.
-BezierPatch elevated(const BezierPatch& patch, int degree_u, int degree_v);
 
 /// A bicubic patch in Ferguson's form: points, first partial derivatives and twists at
 /// the four corners. Ferguson's own patches have zero twists.

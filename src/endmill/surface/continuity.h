@@ -9,6 +9,10 @@
 #include "endmill/core/angle.h"
 #include "endmill/surface/surface.h"
 
+/// \file
+/// Continuity of surfaces at the borders of their patches. Implemented in
+/// `continuity.cpp` and `patch_borders.cpp` (the borders of a part).
+
 namespace endmill {
 
 /// The continuity of two patches at their common border.

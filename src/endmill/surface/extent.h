@@ -5,6 +5,9 @@
 
 #include "endmill/surface/surface.h"
 
+/// \file
+/// Extent and area of surfaces. Implemented in `extent.cpp` and `area.cpp`.
+
 namespace endmill {
 
 /// Least and greatest value of r(u, v) . direction over a surface, in mm for a unit

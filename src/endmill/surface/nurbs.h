@@ -7,6 +7,10 @@
 
 #include "endmill/surface/surface.h"
 
+/// \file
+/// NURBS surfaces, and surfaces through a grid of heights. Implemented in `nurbs.cpp` and
+/// `height_grid.cpp` (height_grid).
+
 namespace endmill {
 
 /// Degree and knots of one parameter of a B-spline surface.

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
@@ -104,7 +105,6 @@ void for_each_plane(const SectionSource& source, std::span<const Trimmed> trimme
     });
 }
 
-constexpr double bytes_per_gib = 0x1p30;
 // Memory of one vertex of an offset: the grid, the mesh and the slicer's links. While
 // strips are added, it is twice as much.
 constexpr double bytes_a_vertex = 95;

@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/deviation/detail/deviation_measurement.h"
@@ -26,7 +27,6 @@ constexpr double below = 1;  // mm of material below the lowest of part and tips
 constexpr double above = 1;  // mm of material above the part
 // Memory per move of an earlier run: its tip, its sweep and its place in the tree.
 constexpr double bytes_an_earlier_move = 200;
-constexpr double gib = 1024.0 * 1024 * 1024;
 // Memory per ray: its entries in the deviation, its share of a tile, and room for growing
 // vectors.
 constexpr double bytes_a_ray = 16;
@@ -196,13 +196,13 @@ void require_fitting(const VerificationTask& task)
 {
     require(std::isfinite(task.resolution) && task.resolution > 0,
             "verify_path: need 0 < resolution");
-    const double limit = task.max_memory_gib * gib;
+    const double limit = task.max_memory_gib * bytes_per_gib;
     const double extra = task.extra_bytes_per_cell;
     const KeptStock* kept = kept_stock(task);
     const Block box = stock_box(task);
     if (!task.part || kept)
         require_stock_memory(box, kept ? kept->heights.grid().pitch : task.resolution,
-                             limit / gib, extra);
+                             limit / bytes_per_gib, extra);
     const MemoryNeed need{task};
     const double bytes = need.both(task.resolution);
     if (!task.part ||
@@ -216,7 +216,8 @@ void require_fitting(const VerificationTask& task)
                    to_text(need.fitting_resolution(task.resolution, limit)) + " mm fits";
     throw LimitError{"a part of " + to_text(std::round(need.area())) +
                      " mm2 and its stock at a resolution of " + to_text(task.resolution) +
-                     " mm would need about " + to_text(std::ceil(bytes / gib * 10) / 10) +
+                     " mm would need about " +
+                     to_text(std::ceil(bytes / bytes_per_gib * 10) / 10) +
                      " GiB; expected at most " + to_text(task.max_memory_gib) +
                      " GiB (--max-memory)" + proposal};
 }
@@ -276,7 +277,7 @@ StockContacts contacts_with_stock(const VerificationTask& task, const Removal& r
                                   const StockGrid& grid)
 {
     const FinerContacts finer{*task.path, task.cutter, task.body,
-                              finer_share * task.max_memory_gib * gib};
+                              finer_share * task.max_memory_gib * bytes_per_gib};
     const Block box = stock_box(task);
     return kept_stock(task) ? contacts_of(removal, grid, box.high.z(), finer)
                             : finer_contacts(removal, box, grid, finer);
@@ -385,7 +386,7 @@ Verification verify_path(const VerificationTask& task)
     std::optional<PartCollisions> in_part;
     if (task.part)
         in_part = part_collisions(*task.part, *task.path, task.cutter, task.body,
-                                  finer_share * task.max_memory_gib * gib);
+                                  finer_share * task.max_memory_gib * bytes_per_gib);
     const StockContacts contacts = contacts_with_stock(task, removal, rest.grid());
     removal.rapid_cuts = contacts.rapid_cuts;
     removal.collisions = contacts.collisions;

@@ -21,6 +21,18 @@ std::string needed_words(std::span<const std::string_view> needed)
     return words;
 }
 
+// What is expected in place of an unknown column. If every column is needed, they are
+// listed with "and".
+std::string expected_column(std::span<const std::string_view> names, std::size_t needed,
+                            std::string_view word)
+{
+    if (needed < names.size())
+        return one_of(names, word);
+    const auto closest = closest_word(word, names);
+    return needed_words(names) +
+           (closest ? "; did you mean \"" + std::string{*closest} + "\"?" : "");
+}
+
 }  // namespace
 
 // Finds the position of each known column. Unknown columns are refused instead of
@@ -37,7 +49,7 @@ NamedColumns::NamedColumns(const CsvLines& lines, std::span<const std::string_vi
         if (known == names.end())
             throw lines.complaint(
                 "E_CSV", "unknown column \"" + printable(word, longest_echo) + '"',
-                one_of(names, word));
+                expected_column(names, needed, word));
         auto& column = places_[static_cast<std::size_t>(known - names.begin())];
         if (column)
             throw lines.complaint("E_CSV", "column " + std::string{word} + " twice",

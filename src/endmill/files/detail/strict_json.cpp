@@ -79,7 +79,8 @@ JsonValue JsonValue::member(std::string_view key) const&
 {
     const auto found = find_member(key);
     if (!found)
-        throw complaint("key \"" + std::string{key} + "\" is missing", "");
+        throw complaint("key \"" + std::string{key} + "\" is missing",
+                        "a value under this key");
     return *found;
 }
 
@@ -155,12 +156,6 @@ JsonDocument::~JsonDocument() = default;
 JsonValue JsonDocument::root() const&
 {
     return JsonValue{*root_, file_};
-}
-
-// Names from files and the command line may contain invalid UTF-8, which is replaced.
-std::string json_string(std::string_view text)
-{
-    return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
 }  // namespace endmill

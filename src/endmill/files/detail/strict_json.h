@@ -106,7 +106,4 @@ private:
     std::unique_ptr<const nlohmann::json> root_;
 };
 
-/// `text` as a JSON string with quotes; invalid UTF-8 becomes U+FFFD.
-std::string json_string(std::string_view text);
-
 }  // namespace endmill

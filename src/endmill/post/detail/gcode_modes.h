@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/post/detail/arc.h"
 #include "endmill/post/detail/gcode_block.h"
 #include "endmill/post/detail/text_lines.h"
@@ -54,7 +55,7 @@ struct GcodeModes {
     bool used_blending = false;     ///< whether a G64 occurred
 
     /// mm per unit of length.
-    double mm_per_unit() const { return unit == GcodeUnit::Inch ? 25.4 : 1; }
+    double mm_per_unit() const { return unit == GcodeUnit::Inch ? mm_per_inch : 1; }
 
     /// Applies the G codes of `block`.
     /// \throws FormatError at the current line of `lines` for a code outside the subset,

@@ -23,7 +23,8 @@ TextLines::TextLines(std::string_view text, Kind kind)
     if (rest_.starts_with(byte_order_mark))
         rest_.remove_prefix(byte_order_mark.size());
     if (without_indent(rest_).empty())
-        throw FormatError{"E_EMPTY", {kind_.file, "", "file is empty", ""}};
+        throw FormatError{"E_EMPTY",
+                          {kind_.file, "", "file is empty", "a file with content"}};
 }
 
 bool TextLines::next()

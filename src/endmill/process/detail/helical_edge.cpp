@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "endmill/core/detail/bracketed_newton.h"
 #include "endmill/core/error.h"
-#include "endmill/process/detail/bracketed_newton.h"
 
 namespace endmill {
 namespace {

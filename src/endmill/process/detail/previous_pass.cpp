@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "endmill/process/detail/bracketed_newton.h"
+#include "endmill/core/detail/bracketed_newton.h"
 #include "endmill/process/detail/quartic_roots.h"
 
 // A condition base + turn cos(phi) + front tau is solved in two steps:

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "endmill/process/detail/bracketed_newton.h"
+#include "endmill/core/detail/bracketed_newton.h"
 
 // `roots` descends to the quadratic, whose roots are closed, and comes back up: the roots
 // of the derivative split the interval into parts on which the polynomial is monotonic,

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "endmill/core/detail/units.h"
 #include "endmill/core/parallel.h"
 #include "endmill/process/cutting_force.h"
 #include "endmill/process/detail/force_pattern.h"
@@ -131,7 +132,6 @@ StrokeForces stroke_forces(const std::vector<MilledMove>& moves,
 double used_life(const std::vector<MilledMove>& moves, const MillingJob& job,
                  double life_min)
 {
-    constexpr double mm_per_m = 1000;
     double used = 0;
     for (const auto& [cut, feed, rpm] : moves) {
         const double minutes = cut.length_mm / (job.tool.flutes * feed * rpm);

@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
+#include "endmill/core/detail/bracketed_newton.h"
 #include "endmill/surface/detail/cubic_root.h"
 
 namespace endmill {
@@ -34,11 +34,6 @@ Halves split(const BernsteinPolynomial& polynomial, double t)
     return parts;
 }
 
-struct ValueAndSlope {
-    double value;
-    double slope;
-};
-
 // Value and derivative by de Casteljau's algorithm.
 ValueAndSlope evaluate(BernsteinPolynomial b, double t)
 {
@@ -61,7 +56,8 @@ bool has_one_sign_change(const BernsteinPolynomial& b)
     return b.back() > 0 && std::all_of(first, b.end(), [](double c) { return c >= 0; });
 }
 
-// The only root of a polynomial that rises from below zero to zero or above.
+// The only root of a polynomial that rises from below zero to zero or above. Not
+// `bracketed_newton`: a narrow bracket, too, ends the search.
 double only_root(const BernsteinPolynomial& b)
 {
     constexpr int most_steps = 80;
@@ -69,11 +65,9 @@ double only_root(const BernsteinPolynomial& b)
     double high = 1;
     double t = -b.front() / (b.back() - b.front());
     for (int step = 0; step < most_steps && high - low > least_width; ++step) {
-        const auto [value, slope] = evaluate(b, t);
-        (value < 0 ? low : high) = t;
-        const double newton = t - value / slope;
-        const bool is_inside = low <= newton && newton <= high;
-        const double next = is_inside ? newton : std::midpoint(low, high);
+        const ValueAndSlope here = evaluate(b, t);
+        (here.value < 0 ? low : high) = t;
+        const double next = root_step(low, high, t, here).next;
         const double length = std::abs(next - t);
         t = next;
         if (length <= least_width)

@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "endmill/core/detail/bracketed_newton.h"
+
 namespace endmill {
 namespace {
 
 using Bernstein = std::array<double, 4>;
-
-struct ValueAndSlope {
-    double value;
-    double slope;
-};
 
 // Value and derivative by de Casteljau's algorithm.
 ValueAndSlope evaluate(const Bernstein& b, double t)
@@ -63,7 +60,9 @@ PieceEnds monotone_pieces(const Bernstein& b)
     return ends;
 }
 
-// The root in [low, high], where the cubic rises from below zero to zero or above.
+// The root in [low, high], where the cubic rises from below zero to zero or above. Not
+// `bracketed_newton`: only a short Newton step, not a short bisection, proves that the
+// root is near.
 double bracketed_root(const Bernstein& b, double low, double high)
 {
     // Halving alone would need 60 steps; Newton steps end after about four.
@@ -77,14 +76,12 @@ double bracketed_root(const Bernstein& b, double low, double high)
     const double near_start = -b[0] / (B + std::sqrt(B * B - A * b[0]));
     double t = low < near_start && near_start < high ? near_start : (low + high) / 2;
     for (int step = 0; step < most_steps; ++step) {
-        const auto [value, slope] = evaluate(b, t);
-        (value < 0 ? low : high) = t;
-        const double newton = t - value / slope;
-        const bool is_inside = low <= newton && newton <= high;
-        const double next = is_inside ? newton : low + (high - low) / 2;
+        const ValueAndSlope here = evaluate(b, t);
+        (here.value < 0 ? low : high) = t;
+        const auto [next, is_newton] = root_step(low, high, t, here);
         const double length = std::abs(next - t);
         t = next;
-        if (length <= (is_inside ? last_step : 0))
+        if (length <= (is_newton ? last_step : 0))
             break;
     }
     return t;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/files/detail/appended_arrays.h"
+#include "endmill/core/detail/appended_arrays.h"
 
 #include <gtest/gtest.h>
 

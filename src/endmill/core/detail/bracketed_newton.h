@@ -21,6 +21,22 @@ struct ValueAndSlope {
     double slope;  ///< of its derivative; may be 0
 };
 
+/// The next guess of a root.
+struct RootStep {
+    double next;     ///< within the bracket
+    bool is_newton;  ///< false if it is the middle of the bracket
+};
+
+/// One step from `at` towards the root in [low, high]: Newton's, or the middle of the
+/// bracket where Newton's would leave it.
+inline RootStep root_step(double low, double high, double at, const ValueAndSlope& here)
+{
+    const double newton = at - here.value / here.slope;
+    if (low <= newton && newton <= high)  // false for NaN
+        return {newton, true};
+    return {(low + high) / 2, false};
+}
+
 /// Root of a function in a bracket, by Newton's method. A step that would leave the
 /// bracket is replaced by bisection.
 /// \param bracket the bracket.
@@ -36,9 +52,7 @@ double bracketed_newton(RootBracket bracket, double least_step, const Function& 
     for (int k = 0; k < most_steps; ++k) {
         const ValueAndSlope here = function(at);
         (here.value > 0) == rises ? high = at : low = at;
-        double next = at - here.value / here.slope;
-        if (!(low <= next && next <= high))  // also true for NaN
-            next = (low + high) / 2;
+        const double next = root_step(low, high, at, here).next;
         const double change = std::abs(next - at);
         at = next;
         if (change < least_step)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/process/detail/bracketed_newton.h"
+#include "endmill/core/detail/bracketed_newton.h"
 
 #include <cmath>
 #include <numbers>
@@ -10,6 +10,20 @@ namespace endmill {
 namespace {
 
 constexpr double least_step = 1e-15;
+
+// On a line Newton's step is the root itself.
+TEST(RootStep, IsNewtonsInsideTheBracketAndTheMiddleOutside)
+{
+    const RootStep inside = root_step(0, 1, 0.9, {0.9 - 0.25, 1});
+    EXPECT_TRUE(inside.is_newton);
+    EXPECT_EQ(inside.next, 0.25);
+    for (const double slope : {0.1, -1.0, 0.0}) {
+        const RootStep middle = root_step(0, 1, 0.9, {0.65, slope});
+        EXPECT_FALSE(middle.is_newton) << slope;
+        EXPECT_EQ(middle.next, 0.5) << slope;
+    }
+    EXPECT_EQ(root_step(0, 1, 0.9, {0, 0}).next, 0.5) << "0 / 0 is not a number";
+}
 
 TEST(BracketedNewton, FindsRootsWhetherTheFunctionRisesOrFalls)
 {

@@ -1,0 +1,143 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Makes the pictures of docs/images with the commands that README.md and the guide print.
+
+  scripts/write_pictures.py [--check] [--all] [NAME ...]
+
+Each picture is a file that the commands of one page write. The commands run in a folder of their
+own, from which `datasets` is seen. Without --all the script leaves out the pictures that need more
+than the program: that of an experiment, and that of a program with a new trimming method.
+
+  --check   writes nothing; exits with 1 if a picture differs from what the commands make
+  --all     every picture
+  NAME      only these pictures, such as plan.svg
+
+The environment variable ENDMILL names the program (default: build/release/src/cli/endmill).
+"""
+import argparse
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+IMAGES = ROOT / "docs/images"
+BLOCK = re.compile(r"^```sh\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+
+
+@dataclass
+class Picture:
+    """A picture: the page whose commands make it, and the file among their results."""
+
+    page: str
+    file: str
+
+
+PICTURES = {
+    "plan.svg": Picture("README.md", "saddle/toolpath.svg"),
+    "verify.svg": Picture("README.md", "checked/deviation.svg"),
+    "trim.svg": Picture("README.md", "valley/section-20.svg"),
+    "feed.svg": Picture("README.md", "wavy-feed/feed.svg"),
+    "setup.svg": Picture("README.md", "teapot/setup.svg"),
+    "post.svg": Picture("docs/guide/post.md", "post-path/toolpath.svg"),
+}
+
+# Pictures that need more than the program: the command that makes one, and its file.
+COSTLY = {
+    "reproduce.svg": (["scripts/reproduce.sh", "--no-install", "economic-cl-data/figure-12"],
+                      "results/economic-cl-data/figure-12/toolpath.svg"),
+    "extend.svg": (["/usr/bin/python3", "tests/recipe/recipe_test.py", "--picture", "build/extend.svg"],
+                   "build/extend.svg"),
+}
+
+
+def commands(page):
+    """The commands of a page that run the program, lines that end in a backslash or && joined."""
+    for block in BLOCK.findall((ROOT / page).read_text(encoding="utf-8")):
+        for command in re.sub(r"\\\n|(?<=&&)\n", " ", block).splitlines():
+            if command.startswith("endmill "):
+                yield command
+
+
+def folder_of(command):
+    """The folders that a command writes to."""
+    return re.findall(r"(?:-o|--output) (\S+)", command)
+
+
+def needed_commands(page, folder):
+    """The commands that make `folder`, in the order of the page: the first that writes to it, and those
+    that write what it reads."""
+    needed, wanted = [], {folder}
+    for command in reversed(list(commands(page))):
+        written = set(folder_of(command)) & wanted
+        if written:
+            needed.insert(0, command)
+            wanted |= {word.split("/")[0] for word in command.split() if "/" in word}
+    return needed
+
+
+def run(command, folder, program):
+    path = f"{program.parent}{os.pathsep}{os.environ['PATH']}"
+    done = subprocess.run(["bash", "-c", command], cwd=folder, capture_output=True, text=True, check=False,
+                          stdin=subprocess.DEVNULL, env={**os.environ, "PATH": path})
+    if done.returncode not in (0, 1):
+        sys.exit(f"write_pictures.py: {command}\n{done.stdout}{done.stderr}")
+
+
+def made_by_program(names, program):
+    """Makes pictures by the program. Each command runs once for each page."""
+    made = {}
+    for page in sorted({PICTURES[name].page for name in names}):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "datasets").symlink_to(ROOT / "datasets")
+            ran = set()
+            for name in (name for name in names if PICTURES[name].page == page):
+                file = PICTURES[name].file
+                for command in needed_commands(page, file.split("/")[0]):
+                    if command not in ran:
+                        run(command, folder, program)
+                        ran.add(command)
+                made[name] = (Path(folder) / file).read_bytes()
+    return made
+
+
+def made_at_cost(name):
+    command, file = COSTLY[name]
+    subprocess.run(command, cwd=ROOT, check=True, stdin=subprocess.DEVNULL)
+    return (ROOT / file).read_bytes()
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--all", action="store_true")
+    parser.add_argument("names", nargs="*", metavar="NAME")
+    options = parser.parse_args(arguments)
+    every = {**PICTURES, **COSTLY}
+    names = options.names or list(every if options.all else PICTURES)
+    unknown = [name for name in names if name not in every]
+    if unknown:
+        parser.error(f"{unknown[0]}: expected one of {', '.join(every)}")
+
+    program = Path(os.environ.get("ENDMILL", ROOT / "build/release/src/cli/endmill")).resolve()
+    made = made_by_program([name for name in names if name in PICTURES], program)
+    made |= {name: made_at_cost(name) for name in names if name in COSTLY}
+    stale = [name for name in names
+             if not (IMAGES / name).exists() or (IMAGES / name).read_bytes() != made[name]]
+    bad = [f"docs/images/{path.name}: no command makes it" for path in sorted(IMAGES.glob("*.svg"))
+           if path.name not in every]
+    if options.check:
+        bad += [f"docs/images/{name}: stale; run scripts/write_pictures.py {name}" for name in stale]
+    else:
+        for name in stale:
+            (IMAGES / name).write_bytes(made[name])
+            print(f"wrote docs/images/{name}")
+    print("\n".join(bad) or f"{len(names)} pictures are those of the commands")
+    return bool(bad)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
