@@ -51,7 +51,10 @@ def words(text):
 def batches(texts, size):
     """Divides the keys of `texts` (name -> text) into lists of at most `size` names."""
     made = []  # of [files, helpers, words]
+    alone = [name for name, text in texts.items() if OPENS.search(text)]
     for name, text in texts.items():
+        if name in alone:
+            continue
         own, used = helpers(text), words(text)
         for batch in made:
             if len(batch[0]) < size and not own & batch[2] and not used & batch[1]:
@@ -61,7 +64,7 @@ def batches(texts, size):
                 break
         else:
             made.append([[name], own, used])
-    return [batch[0] for batch in made]
+    return [batch[0] for batch in made] + [[name] for name in alone]
 
 
 def main(arguments):

@@ -65,6 +65,9 @@ class Batches(unittest.TestCase):
         member = "TEST(A, B)\n{\n    EXPECT_EQ(line.half, other::half);\n}\n"
         self.assertEqual(batches({"a": HELPER, "b": member}, 8), [["a", "b"]])
 
+    def test_file_that_brings_unseen_names_stays_alone(self):
+        self.assertEqual(batches({"a": "using enum Kind;\n", "b": "", "c": ""}, 8), [["b", "c"], ["a"]])
+
 
 if __name__ == "__main__":
     unittest.main()
