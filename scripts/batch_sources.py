@@ -1,10 +1,11 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Divides test files into batches that compile as one file each.
+"""Divides source files into batches that compile as one file each.
 
-Tests keep their helpers in unnamed namespaces, so two files may use the same name for different
+Files keep their helpers in unnamed namespaces, so two files may use the same name for different
 things. Such files must not share a batch. A file joins the first batch with room in which no file
-mentions a helper of this file, and whose helpers this file does not mention.
+mentions a helper of this file, and whose helpers this file does not mention. A file with
+`using enum` or `using namespace` in the first column stays alone.
 
 Example: scripts/batch_sources.py 8 tests/core/*_test.cpp
 
@@ -24,6 +25,8 @@ WORD = re.compile(r"(?<![\w.>:])[A-Za-z_]\w*|(?<=[^-]>)[A-Za-z_]\w*|(?<=[^:]:)[A
 INTRODUCED = re.compile(r"^using\s+[\w:]+::(\w+);", re.MULTILINE)
 # Argument-dependent lookup also finds the functions of the namespace test.
 SHARED = re.compile(r"\btest::(\w+)")
+# These bring names that the text does not show.
+OPENS = re.compile(r"^using (?:enum|namespace)\b", re.MULTILINE)
 TEXT = re.compile(r'//[^\n]*|"(?:\\.|[^"\\\n])*"')
 
 
