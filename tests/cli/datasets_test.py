@@ -103,7 +103,7 @@ class SurfacesReadme(ProgramTest):
         text = README.split("\n## The Utah teapot\n")[1]
         facts = self.summary("info", SURFACES / "teapot.json")
         self.assertEqual(facts["patches"], 32)
-        for stated, size in zip(re.search(r"of ([\d.]+) x ([\d.]+) x ([\d.]+) mm", text).groups(),
+        for stated, size in zip(re.search(r"of ([\d.]+) x ([\d.]+) x\s+([\d.]+) mm", text).groups(),
                                 facts["size_mm"]):
             self.assert_rounds_to(size, stated, "teapot")
 

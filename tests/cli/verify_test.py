@@ -443,7 +443,7 @@ class BadInput(VerifyTest):
     def test_missing_or_wrong_cutter_is_refused(self):
         self.refuse(2, "names the cutter; expected --cutter or --tool", options=())
         self.refuse(2, "--cutter ball:8: the tool file has ball:10", options=("--cutter", "ball:8", "--tool", HOLDER))
-        self.refuse(2, "--programmed-point centre: expected --cutter", options=("--programmed-point", "centre"),
+        self.refuse(2, "--programmed-point centre: the cutter is not known; expected --cutter", options=("--programmed-point", "centre"),
                     content="G21 G90\nG1 X0 Y0 Z1 F100\nX2\nM2\n", name="p.ngc")
         self.refuse(2, "--programmed-point centre: ", "a tool path (CSV)",
                     options=("--cutter", "ball:10", "--programmed-point", "centre"))

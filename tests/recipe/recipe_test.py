@@ -63,6 +63,14 @@ def build_command(target, text):
     return shlex.split([command for command in commands if text in command][-1])
 
 
+def compiled_file():
+    """The file that the build compiles for the table of methods: a batch of sources, or the table alone."""
+    for batch in Path(BUILD, "src/CMakeFiles/endmill_trimming.dir/Unity").glob("*.cxx"):
+        if str(ROOT / TABLE) in batch.read_text(encoding="utf-8"):
+            return batch
+    return ROOT / TABLE
+
+
 class Changed:
     """The table of methods, compiled after the recipe, and the programs that are linked with it."""
 
@@ -72,9 +80,11 @@ class Changed:
         shutil.copytree(ROOT / "src", copy / "src")
         apply_recipe(copy)
         self.table = folder / "table.o"
-        words = build_command("endmill", f"-c {ROOT / TABLE}")
-        words = [word.replace(f"{ROOT}/src", f"{copy}/src")
-                 if word in (f"-I{ROOT}/src", str(ROOT / TABLE)) else word for word in words]
+        built, changed = compiled_file(), folder / "table.cpp"
+        changed.write_text(built.read_text(encoding="utf-8").replace(f"{ROOT}/src", f"{copy}/src")
+                           if built != ROOT / TABLE else f'#include "{copy / TABLE}"\n', encoding="utf-8")
+        words = build_command("endmill", f"-c {built}")
+        words = [{f"-I{ROOT}/src": f"-I{copy}/src", str(built): changed}.get(word, word) for word in words]
         for option, path in (("-o", self.table), ("-MF", folder / "table.d")):
             words[words.index(option) + 1] = path
         succeed(*words, cwd=BUILD)
