@@ -168,9 +168,7 @@ TEST(Deviation, FindsAndPlacesADeliberateGouge)
     path.points.push_back({.pass = 0,
                            .point = 0,
                            .move = Move::Cut,
-                           .location = {{7.3, 4.1, -0.05}, Vec3::UnitZ()},
-                           .contact = {},
-                           .patch = 0});
+                           .location = {{7.3, 4.1, -0.05}, Vec3::UnitZ()}});
     path.points[path.points.size() - 2].location.tip = {7.3, 4.1, 3};
     DeviationOptions options;
     options.limits = {0.01, 1};

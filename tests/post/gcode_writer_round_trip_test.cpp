@@ -66,7 +66,7 @@ TEST_P(GcodeRoundTrip, IsReadBackByAnIndependentReader)
     for (std::size_t k = 0; k < moves.size(); ++k) {
         const Vec3 off = moves[k].tip - path.points[k].location.tip;
         largest = std::max(largest, off.lpNorm<Eigen::Infinity>());
-        const CuttingConditions& conditions = path.conditions[k];
+        const CuttingConditions& conditions = path.points[k].conditions;
         EXPECT_EQ(moves[k].motion, path.points[k].move == Move::Rapid ? '0' : '1');
         EXPECT_NEAR(moves[k].speed, *conditions.spindle_rpm, rounding);
         if (conditions.feed_mm_per_min) {
@@ -87,20 +87,20 @@ TEST_P(GcodeRoundTrip, IsReadBack)
     const auto& points = program.path.points;
     // The program adds the position over the first point and the safe height at the end.
     ASSERT_EQ(points.size(), path.points.size() + 2);
-    ASSERT_EQ(program.path.conditions.size(), points.size());
     for (std::size_t k = 0; k < path.points.size(); ++k) {
         const PathPoint& read = points[k + 1];
-        const CuttingConditions& conditions = program.path.conditions[k + 1];
+        const CuttingConditions& conditions = read.conditions;
         const PathPoint& point = path.points[k];
         EXPECT_LE((read.location.tip - point.location.tip).lpNorm<Eigen::Infinity>(),
                   rounding);
         EXPECT_EQ(read.move, point.move) << k;
         EXPECT_EQ(conditions.tool, 3);
-        EXPECT_NEAR(*conditions.spindle_rpm, *path.conditions[k].spindle_rpm, rounding);
+        EXPECT_NEAR(*conditions.spindle_rpm, *path.points[k].conditions.spindle_rpm,
+                    rounding);
         ASSERT_EQ(conditions.feed_mm_per_min.has_value(), point.move != Move::Rapid);
         if (conditions.feed_mm_per_min) {
-            EXPECT_NEAR(*conditions.feed_mm_per_min, *path.conditions[k].feed_mm_per_min,
-                        rounding);
+            EXPECT_NEAR(*conditions.feed_mm_per_min,
+                        *path.points[k].conditions.feed_mm_per_min, rounding);
         }
     }
 }

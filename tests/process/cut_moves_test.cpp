@@ -10,7 +10,7 @@ namespace {
 
 PathPoint at(Move move, const Vec3& tip)
 {
-    return {3, 0, move, {tip, Vec3::UnitZ()}, {}};
+    return {3, 0, move, 0, {tip, Vec3::UnitZ()}};
 }
 
 TEST(CutMoves, AreTheCutsWithHorizontalMotionInPathOrder)

@@ -12,7 +12,7 @@ inline std::vector<std::vector<PathPoint>> passes_of(const ToolPath& path)
 {
     std::vector<std::vector<PathPoint>> passes;
     for (const PathPoint& point : path.points) {
-        if (!point.contact)
+        if (!point.contact())
             continue;
         if (passes.empty() || passes.back().back().pass != point.pass)
             passes.emplace_back();
@@ -24,7 +24,7 @@ inline std::vector<std::vector<PathPoint>> passes_of(const ToolPath& path)
 /// The contact point on the part; `point` must have a contact.
 inline const Vec3& contact_point(const PathPoint& point)
 {
-    return point.contact->contact.point;
+    return point.contact()->contact.point;
 }
 
 /// Whether two paths are equal to the bit.
@@ -41,8 +41,8 @@ inline bool are_equal(const ToolPath& one, const ToolPath& other)
         const PathPoint& b = other.points[k];
         if (a.pass != b.pass || a.point != b.point || a.move != b.move ||
             a.location.tip != b.location.tip || a.location.axis != b.location.axis ||
-            a.contact.has_value() != b.contact.has_value() ||
-            (a.contact && !same_contact(*a.contact, *b.contact)))
+            (a.contact() == nullptr) != (b.contact() == nullptr) ||
+            (a.contact() && !same_contact(*a.contact(), *b.contact())))
             return false;
     }
     return true;

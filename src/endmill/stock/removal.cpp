@@ -141,9 +141,9 @@ Removal remove_along(HeightStock& stock, const ToolPath& path, const Cutter& cut
 std::optional<double> removal_rate(const Removal& removal, const ToolPath& path,
                                    std::size_t number)
 {
-    if (path.conditions.empty() || path.points[number].move == Move::Rapid)
+    if (path.points[number].move == Move::Rapid)
         return std::nullopt;
-    const auto feed = path.conditions[number].feed_mm_per_min;
+    const auto feed = path.points[number].conditions.feed_mm_per_min;
     const double length = length_to(path, number);
     if (!feed || !(length > 0))
         return std::nullopt;
@@ -160,7 +160,7 @@ std::optional<RemovalRates> removal_rates(const Removal& removal, const ToolPath
         if (const auto rate = removal_rate(removal, path, k)) {
             greatest = std::max(greatest, *rate);
             volume += removal.removed[k];
-            time_min += length_to(path, k) / *path.conditions[k].feed_mm_per_min;
+            time_min += length_to(path, k) / *path.points[k].conditions.feed_mm_per_min;
         }
     if (!(time_min > 0) || !std::isfinite(volume / time_min))
         return std::nullopt;
