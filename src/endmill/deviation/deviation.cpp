@@ -34,4 +34,11 @@ Verdict verdict(const Deviation& deviation, const DeviationLimits& limits)
     return is_low ? Verdict::Clean : Verdict::Undecided;
 }
 
+RefinedBounds refined_bounds(const Deviation& deviation, const DeviationLimits& limits)
+{
+    const bool is_gouged = deviation.max_gouge_mm > limits.tolerance + verdict_slack;
+    const bool is_uncut = deviation.max_scallop_mm > limits.scallop + verdict_slack;
+    return {!is_gouged, !is_gouged && !is_uncut};
+}
+
 }  // namespace endmill

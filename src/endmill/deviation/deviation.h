@@ -107,4 +107,17 @@ std::string_view verdict_name(Verdict verdict);
 /// Source: docs/mathematics/removal.md, section 3.
 Verdict verdict(const Deviation& deviation, const DeviationLimits& limits);
 
+/// Which error bounds were refined until the verdict was certain. A measured gouge beyond
+/// the tolerance decides the verdict, and measured stock beyond the scallop limit decides
+/// whether the part is uncut. The bounds that cannot change the verdict any more keep the
+/// values of the first rays.
+struct RefinedBounds {
+    bool gouge;    ///< whether gouge_bound_mm was refined
+    bool scallop;  ///< whether scallop_bound_mm was refined
+};
+
+/// Returns which bounds of `deviation` were refined.
+/// \param limits the limits with which it was measured.
+RefinedBounds refined_bounds(const Deviation& deviation, const DeviationLimits& limits);
+
 }  // namespace endmill

@@ -40,6 +40,9 @@ struct PartCollisions {
     double bound_mm = 0;  ///< a missed contact is at most this deep
 };
 
+/// Whether the bound allows a contact that was not found and is deeper than rounding.
+bool may_be_in_part(const PartCollisions& found);
+
 /// Forbidden contacts with the stock.
 struct StockContacts {
     MoveCount rapid_cuts = {};  ///< rapids that cut
@@ -58,18 +61,24 @@ struct EarlierGouge {
     double bound_mm = 0;
 };
 
-/// The result of `verify_path`. A move has the number of the point to which it leads. The
-/// sweep numbers of the places in `deviation` are numbers of moves in the same sense.
+/// What `verify_path` finds on the part. The sweep numbers of the places in `deviation`
+/// are numbers of moves, as in `Verification`.
+struct PartFindings {
+    DeviationLimits limits;     ///< of the verdict
+    Deviation deviation;        ///< of the stock after the path
+    PartCollisions collisions;  ///< of shank and holder
+    /// None if the stock before the path is a block, or if its history is known.
+    std::optional<EarlierGouge> earlier_gouge = {};
+};
+
+/// The result of `verify_path`. A move has the number of the point to which it leads.
 struct Verification {
-    std::optional<Deviation> deviation;  ///< none without a part
+    std::optional<PartFindings> on_part = {};  ///< none without a part
     Removal removal;         ///< its rapid cuts and collisions are those of `contacts`
     StockContacts contacts;  ///< with the stock, by rapids, shank and holder
-    std::optional<PartCollisions> part_collisions;  ///< none without a part
     /// Number of moves of earlier runs that were measured with the path; none if the
     /// history of the stock is not known.
     std::optional<std::size_t> earlier_moves = {};
-    /// None if the stock is a block, if its history is known, or if there is no part.
-    std::optional<EarlierGouge> earlier_gouge = {};
     HeightStock rest;  ///< the stock after the path
     Verdict verdict;   ///< of `verdict_with_contacts`
 };
@@ -79,10 +88,9 @@ struct Verification {
 /// 1. `Gouged` if a rapid cuts, or shank or holder is in the stock or in the part.
 /// 2. `Undecided` if a bound allows shank or holder to be in the part, or an earlier
 ///    gouge beyond the tolerance, and the verdict on the deviation is not `Gouged`.
-/// 3. Otherwise the verdict on the deviation; `Clean` if there is none.
+/// 3. Otherwise the verdict on the deviation; `Clean` without a part.
 /// \param found its member `verdict` is not used.
-/// \param limits of the deviation.
 /// Source: docs/mathematics/removal.md, section 3.
-Verdict verdict_with_contacts(const Verification& found, const DeviationLimits& limits);
+Verdict verdict_with_contacts(const Verification& found);
 
 }  // namespace endmill
