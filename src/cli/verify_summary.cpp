@@ -10,6 +10,8 @@
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 namespace {
 
@@ -71,7 +73,7 @@ void add_removal(Json& summary, const Removal& removal, const ToolPath& path)
 {
     summary["removed_mm3"] = removal.total;
     const auto deepest = std::ranges::max_element(removal.deepest);
-    const bool cuts = deepest != removal.deepest.end() && *deepest > least_cut_depth;
+    const bool cuts = deepest != removal.deepest.end() && *deepest > touching_depth;
     summary["deepest_cut_mm"] = cuts ? *deepest : 0;
     summary["deepest_cut_point"] =
         cuts ? Json(deepest - removal.deepest.begin()) : Json(nullptr);

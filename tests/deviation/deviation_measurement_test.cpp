@@ -9,6 +9,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/stock/stock_history.h"
 #include "endmill/verification/detail/stock_ray.h"
 #include "revolved_surfaces.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/deviation/deviation.h"
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 
 std::string_view verdict_name(Verdict verdict)

@@ -22,11 +22,6 @@ struct DeviationLimits {
     double scallop = 0.1;     ///< greatest allowed thickness of remaining stock, mm
 };
 
-/// This length, in mm, is added to both limits before a verdict. Otherwise a path that is
-/// planned exactly to a limit would stay undecided.
-/// Source: docs/mathematics/removal.md, section 3.
-inline constexpr double verdict_slack = 0.001;
-
 /// Options of the measurement.
 struct DeviationOptions {
     DeviationLimits limits = {};  ///< cells are refined until the verdict is certain
@@ -95,7 +90,7 @@ enum class Verdict {
 /// Returns the word for a verdict in files: "clean", "gouged", "uncut" or "undecided".
 std::string_view verdict_name(Verdict verdict);
 
-/// Returns the verdict on a deviation, with both limits raised by the slack. The first
+/// Returns the verdict on a deviation, with both limits raised by `verdict_slack`. The first
 /// rule that applies decides:
 /// 1. `Gouged` if a measured gouge exceeds the tolerance;
 /// 2. `Undecided` if the bound allows a deeper gouge than the tolerance;

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/stock/detail/group_removal.h"
 #include "endmill/stock/detail/move_bins.h"
 #include "endmill/stock/detail/removable_path.h"
@@ -89,12 +90,12 @@ void add_part(Removal& removal, const PartOfRemoval& part, const ToolPath& path,
         const double depth = part.deepest[k];
         removal.removed[number] = static_cast<double>(part.volumes[k]) * part.unit;
         removal.deepest[number] = depth;
-        const bool cuts = depth > least_cut_depth;
+        const bool cuts = depth > touching_depth;
         if (!cuts && number > 0)
             ++removal.air_moves;
         if (cuts && path.points[number].move == Move::Rapid)
             add_move(removal.rapid_cuts, number, depth);
-        if (part.body_depths[k] > least_cut_depth)
+        if (part.body_depths[k] > touching_depth)
             add_move(removal.collisions, number, part.body_depths[k]);
     }
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/verification/verification_result.h"
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 namespace {
 

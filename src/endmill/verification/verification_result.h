@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/core/vec.h"
 #include "endmill/deviation/deviation.h"
 #include "endmill/stock/height_stock.h"
@@ -15,10 +16,6 @@
 
 namespace endmill {
 
-/// Contacts of shank and holder with the part up to this depth, in mm, are treated as
-/// rounding. A contact deeper than `PartCollisions::bound_mm` is never missed.
-inline constexpr double part_contact_slack = 0.001;
-
 /// Largest bound, in mm, at which no contact is undecided: the slack for rounding, plus
 /// the same for the distance between the part and the triangles that approximate it.
 inline constexpr double closed_contact_bound = 2 * part_contact_slack;
@@ -29,7 +26,7 @@ struct DeepestContact {
     std::size_t move;  ///< number of the path point to which the move leads
 };
 
-/// Contacts of shank and holder with the part.
+/// Contacts of shank and holder with the part that are deeper than `part_contact_slack`.
 struct PartCollisions {
     /// Moves with a contact. The depth of a contact is the shortest distance out of the
     /// cylinder, downwards or sideways.
