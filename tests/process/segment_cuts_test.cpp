@@ -192,8 +192,8 @@ TEST(SegmentCuts, LeaveOutMovesOfLengthZeroAndVerticalMoves)
         path.points.push_back({0,
                                static_cast<int>(path.points.size()),
                                Move::Cut,
-                               {tip, Vec3::UnitZ()},
-                               {}});
+                               0,
+                               {tip, Vec3::UnitZ()}});
     const SegmentCuts cuts = segment_cuts(path, by_passes());
     ASSERT_EQ(cuts.cuts.size(), 2u);
     EXPECT_EQ(cuts.points[1], path.points.size() - 1);

@@ -32,8 +32,8 @@ inline constexpr double step_back_on_parts_mm = 1e-10;
 /// The errors up to which a result counts as right.
 struct TrimmingTolerance {
     double step_back_mm = 1e-12;  ///< rounding of coordinates of about 10 mm
-    double gouge_mm = 0;   ///< see TrimmingQuality
-    double uncovered = 0;  ///< a share between 0 and 1
+    double gouge_mm = 0;          ///< see TrimmingQuality
+    double uncovered = 0;         ///< a share between 0 and 1
 };
 
 /// Measures the errors of `trimmed` from the segments of `curves` alone. It shares no
