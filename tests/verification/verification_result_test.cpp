@@ -58,6 +58,12 @@ TEST(VerdictWithContacts, IsUndecidedWhereABoundAllowsAContactOrAGouge)
     }
 }
 
+TEST(MayBeInPart, IsWhatTheBoundAllowsBeyondRounding)
+{
+    EXPECT_FALSE(may_be_in_part({.bound_mm = 2 * part_contact_slack}));
+    EXPECT_TRUE(may_be_in_part({.bound_mm = 2.1 * part_contact_slack}));
+}
+
 // The slack of 0.001 mm also applies to the gouge of an earlier run.
 TEST(VerdictWithContacts, IsCleanWhereTheBoundStaysWithinTheSlack)
 {
