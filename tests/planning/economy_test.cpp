@@ -17,6 +17,7 @@ PathPoint touching(int pass, Move move, const Vec3& contact, const Vec3& tip)
     return {pass,
             0,
             move,
+            0,
             {tip, Vec3::UnitZ()},
             SurfaceContact{0, 0, {contact, Vec3::UnitZ()}}};
 }

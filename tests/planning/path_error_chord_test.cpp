@@ -62,8 +62,7 @@ TEST(ChordError, AlongVIsThatOfTheTransposedSurface)
     const Surface surface = trough();
     const Surface turned = transposed(surface);
     ToolPath path = pass_through(surface, {0, 0.8, 2}, 0.25);
-    for (PathPoint& point : path.points)
-        std::swap(point.contact()->u, point.contact()->v);
+    test::swap_parameters(path);
     const ChordError error = chord_error(turned, path, Parameter::V);
     EXPECT_LT(test::relative_error(error.greatest_mm, sagitta(-4, 20)), 1e-12);
     EXPECT_EQ(error.at.u, 0.25);

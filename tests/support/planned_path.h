@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "endmill/path/tool_path.h"
@@ -19,6 +21,14 @@ inline std::vector<std::vector<PathPoint>> passes_of(const ToolPath& path)
         passes.back().push_back(point);
     }
     return passes;
+}
+
+/// Swaps the surface parameters u and v of all contacts.
+inline void swap_parameters(ToolPath& path)
+{
+    for (PathPoint& point : path.points)
+        if (SurfaceContact* contact = std::get_if<SurfaceContact>(&point.known_contact))
+            std::swap(contact->u, contact->v);
 }
 
 /// The contact point on the part; `point` must have a contact.
