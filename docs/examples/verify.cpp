@@ -24,15 +24,14 @@ try {
 
     VerificationTask task{.path = &path,
                           .cutter = cutter,
-                          .part = &part,
+                          .judged = JudgedPart{&part, {.tolerance = 1, .scallop = 3}},
                           .stock = default_block(&part, path, cutter)};
-    task.resolution = 0.5;                         // mm
-    task.limits = {.tolerance = 1, .scallop = 3};  // mm
+    task.resolution = 0.5;  // mm, as the limits
     const Verification found = verify_path(task);
 
-    std::cout << verdict_name(found.verdict) << ": gouge "
-              << found.deviation->max_gouge_mm << " mm, remaining stock "
-              << found.deviation->max_scallop_mm << " mm\n";
+    const Deviation& deviation = found.on_part->deviation;
+    std::cout << verdict_name(found.verdict) << ": gouge " << deviation.max_gouge_mm
+              << " mm, remaining stock " << deviation.max_scallop_mm << " mm\n";
     return found.verdict == Verdict::Clean ? 0 : 1;
 } catch (const std::exception& error) {
     std::cerr << "verify: " << error.what() << '\n';

@@ -196,12 +196,10 @@ inline ToolPath saddle_path(const Cutter& cutter, int lines, int steps)
             {.pass = number / (steps + 1),
              .point = step,
              .move = step == 0 ? Move::Link : Move::Cut,
-             .location = {control_point(
-                              cutter, {contact, LowSaddle::normal(place.x(), place.y())},
-                              ControlPoint::Tip),
-                          Vec3::UnitZ()},
-             .contact = {},
-             .patch = 0});
+             .location = {
+                 control_point(cutter, {contact, LowSaddle::normal(place.x(), place.y())},
+                               ControlPoint::Tip),
+                 Vec3::UnitZ()}});
     }
     return path;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/planning/iso_parametric.h"
 #include "endmill/planning/verified_plan.h"
 #include "endmill/surface/extent.h"

@@ -18,6 +18,7 @@
 #include "cli/surface_facts.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/vtk.h"
 #include "endmill/post/gcode_writer.h"

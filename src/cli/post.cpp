@@ -30,7 +30,8 @@ constexpr double negligible_share = 0.1;
 // Options replace the values of the path.
 void apply_options(ToolPath& path, const PostOptions& options)
 {
-    for (CuttingConditions& conditions : path.conditions) {
+    for (PathPoint& point : path.points) {
+        CuttingConditions& conditions = point.conditions;
         if (options.feed_mm_per_min)
             conditions.feed_mm_per_min = options.feed_mm_per_min;
         if (options.spindle_rpm)

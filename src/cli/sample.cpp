@@ -90,15 +90,15 @@ ExitCode run_sample(const SampleOptions& options)
         return sampled_as_asked(options, file.surfaces);
     }();
     if (options.format == MeshFormat::Stl) {
-        const double rounding = float_rounding_mm(sampling.found.mesh);
-        if (rounding > sampling.found.max_chord_error_mm &&
-            rounding > negligible_float_error)
+        const double stl_rounding = float_rounding_mm(sampling.found.mesh);
+        if (stl_rounding > sampling.found.max_chord_error_mm &&
+            stl_rounding > negligible_float_error)
             warn(options.common,
                  fmt::format(
                      "binary STL rounds these coordinates by up to {} mm; the other "
                      "formats do not",
-                     shown(rounding)));
-        sampling.found.max_chord_error_mm += rounding;
+                     shown(stl_rounding)));
+        sampling.found.max_chord_error_mm += stl_rounding;
     }
     const std::string name = "mesh" + std::string{mesh_extension(options.format)};
     Json summary{{"name", file.name},

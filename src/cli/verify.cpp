@@ -17,10 +17,11 @@ namespace {
 Verification verified(VerificationTask& task, const VerifyOptions& options)
 {
     ProgressLine progress{"removing material", options.common};
-    task.progress = [&](double share) {
-        progress.begin("measuring the part");
-        progress.show(share);
-    };
+    if (task.judged)
+        task.judged->progress = [&](double share) {
+            progress.begin("measuring the part");
+            progress.show(share);
+        };
     return verify_path(task);
 }
 

@@ -35,7 +35,7 @@ std::string stock_text(const VerifyResult& result)
 // Captions with the cutter, the resolution, the bounds and the broken rules.
 std::vector<std::string> figure_captions(const VerifyResult& result)
 {
-    const Deviation& deviation = *result.verification.deviation;
+    const Deviation& deviation = result.verification.on_part->deviation;
     const auto [gouge, scallop] = refined_bounds(deviation, result.input.limits);
     std::string between = "; not refined, since a gouge is certain";
     if (gouge)
@@ -58,7 +58,7 @@ std::vector<std::string> figure_captions(const VerifyResult& result)
 void write_deviation(const VerifyResult& result, const PartCharts& charts,
                      OutputFolder& folder)
 {
-    const Deviation& deviation = *result.verification.deviation;
+    const Deviation& deviation = result.verification.on_part->deviation;
     folder.write("deviation.vtp", deviation_vtp(charts, deviation));
     DeviationFigure figure;
     figure.title = result.input.name + ": deviation after the cut, seen along -z";
@@ -90,8 +90,8 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
     const auto& [input, options, task, verification] = result;
     replace_earlier_run(folder);
     std::optional<PartCharts> charts;
-    if (verification.deviation) {
-        charts.emplace(part_charts(*task.part));
+    if (verification.on_part) {
+        charts.emplace(part_charts(*task.judged->part));
         write_deviation(result, *charts, folder);
     }
     folder.write("removal.csv", removal_csv(verification.removal, input.program.path));

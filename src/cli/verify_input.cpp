@@ -158,15 +158,16 @@ VerificationTask verification_task(const VerifyInput& input, const VerifyOptions
     VerificationTask task{.path = &input.program.path,
                           .cutter = input.tool.cutter,
                           .body = tool_body(input.tool),
-                          .part = input.part ? &input.part->part : nullptr,
                           .stock = input.stock.block};
     if (input.stock.kept)
         task.stock = &*input.stock.kept;
     task.resolution = options.resolution;
     task.max_memory_gib = options.common.limits.max_memory_gib;
     task.extra_bytes_per_cell = bytes_to_write(options);
-    task.limits = input.limits;
-    task.max_refine = options.max_refine;
+    if (input.part)
+        task.judged = JudgedPart{.part = &input.part->part,
+                                 .limits = input.limits,
+                                 .max_refine = options.max_refine};
     return task;
 }
 

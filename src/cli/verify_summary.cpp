@@ -10,6 +10,8 @@
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 namespace {
 
@@ -71,7 +73,7 @@ void add_removal(Json& summary, const Removal& removal, const ToolPath& path)
 {
     summary["removed_mm3"] = removal.total;
     const auto deepest = std::ranges::max_element(removal.deepest);
-    const bool cuts = deepest != removal.deepest.end() && *deepest > least_cut_depth;
+    const bool cuts = deepest != removal.deepest.end() && *deepest > touching_depth;
     summary["deepest_cut_mm"] = cuts ? *deepest : 0;
     summary["deepest_cut_point"] =
         cuts ? Json(deepest - removal.deepest.begin()) : Json(nullptr);
@@ -87,7 +89,8 @@ void add_removal(Json& summary, const Removal& removal, const ToolPath& path)
 
 void add_part_collisions(Json& summary, const Verification& verification)
 {
-    const PartCollisions found = verification.part_collisions.value_or(PartCollisions{});
+    const auto& on_part = verification.on_part;
+    const PartCollisions found = on_part ? on_part->collisions : PartCollisions{};
     add_count(summary, "part_collisions", found.moves);
     Json place = nullptr;
     if (found.deepest)
@@ -96,7 +99,7 @@ void add_part_collisions(Json& summary, const Verification& verification)
     summary["deepest_of_part_collisions_at"] = place;
     summary["part_collision_error_mm"] = finite_or_null(found.error_mm);
     summary["part_collision_bound_mm"] = finite_or_null(found.bound_mm);
-    if (!verification.part_collisions)
+    if (!on_part)
         for (const char* key : {"part_collisions", "deepest_of_part_collisions_mm",
                                 "part_collision_error_mm", "part_collision_bound_mm"})
             summary[key] = nullptr;
@@ -105,7 +108,9 @@ void add_part_collisions(Json& summary, const Verification& verification)
 // Adds the gouges of earlier runs. They are null if the history of the stock is known.
 void add_earlier(Json& summary, const Verification& verification)
 {
-    const std::optional<EarlierGouge>& earlier = verification.earlier_gouge;
+    const auto& on_part = verification.on_part;
+    const EarlierGouge* earlier =
+        on_part && on_part->earlier_gouge ? &*on_part->earlier_gouge : nullptr;
     summary["earlier_moves"] =
         verification.earlier_moves ? Json(*verification.earlier_moves) : Json(nullptr);
     summary["earlier_gouge_mm"] = earlier ? finite_or_null(earlier->found_mm) : nullptr;
@@ -227,13 +232,6 @@ std::string removal_text(const Json& s)
 
 }  // namespace
 
-RefinedBounds refined_bounds(const Deviation& deviation, const DeviationLimits& limits)
-{
-    const bool is_gouged = deviation.max_gouge_mm > limits.tolerance + verdict_slack;
-    const bool is_uncut = deviation.max_scallop_mm > limits.scallop + verdict_slack;
-    return {!is_gouged, !is_gouged && !is_uncut};
-}
-
 std::vector<std::string> broken_rules(const Verification& verification)
 {
     const Removal& removal = verification.removal;
@@ -249,8 +247,9 @@ std::vector<std::string> broken_rules(const Verification& verification)
             "shank or holder enters the material up to {} mm, on {}, the first to point "
             "{}",
             shown(inside), counted(hits, "move"), first_hit.value_or(0)));
-    const PartCollisions in_part =
-        verification.part_collisions.value_or(PartCollisions{});
+    if (!verification.on_part)
+        return rules;
+    const PartCollisions& in_part = verification.on_part->collisions;
     if (in_part.deepest)
         rules.push_back(fmt::format(
             "shank or holder enters the part up to {} mm, on {}, the first to point {}; "
@@ -259,7 +258,7 @@ std::vector<std::string> broken_rules(const Verification& verification)
             in_part.moves.first.value_or(0), shown_coordinate(in_part.deepest->point.x()),
             shown_coordinate(in_part.deepest->point.y()),
             shown_coordinate(in_part.deepest->point.z()), in_part.deepest->move));
-    else if (in_part.bound_mm > closed_contact_bound)
+    else if (may_be_in_part(in_part))
         rules.push_back(
             fmt::format("shank or holder may enter the part by up to {} mm: no contact "
                         "was found, but "
@@ -286,9 +285,9 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
         {"slack_mm", verdict_slack},
         {"resolution_mm", options.resolution},
         {"max_refine", options.max_refine}};
-    if (verification.deviation && charts)
-        add_deviation(summary, *verification.deviation,
-                      refined_bounds(*verification.deviation, context.limits), *charts);
+    if (const auto& on_part = verification.on_part; on_part && charts)
+        add_deviation(summary, on_part->deviation,
+                      refined_bounds(on_part->deviation, context.limits), *charts);
     else
         add_no_deviation(summary);
     add_removal(summary, verification.removal, context.program.path);
@@ -313,7 +312,7 @@ std::string verify_text(const Json& s, const Verification& verification)
         text += "  part        none to compare with; --part FILE names one\n";
     else
         text += deviation_text(s);
-    if (verification.earlier_gouge)
+    if (verification.on_part && verification.on_part->earlier_gouge)
         text += earlier_text(s);
     for (const std::string& rule : broken_rules(verification))
         text += "  collision   " + rule + "\n";

@@ -20,17 +20,6 @@ struct VerifyContext {
     const Program& program;
 };
 
-/// Which bounds were refined until the verdict was settled. A gouge settles the
-/// verdict, and too much remaining material settles its part of it. The bounds that no
-/// longer matter keep the values of the first rays.
-struct RefinedBounds {
-    bool gouge;
-    bool scallop;
-};
-
-/// The refined bounds of a deviation.
-RefinedBounds refined_bounds(const Deviation& deviation, const DeviationLimits& limits);
-
 /// summary.json of `verify`. Deviations are null without a part.
 /// \param charts of the part, if there is one.
 Json verify_summary(const VerifyContext& context, const VerifyOptions& options,

@@ -38,12 +38,12 @@ TEST(Tolerance, OfAnAxisInAFileAllowsFourDecimals)
 
 TEST(Tolerance, IsAboveTheRoundingOfDoubles)
 {
-    constexpr double rounding = std::numeric_limits<double>::epsilon();
+    constexpr double unit_roundoff = std::numeric_limits<double>::epsilon();
     for (const double tolerance :
          {unit_vector_rounding, level_normal, thinnest_angle, same_point_share,
           vanishing_partial_share, least_grid_interval, box_margin_share,
           radius_rounding_share, turn_tolerance, equal_angles, smooth_angle})
-        EXPECT_GE(tolerance, 1000 * rounding);
+        EXPECT_GE(tolerance, 1000 * unit_roundoff);
 }
 
 }  // namespace

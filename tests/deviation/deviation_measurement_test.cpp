@@ -9,6 +9,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/stock/stock_history.h"
 #include "endmill/verification/detail/stock_ray.h"
 #include "revolved_surfaces.h"
@@ -168,9 +169,7 @@ TEST(Deviation, FindsAndPlacesADeliberateGouge)
     path.points.push_back({.pass = 0,
                            .point = 0,
                            .move = Move::Cut,
-                           .location = {{7.3, 4.1, -0.05}, Vec3::UnitZ()},
-                           .contact = {},
-                           .patch = 0});
+                           .location = {{7.3, 4.1, -0.05}, Vec3::UnitZ()}});
     path.points[path.points.size() - 2].location.tip = {7.3, 4.1, 3};
     DeviationOptions options;
     options.limits = {0.01, 1};
@@ -183,6 +182,35 @@ TEST(Deviation, FindsAndPlacesADeliberateGouge)
     EXPECT_NEAR(left.deepest->ray.point.y(), 4.1, 0.1);
     // The disc in which the ball is deeper than the tolerance.
     EXPECT_NEAR(left.gouge_area_mm2, std::numbers::pi * (25 - 4.96 * 4.96), 0.2);
+}
+
+// Passes 0.05 mm below the plane, or on it, measured without and with refinement: only a
+// bound that was refined may become smaller.
+TEST(RefinedBounds, AreThoseThatHalvingCellsMakesSmaller)
+{
+    struct Case {
+        double depth;
+        DeviationLimits limits;
+        RefinedBounds refined;
+    };
+    for (const auto& [depth, limits, refined] :
+         {Case{0.05, {0.01, 1}, {false, false}}, Case{0, {0.01, 0.01}, {true, false}},
+          Case{0, {0.01, 0.12}, {true, true}}}) {
+        const ToolPath path = passes(7, 0, 20, [depth = depth](int i) {
+            return Eigen::Vector2d{2 * i, -depth};
+        });
+        DeviationOptions options{.limits = limits, .pitch = 1, .max_refine = 0};
+        const Deviation coarse =
+            deviation_of(plane_part(), path, Cutter::ball(5), options);
+        options.max_refine = 8;
+        const Deviation fine = deviation_of(plane_part(), path, Cutter::ball(5), options);
+        EXPECT_EQ(refined_bounds(fine, limits).gouge, refined.gouge);
+        EXPECT_EQ(refined_bounds(fine, limits).scallop, refined.scallop);
+        EXPECT_EQ(fine.gouge_bound_mm < coarse.gouge_bound_mm, refined.gouge);
+        if (refined.scallop) {
+            EXPECT_LT(fine.scallop_bound_mm, coarse.scallop_bound_mm);
+        }
+    }
 }
 
 TEST(Deviation, OnACylinderIsThatOfItsPassesOutsideAndInside)

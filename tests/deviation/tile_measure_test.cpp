@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/stock/stock_history.h"
 #include "test_meshes.h"
 #include "test_surfaces.h"

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 namespace {
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/detail/exact_arithmetic.h"
+#include "endmill/core/tolerance.h"
 #include "random.h"
 #include "test_meshes.h"
 

@@ -23,7 +23,7 @@ std::vector<PixelPoint> drawn(const std::vector<PixelPoint>& points)
 }
 
 // Half a hundredth in x and y, by which a coordinate is rounded.
-constexpr double rounding = 0.0071;
+constexpr double coordinate_rounding = 0.0071;
 
 TEST(SvgPicture, IsWellFormedForAnyText)
 {
@@ -48,10 +48,10 @@ TEST(SvgPicture, DrawsAPolylineWithinATenthOfAPixel)
             points.emplace_back(points.back() +
                                 size * PixelPoint{step(random), step(random)});
         const auto line = drawn(points);
-        EXPECT_LE((line.front() - points.front()).norm(), rounding);
-        EXPECT_LE((line.back() - points.back()).norm(), rounding);
+        EXPECT_LE((line.front() - points.front()).norm(), coordinate_rounding);
+        EXPECT_LE((line.back() - points.back()).norm(), coordinate_rounding);
         for (const PixelPoint& point : points)
-            EXPECT_LE(distance(point, line), 0.1 + rounding);
+            EXPECT_LE(distance(point, line), 0.1 + coordinate_rounding);
     }
 }
 
@@ -84,7 +84,7 @@ TEST(SvgPicture, RoundingsDoNotAddUp)
     const auto line = drawn(zigzag);
     ASSERT_EQ(line.size(), zigzag.size());
     for (std::size_t i = 0; i < line.size(); ++i)
-        EXPECT_LE((line[i] - zigzag[i]).norm(), rounding);
+        EXPECT_LE((line[i] - zigzag[i]).norm(), coordinate_rounding);
 }
 
 TEST(SvgPicture, DrawsBoxesAsOneElementWithSharpSides)

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 #include "made_deviation.h"
 #include "small_xml.h"
 #include "test_surfaces.h"

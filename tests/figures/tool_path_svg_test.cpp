@@ -37,7 +37,7 @@ TEST(ToolPathSvg, JoinsTheContactsInTheOrderTheCutterPasses)
     const PixelPoint origin = cuts[0].front();
     for (int pass = 0; pass < 3; ++pass)
         for (int i = 0; i < 40; ++i) {
-            const Vec3 contact = path.points[40 * pass + i].contact->contact.point;
+            const Vec3 contact = path.points[40 * pass + i].contact()->contact.point;
             const PixelPoint place =
                 origin + scale * PixelPoint{contact.x(), -contact.y()};
             EXPECT_LT(distance(place, cuts[pass]), 0.15);

@@ -11,6 +11,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/files/csv.h"
+#include "path_conditions.h"
 #include "wavy_path.h"
 
 namespace endmill {
@@ -25,10 +26,11 @@ TEST(ToolPathCsv, HasTheColumnsOfTheFormatInTheirOrder)
 
 TEST(ToolPathCsv, WritesAPointByHand)
 {
-    const ToolPath path{{{0, 0, Move::Rapid, {{0, -0.0, 230}, {0, 0, 1}}, {}},
+    const ToolPath path{{{0, 0, Move::Rapid, 0, {{0, -0.0, 230}, {0, 0, 1}}},
                          {0,
                           1,
                           Move::Plunge,
+                          0,
                           {{1.5, -2, 0.1}, {0, 0, 1}},
                           SurfaceContact{0.25, 2, {{1e-7, 3, -4}, {0.6, 0, 0.8}}}}}};
     EXPECT_THAT(
@@ -39,8 +41,8 @@ TEST(ToolPathCsv, WritesAPointByHand)
 
 TEST(ToolPathCsv, OverSeveralSurfacesNamesThePatch)
 {
-    const ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 0},
-                         {1, 0, Move::Rapid, {{1, 2, 3}, {0, 0, 1}}, {}, 4}}};
+    const ToolPath path{{{0, 0, Move::Plunge, 0, {{1, 2, 3}, {0, 0, 1}}},
+                         {1, 0, Move::Rapid, 4, {{1, 2, 3}, {0, 0, 1}}}}};
     EXPECT_THAT(tool_path_csv(path), testing::HasSubstr(",axis_z,patch,u,v,"));
     EXPECT_THAT(tool_path_csv(path),
                 testing::EndsWith("\n0,0,plunge,1,2,3,0,0,1,0,,,,,,,,\n"
@@ -50,9 +52,9 @@ TEST(ToolPathCsv, OverSeveralSurfacesNamesThePatch)
 // Optional columns stand at their place in the order, if any point has a value.
 TEST(ToolPathCsv, WritesToolFeedAndSpeed)
 {
-    ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 2},
-                   {0, 1, Move::Rapid, {{1, 2, 4}, {0, 0, 1}}, {}, 0}},
-                  {{800.5, 6000, 7}, {{}, {}, 7}}};
+    const ToolPath bare{{{0, 0, Move::Plunge, 2, {{1, 2, 3}, {0, 0, 1}}},
+                         {0, 1, Move::Rapid, 0, {{1, 2, 4}, {0, 0, 1}}}}};
+    const ToolPath path = test::with_conditions(bare, {{800.5, 6000, 7}, {{}, {}, 7}});
     EXPECT_EQ(
         tool_path_csv(path),
         "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z,tool,patch,"
@@ -60,17 +62,17 @@ TEST(ToolPathCsv, WritesToolFeedAndSpeed)
         "feed_mm_per_min,spindle_rpm\n"
         "0,0,plunge,1,2,3,0,0,1,7,2,,,,,,,,,800.5,6000\n"
         "0,1,rapid,1,2,4,0,0,1,7,0,,,,,,,,,,\n");
-    path.conditions = {{{}, 6000, {}}, {}};
-    EXPECT_THAT(tool_path_csv(path), testing::HasSubstr(",normal_z,spindle_rpm\n"));
-    path.conditions = {{}, {}};
-    EXPECT_EQ(tool_path_csv(path), tool_path_csv({path.points}));
+    EXPECT_THAT(tool_path_csv(test::with_conditions(bare, {{{}, 6000, {}}})),
+                testing::HasSubstr(",normal_z,spindle_rpm\n"));
+    EXPECT_THAT(tool_path_csv(bare), testing::HasSubstr(",normal_z\n"));
 }
 
 TEST(ToolPathCsv, WritesTheLimitOfEachMoveLast)
 {
-    const ToolPath path{{{0, 0, Move::Plunge, {{1, 2, 3}, {0, 0, 1}}, {}, 0},
-                         {0, 1, Move::Cut, {{1, 5, 3}, {0, 0, 1}}, {}, 0}},
-                        {{800.5, 6000, {}}, {{}, 6000, {}}}};
+    const ToolPath path =
+        test::with_conditions({{{0, 0, Move::Plunge, 0, {{1, 2, 3}, {0, 0, 1}}},
+                                {0, 1, Move::Cut, 0, {{1, 5, 3}, {0, 0, 1}}}}},
+                              {{800.5, 6000, {}}, {{}, 6000, {}}});
     const std::vector<std::string_view> limits{"", "thrust"};
     const std::string text = tool_path_csv(path, limits);
     EXPECT_THAT(text, testing::HasSubstr(",feed_mm_per_min,spindle_rpm,limit\n"));
@@ -79,11 +81,13 @@ TEST(ToolPathCsv, WritesTheLimitOfEachMoveLast)
     EXPECT_THROW(tool_path_csv(path, std::vector<std::string_view>{"cap"}), DomainError);
 }
 
-TEST(ToolPathCsv, RefusesConditionsForSomePointsOnly)
+// A normal without the rest of its contact fills the columns of the normal alone.
+TEST(ToolPathCsv, WritesANormalAlone)
 {
-    ToolPath path = wavy_path(2, 5);
-    path.conditions.resize(3);
-    EXPECT_THROW(tool_path_csv(path), DomainError);
+    const ToolPath path{
+        {{0, 0, Move::Cut, 0, {{1, 2, 3}, {0, 0, 1}}, Vec3{0.6, 0, 0.8}}}};
+    EXPECT_THAT(tool_path_csv(path),
+                testing::EndsWith("\n0,0,cut,1,2,3,0,0,1,,,,,,0.6,0,0.8\n"));
 }
 
 void expect_vector(const CsvTable& table, std::size_t row,
@@ -106,15 +110,15 @@ TEST(ToolPathCsv, EveryNumberReadsBackAsTheSameDouble)
         expect_vector(table, row, {"tip_x_mm", "tip_y_mm", "tip_z_mm"},
                       point.location.tip);
         expect_vector(table, row, {"axis_x", "axis_y", "axis_z"}, point.location.axis);
-        EXPECT_EQ(table.number(row, "u").has_value(), point.contact.has_value());
-        if (!point.contact)
+        EXPECT_EQ(table.number(row, "u").has_value(), point.contact() != nullptr);
+        if (!point.contact())
             continue;
-        EXPECT_EQ(table.number(row, "u"), point.contact->u);
-        EXPECT_EQ(table.number(row, "v"), point.contact->v);
+        EXPECT_EQ(table.number(row, "u"), point.contact()->u);
+        EXPECT_EQ(table.number(row, "v"), point.contact()->v);
         expect_vector(table, row, {"contact_x_mm", "contact_y_mm", "contact_z_mm"},
-                      point.contact->contact.point);
+                      point.contact()->contact.point);
         expect_vector(table, row, {"normal_x", "normal_y", "normal_z"},
-                      point.contact->contact.normal);
+                      point.contact()->contact.normal);
     }
 }
 

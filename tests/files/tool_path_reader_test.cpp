@@ -6,6 +6,7 @@
 
 #include "complaint.h"
 #include "endmill/files/path_file.h"
+#include "path_conditions.h"
 #include "planned_path.h"
 #include "temporary_folder.h"
 #include "wavy_path.h"
@@ -24,18 +25,26 @@ std::string complaint_about(const std::string& text, const ReadLimits& limits = 
     return complaint_of([&] { parse_tool_path(text, "f.csv", limits); });
 }
 
+// The normal of each point, zero where it is unknown.
+std::vector<Vec3> normals_of(const ToolPath& path)
+{
+    std::vector<Vec3> found;
+    for (const PathPoint& point : path.points)
+        found.push_back(point.normal() ? *point.normal() : Vec3{0, 0, 0});
+    return found;
+}
+
 ToolPath path_with_conditions()
 {
     ToolPath path = wavy_path(4, 300);
     for (std::size_t k = 0; k < path.points.size(); ++k) {
         path.points[k].patch = int(k % 3);
-        path.conditions.push_back({});
         if (k % 2 == 0)
-            path.conditions[k].feed_mm_per_min = 100 + 1.0 / (1 + double(k));
+            path.points[k].conditions.feed_mm_per_min = 100 + 1.0 / (1 + double(k));
         if (k % 5 != 0)
-            path.conditions[k].spindle_rpm = 1e4 / 3;
+            path.points[k].conditions.spindle_rpm = 1e4 / 3;
         if (k % 7 != 0)
-            path.conditions[k].tool = int(k % 4);
+            path.points[k].conditions.tool = int(k % 4);
     }
     return path;
 }
@@ -45,7 +54,7 @@ TEST(ToolPathReader, ReadsAWrittenPathToTheLastBit)
     const ToolPath path = wavy_path(5, 400);
     const Program read = parse_tool_path(tool_path_csv(path), "f");
     EXPECT_TRUE(test::are_equal(read.path, path));
-    EXPECT_TRUE(read.path.conditions.empty());
+    EXPECT_EQ(test::conditions_of(read.path), test::conditions_of(path));
     EXPECT_TRUE(read.remarks.empty());
     EXPECT_FALSE(read.cutter);
     EXPECT_EQ(read.position_error_mm, 0);
@@ -57,7 +66,7 @@ TEST(ToolPathReader, ReadsConditionsAndPatchesToTheBit)
     const std::string text = tool_path_csv(path);
     const Program read = parse_tool_path(text, "f");
     EXPECT_TRUE(test::are_equal(read.path, path));
-    EXPECT_EQ(read.path.conditions, path.conditions);
+    EXPECT_EQ(test::conditions_of(read.path), test::conditions_of(path));
     EXPECT_EQ(read.path.points[2].patch, 2);
     EXPECT_EQ(tool_path_csv(read.path), text);
 }
@@ -66,17 +75,16 @@ TEST(ToolPathReader, ReadsConditionsAndPatchesToTheBit)
 TEST(ToolPathReader, ReadsALongPathExactlyAndReportsItsFirstError)
 {
     ToolPath path = wavy_path(30, 400);
-    path.normals.assign(path.points.size(), Vec3::Zero());
     for (std::size_t k = 0; k < path.points.size(); ++k) {
-        path.points[k].contact.reset();
+        path.points[k].known_contact = {};
         if (k % 3 == 0)
-            path.normals[k] = Vec3{0.6, 0, 0.8};
+            path.points[k].known_contact = Vec3{0.6, 0, 0.8};
     }
     std::string text = tool_path_csv(path);
     ASSERT_GT(text.size(), 1U << 19);
     const Program read = parse_tool_path(text, "f");
     EXPECT_TRUE(test::are_equal(read.path, path));
-    EXPECT_EQ(read.path.normals, path.normals);
+    EXPECT_EQ(normals_of(read.path), normals_of(path));
 
     for (const std::size_t row : {std::size_t{11900}, std::size_t{6000}}) {
         std::size_t at = 0;
@@ -110,8 +118,8 @@ TEST(ToolPathReader, IgnoresColumnsThatAPathCannotHoldWithARemark)
             "0,0,cut,1,2,3,0,0,1,4,5,6,100,cutting_force\n"
             "0,1,rapid,1,2,3,0,0,1,,,,,\n",
         "f");
-    EXPECT_FALSE(read.path.points[0].contact);
-    EXPECT_THAT(read.path.conditions,
+    EXPECT_FALSE(read.path.points[0].contact());
+    EXPECT_THAT(test::conditions_of(read.path),
                 ElementsAre(CuttingConditions{100, {}, {}}, CuttingConditions{}));
     EXPECT_THAT(read.remarks, ElementsAre(HasSubstr("contacts are ignored"),
                                           HasSubstr("limit is ignored")));
@@ -226,14 +234,14 @@ TEST(ToolPathReader, KeepsANormalWithoutTheRestOfItsContact)
         "tip_x_mm,tip_y_mm,tip_z_mm,normal_x,normal_y,normal_z\n"
         "0,0,0,,,\n1,0,0,0,0.6,0.8\n2,0,0,,,\n",
         "f");
-    EXPECT_FALSE(read.path.normal(0));
-    EXPECT_EQ(*read.path.normal(1), (Vec3{0, 0.6, 0.8}));
-    EXPECT_FALSE(read.path.normal(2));
-    EXPECT_FALSE(read.path.points[1].contact);
+    EXPECT_FALSE(read.path.points[0].normal());
+    EXPECT_EQ(*read.path.points[1].normal(), (Vec3{0, 0.6, 0.8}));
+    EXPECT_FALSE(read.path.points[2].normal());
+    EXPECT_FALSE(read.path.points[1].contact());
     // The normal is also written and read again beside complete contacts.
     const std::string text = tool_path_csv(read.path);
     const Program again = parse_tool_path(text, "f");
-    EXPECT_EQ(again.path.normals, read.path.normals);
+    EXPECT_EQ(normals_of(again.path), normals_of(read.path));
     EXPECT_EQ(tool_path_csv(again.path), text);
 }
 

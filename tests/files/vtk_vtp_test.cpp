@@ -38,13 +38,13 @@ TEST(ToolPathVtp, HoldsEveryPointExactly)
     ASSERT_EQ(tips.size(), 3 * path.points.size());
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         const PathPoint& point = path.points[i];
-        const bool touches = point.contact.has_value();
+        const bool touches = point.contact() != nullptr;
         expect_vectors(tips, i, point.location.tip);
         expect_vectors(contacts, i,
-                       touches ? point.contact->contact.point : point.location.tip);
+                       touches ? point.contact()->contact.point : point.location.tip);
         expect_vectors(normals, i,
-                       touches ? point.contact->contact.normal : point.location.axis);
-        EXPECT_EQ(u[i], touches ? point.contact->u : 0);
+                       touches ? point.contact()->contact.normal : point.location.axis);
+        EXPECT_EQ(u[i], touches ? point.contact()->u : 0);
         EXPECT_EQ(has_contact[i], touches ? 1 : 0);
     }
 }
@@ -88,7 +88,9 @@ TEST(ToolPathVtp, AnEmptyPathIsAFileWithoutPoints)
 TEST(ToolPathVtp, RefusesANumberThatIsNotFinite)
 {
     ToolPath path = wavy_path(2, 5);
-    path.points[3].contact->contact.normal.x() = std::numeric_limits<double>::infinity();
+    SurfaceContact contact = *path.points[3].contact();
+    contact.contact.normal.x() = std::numeric_limits<double>::infinity();
+    path.points[3].known_contact = contact;
     EXPECT_THROW(tool_path_vtp(path), DomainError);
 }
 

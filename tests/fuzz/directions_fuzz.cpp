@@ -17,9 +17,9 @@ constexpr std::size_t most_fitted = 40;
 
 void check_range(const RotaryRange& range)
 {
-    constexpr double rounding = 1e-12;
+    constexpr double angle_rounding = 1e-12;
     program_must(range.from <= 0 && range.to >= 0);
-    program_must(range.to - range.from <= 2 * std::numbers::pi + rounding);
+    program_must(range.to - range.from <= 2 * std::numbers::pi + angle_rounding);
 }
 
 void check_fit(const FittedPose& fit)

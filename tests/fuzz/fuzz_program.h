@@ -29,9 +29,7 @@ inline bool is_fit_for_a_terminal(const std::string& text)
 inline void check_program(const Program& program, const GcodeReadOptions& options)
 {
     const auto& points = program.path.points;
-    const auto& conditions = program.path.conditions;
     program_must(points.size() <= options.most_points);
-    program_must(conditions.empty() || conditions.size() == points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         for (const double coordinate : points[i].location.tip)
             program_must(std::abs(coordinate) <= options.max_extent_mm);
@@ -41,7 +39,8 @@ inline void check_program(const Program& program, const GcodeReadOptions& option
                                     : points[i].pass == points[i - 1].pass + 1 &&
                                           points[i].point == 0));
     }
-    for (const CuttingConditions& said : conditions) {
+    for (const PathPoint& point : points) {
+        const CuttingConditions& said = point.conditions;
         program_must(std::isfinite(said.feed_mm_per_min.value_or(1)));
         program_must(said.feed_mm_per_min.value_or(1) > 0);
         program_must(std::isfinite(said.spindle_rpm.value_or(1)));

@@ -8,7 +8,7 @@ namespace {
 
 PathPoint point(Move move, const Vec3& tip)
 {
-    return {0, 0, move, {tip, Vec3::UnitZ()}, std::nullopt};
+    return {0, 0, move, 0, {tip, Vec3::UnitZ()}};
 }
 
 TEST(PathLengths, SeparateMovesAtFeedFromOthers)

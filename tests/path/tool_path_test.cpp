@@ -37,15 +37,27 @@ TEST(ToolPath, OfAnEmptyPassHasNoPoints)
 TEST(ToolPath, CanLackAContact)
 {
     ToolPath path;
-    path.points.push_back({0, 0, Move::Rapid, {{1, 2, 3}, Vec3::UnitZ()}, std::nullopt});
+    path.points.push_back({0, 0, Move::Rapid, 0, {{1, 2, 3}, Vec3::UnitZ()}});
     path.points.push_back({0,
                            1,
                            Move::Plunge,
+                           0,
                            {{1, 2, 0}, Vec3::UnitZ()},
                            SurfaceContact{0.5, 0, {{1, 2, 0}, Vec3::UnitZ()}}});
     const ToolPath copy = path;
-    EXPECT_FALSE(copy.points[0].contact);
-    EXPECT_EQ(copy.points[1].contact->u, 0.5);
+    EXPECT_FALSE(copy.points[0].contact());
+    EXPECT_FALSE(copy.points[0].normal());
+    EXPECT_EQ(copy.points[1].contact()->u, 0.5);
+    EXPECT_EQ(*copy.points[1].normal(), Vec3(Vec3::UnitZ()));
+}
+
+// A path from a file may state the normals of the part and nothing else of the contacts.
+TEST(ToolPath, CanHaveANormalWithoutTheRestOfTheContact)
+{
+    const PathPoint point{
+        0, 0, Move::Cut, 0, {{1, 2, 3}, Vec3::UnitZ()}, Vec3{0, 0.6, 0.8}};
+    EXPECT_FALSE(point.contact());
+    EXPECT_EQ(*point.normal(), Vec3(0, 0.6, 0.8));
 }
 
 }  // namespace

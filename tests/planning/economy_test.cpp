@@ -17,13 +17,14 @@ PathPoint touching(int pass, Move move, const Vec3& contact, const Vec3& tip)
     return {pass,
             0,
             move,
+            0,
             {tip, Vec3::UnitZ()},
             SurfaceContact{0, 0, {contact, Vec3::UnitZ()}}};
 }
 
 PathPoint lifted(int pass, Move move, const Vec3& tip)
 {
-    return {pass, 0, move, {tip, Vec3::UnitZ()}, std::nullopt};
+    return {pass, 0, move, 0, {tip, Vec3::UnitZ()}};
 }
 
 TEST(PathEconomy, CountsAndSumsAZigZag)
@@ -121,7 +122,7 @@ TEST(PathEconomy, SumsToTheAccuracyStated)
         const auto length = [](const Vec3& a, const Vec3& b) {
             return (b.cast<long double>() - a.cast<long double>()).norm();
         };
-        contacts += length(from.contact->contact.point, to.contact->contact.point);
+        contacts += length(from.contact()->contact.point, to.contact()->contact.point);
         tips += length(from.location.tip, to.location.tip);
         path.points.push_back(to);
     }

@@ -37,7 +37,7 @@ std::vector<Seen> cuts_of(const std::vector<Pass>& passes, Parameter along)
     for_each_iso_cut(std::span{&hump(), 1}, path, along, [&](const IsoCut& cut) {
         // The contacts of the move lie on the line, so it is the line of the pass.
         const auto off = [&](double u, const PathPoint& point) {
-            return (cut.line.point(u) - point.contact->contact.point).norm();
+            return (cut.line.point(u) - point.contact()->contact.point).norm();
         };
         EXPECT_LT(std::max(off(cut.from, cut.start), off(cut.to, cut.end)), 1e-12);
         const Vec3 there = cut.surface.tangents(cut.to, cut.line.v()).point;

@@ -49,8 +49,7 @@ TEST(Invariance, AlongVIsAlongUOnTheTransposedSurfaceToTheBit)
     options.direction = Parameter::U;
     ToolPath along_u =
         plan_iso_parametric(transposed(surface), BallCutter{R}, options).path;
-    for (PathPoint& point : along_u.points)
-        std::swap(point.contact->u, point.contact->v);
+    test::swap_parameters(along_u);
     EXPECT_GT(along_v.points.size(), 100U);
     EXPECT_TRUE(test::are_equal(along_v, along_u));
 }
@@ -102,7 +101,7 @@ TEST(Invariance, ScalesExactlyWithPowersOfTwo)
                           scale * test::contact_point(path.points[k]));
                 EXPECT_EQ(scaled.points[k].location.tip,
                           scale * path.points[k].location.tip);
-                EXPECT_EQ(scaled.points[k].contact->u, path.points[k].contact->u);
+                EXPECT_EQ(scaled.points[k].contact()->u, path.points[k].contact()->u);
             }
         }
     }

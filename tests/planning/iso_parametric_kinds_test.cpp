@@ -141,7 +141,7 @@ TEST(PlannedKinds, PassesOnASphereEndInItsPoleAsAPoint)
     ASSERT_EQ(passes.back().size(), 1U);
     EXPECT_LT((test::contact_point(passes.back().front()) - Vec3{0, 0, 25}).norm(),
               1e-12);
-    EXPECT_LT((passes.back().front().contact->contact.normal - Vec3::UnitZ()).norm(),
+    EXPECT_LT((passes.back().front().contact()->contact.normal - Vec3::UnitZ()).norm(),
               1e-9);
     expect_spacing(pass_angles(plan.path,
                                [](const Vec3& p) {
@@ -234,7 +234,8 @@ void expect_same_path(const ToolPath& path, const ToolPath& expected)
         EXPECT_EQ(a.move, b.move);
         EXPECT_LT((a.location.tip - b.location.tip).norm(), 1e-9);
         EXPECT_LT((test::contact_point(a) - test::contact_point(b)).norm(), 1e-9);
-        EXPECT_LT((a.contact->contact.normal - b.contact->contact.normal).norm(), 1e-9);
+        EXPECT_LT((a.contact()->contact.normal - b.contact()->contact.normal).norm(),
+                  1e-9);
     }
 }
 

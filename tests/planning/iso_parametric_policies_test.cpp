@@ -55,7 +55,8 @@ std::vector<double> candidates(const Surface& surface, const std::vector<PathPoi
     std::vector<double> found;
     found.reserve(pass.size());
     for (const PathPoint& point : pass)
-        found.push_back(candidate(surface, point.contact->u, point.contact->v, options));
+        found.push_back(
+            candidate(surface, point.contact()->u, point.contact()->v, options));
     return found;
 }
 
@@ -64,7 +65,7 @@ TEST(Policies, GoverningMinTakesTheSmallestCandidate)
     const IsoParametricOptions options;
     const auto passes = planned(uneven_surface(), options);
     for (std::size_t n = 0; n + 2 < passes.size(); ++n)
-        EXPECT_NEAR(passes[n + 1][0].contact->v,
+        EXPECT_NEAR(passes[n + 1][0].contact()->v,
                     std::ranges::min(candidates(uneven_surface(), passes[n], options)),
                     1e-9);
 }
@@ -75,7 +76,7 @@ TEST(Policies, GoverningMaxTakesTheLargestCandidate)
     options.governing = Governing::Max;
     const auto passes = planned(uneven_surface(), options);
     for (std::size_t n = 0; n + 2 < passes.size(); ++n)
-        EXPECT_NEAR(passes[n + 1][0].contact->v,
+        EXPECT_NEAR(passes[n + 1][0].contact()->v,
                     std::ranges::max(candidates(uneven_surface(), passes[n], options)),
                     1e-9);
 }
@@ -91,7 +92,7 @@ TEST(Policies, GoverningMeanTakesTheMean)
         const auto found = candidates(uneven_surface(), passes[n], options);
         const double mean =
             std::accumulate(found.begin(), found.end(), 0.0) / double(found.size());
-        EXPECT_NEAR(passes[n + 1][0].contact->v, mean, 1e-9);
+        EXPECT_NEAR(passes[n + 1][0].contact()->v, mean, 1e-9);
         EXPECT_FALSE(plan.governing[n]);
     }
 }
@@ -105,9 +106,9 @@ TEST(Policies, GoverningFirstUsesTheFirstContact)
         const auto passes = planned(uneven_surface(), options);
         for (std::size_t n = 0; n + 2 < passes.size(); ++n) {
             const bool from_far_end = march == March::Alternate && n % 2 == 1;
-            EXPECT_NEAR(passes[n + 1][0].contact->v,
+            EXPECT_NEAR(passes[n + 1][0].contact()->v,
                         candidate(uneven_surface(), from_far_end ? 3 : 0,
-                                  passes[n][0].contact->v, options),
+                                  passes[n][0].contact()->v, options),
                         1e-9);
         }
     }
@@ -121,11 +122,11 @@ TEST(Policies, GoverningDenseMinAlsoUsesPlacesBetweenThePoints)
     const Surface surface = uneven_surface();
     const auto passes = planned(surface, options);
     for (std::size_t n = 0; n + 2 < passes.size(); ++n) {
-        const double v = passes[n][0].contact->v;
+        const double v = passes[n][0].contact()->v;
         double least = std::ranges::min(candidates(surface, passes[n], options));
         for (int sample = 0; sample <= 48; ++sample)
             least = std::min(least, candidate(surface, sample / 16.0, v, options));
-        EXPECT_NEAR(passes[n + 1][0].contact->v, least, 1e-9);
+        EXPECT_NEAR(passes[n + 1][0].contact()->v, least, 1e-9);
     }
     options.governing = Governing::Min;
     EXPECT_LE(planned(surface, options).size(), passes.size());
@@ -182,7 +183,7 @@ TEST(Policies, EndPointFreeOnAStraightLineKeepsItsStartAlone)
     options.end_point = EndPoint::Free;
     for (const auto& pass : planned(test::plane(20, 12), options)) {
         ASSERT_EQ(pass.size(), 1U);
-        EXPECT_EQ(pass[0].contact->u, 0);
+        EXPECT_EQ(pass[0].contact()->u, 0);
     }
 }
 
@@ -195,13 +196,13 @@ TEST(Policies, StopAtBordersPutsAPointOnEveryBorder)
         for (const auto& pass : planned(test::plane(200, 20, {3, 2}), options)) {
             ASSERT_EQ(pass.size(), 4U);
             for (const PathPoint& point : pass)
-                EXPECT_EQ(point.contact->u, std::round(point.contact->u));
+                EXPECT_EQ(point.contact()->u, std::round(point.contact()->u));
         }
     }
     for (const auto& pass : planned(uneven_surface(), options))
         for (const double border : {0.0, 1.0, 2.0, 3.0})
             EXPECT_TRUE(std::ranges::any_of(pass, [&](const PathPoint& point) {
-                return point.contact->u == border;
+                return point.contact()->u == border;
             })) << border;
 }
 
@@ -223,7 +224,7 @@ TEST(Policies, StepCurvatureDistinguishesGeodesicFromNormalCurvature)
     const auto by_curve = planned(cylinder, options);
     ASSERT_EQ(by_normal[0].size(), by_curve[0].size()) << "its lines are geodesics";
     for (std::size_t k = 0; k < by_curve[0].size(); ++k)
-        EXPECT_NEAR(by_normal[0][k].contact->u, by_curve[0][k].contact->u, 1e-10);
+        EXPECT_NEAR(by_normal[0][k].contact()->u, by_curve[0][k].contact()->u, 1e-10);
 }
 
 // Every step of a forward pass but the last has the projected length D on the tangent at
@@ -238,7 +239,8 @@ TEST(Policies, StepCurvatureDeterminesEveryStep)
         const auto pass = planned(surface, options)[0];
         ASSERT_GT(pass.size(), 4U);
         for (std::size_t k = 0; k + 2 < pass.size(); ++k) {
-            const SurfaceJet jet = surface.jet(pass[k].contact->u, pass[k].contact->v);
+            const SurfaceJet jet =
+                surface.jet(pass[k].contact()->u, pass[k].contact()->v);
             const double bend =
                 policy == StepCurvature::Normal
                     ? std::abs(jet.duu.dot(jet.du.cross(jet.dv).normalized()))
@@ -285,7 +287,7 @@ TEST(Policies, MarchForwardComputesEveryPassAlike)
         ASSERT_EQ(passes[n].size(), passes[0].size());
         for (std::size_t k = 0; k < passes[n].size(); ++k) {
             const std::size_t there = n % 2 == 0 ? k : passes[n].size() - 1 - k;
-            EXPECT_NEAR(passes[n][there].contact->u, passes[0][k].contact->u, 1e-12);
+            EXPECT_NEAR(passes[n][there].contact()->u, passes[0][k].contact()->u, 1e-12);
         }
     }
 }
@@ -297,7 +299,7 @@ TEST(Policies, CrossCurvatureByChordUsesTheChord)
     options.cross_step = 2;
     const auto passes = planned(uneven_surface(), options);
     for (std::size_t n = 0; n + 2 < passes.size(); ++n)
-        EXPECT_NEAR(passes[n + 1][0].contact->v,
+        EXPECT_NEAR(passes[n + 1][0].contact()->v,
                     std::ranges::min(candidates(uneven_surface(), passes[n], options)),
                     1e-9);
 }
@@ -307,11 +309,11 @@ TEST(Policies, CrossCurvatureByChordTendsToTheExactOneInFirstOrder)
     const Surface surface = test::graph(
         test::monomial(0, 2, 0.01) + test::monomial(0, 3, 2e-4), {{0, 20}, {-30, 30}});
     IsoParametricOptions options;
-    const double exact = planned(surface, options)[1][0].contact->v;
+    const double exact = planned(surface, options)[1][0].contact()->v;
     options.cross_curvature = CrossCurvature::Chord;
     const auto error = [&](double step) {
         options.cross_step = step;
-        return planned(surface, options)[1][0].contact->v - exact;
+        return planned(surface, options)[1][0].contact()->v - exact;
     };
     EXPECT_NEAR(error(0.2) / error(0.1), 2, 0.05);
     EXPECT_NEAR(error(1e-3), 0, 1e-6);
@@ -335,7 +337,7 @@ TEST(Policies, OneWayCutsTheSamePassesForwardsAndLiftsBetweenThem)
     EXPECT_EQ(one_way.points.size(), forwards.ncl + 2 * (forwards.passes - 1));
     for (const auto& pass : passes_of(one_way)) {
         EXPECT_EQ(pass.front().move, Move::Plunge);
-        EXPECT_LT(pass.front().contact->u, pass.back().contact->u);
+        EXPECT_LT(pass.front().contact()->u, pass.back().contact()->u);
     }
     for (const PathPoint& point : one_way.points)
         if (point.move == Move::Rapid || point.move == Move::Retract) {

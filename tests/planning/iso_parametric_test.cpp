@@ -49,8 +49,8 @@ TEST(IsoParametric, OnAPlaneHasThePathOfTheClosedForm)
         const Vec3 expected{at_far_end ? 200.0 : 0.0, 6.0 * pass, 0};
         EXPECT_LT((contact_point(point) - expected).norm(), 1e-9) << k;
         EXPECT_LT((point.location.tip - expected).norm(), 1e-9) << k;
-        EXPECT_EQ(point.contact->contact.normal, Vec3::UnitZ());
-        EXPECT_EQ(point.contact->u, at_far_end ? 3 : 0);
+        EXPECT_EQ(point.contact()->contact.normal, Vec3::UnitZ());
+        EXPECT_EQ(point.contact()->u, at_far_end ? 3 : 0);
         EXPECT_EQ(point.pass, pass);
         EXPECT_EQ(point.point, k % 2);
         EXPECT_EQ(point.move, k == 0       ? Move::Plunge
@@ -206,10 +206,10 @@ TEST(IsoParametric, NamesThePointThatGovernsEveryPassButTheLast)
     EXPECT_FALSE(plan.governing.back());
     for (std::size_t n = 0; n + 2 < passes.size(); ++n) {
         ASSERT_TRUE(plan.governing[n]);
-        EXPECT_EQ(plan.governing[n]->at.v, passes[n][0].contact->v);
-        EXPECT_EQ(plan.governing[n]->partner.v, passes[n + 1][0].contact->v);
+        EXPECT_EQ(plan.governing[n]->at.v, passes[n][0].contact()->v);
+        EXPECT_EQ(plan.governing[n]->partner.v, passes[n + 1][0].contact()->v);
         EXPECT_TRUE(std::ranges::any_of(passes[n], [&](const PathPoint& point) {
-            return point.contact->u == plan.governing[n]->at.u;
+            return point.contact()->u == plan.governing[n]->at.u;
         }));
     }
 }

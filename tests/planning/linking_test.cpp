@@ -47,7 +47,7 @@ TEST(Linking, ZigZagTurnsEveryOtherPassAndLinksThem)
         EXPECT_EQ(point.pass, k / 3);
         EXPECT_EQ(point.point, k % 3);
         const int i = point.pass == 1 ? 2 - k % 3 : k % 3;
-        EXPECT_EQ(point.contact->u, passes[k / 3][i].u);
+        EXPECT_EQ(point.contact()->u, passes[k / 3][i].u);
         EXPECT_EQ(test::contact_point(point), passes[k / 3][i].contact.point);
     }
 }
@@ -84,12 +84,12 @@ TEST(Linking, OneWayLiftsMovesAndLowersBetweenPasses)
         EXPECT_NEAR(over.dot(axis), 40, 1e-13);
         EXPECT_LT((up - last).cross(axis).norm(), 1e-13) << "straight up the axis";
         EXPECT_LT((over - next).cross(axis).norm(), 1e-13) << "straight down the axis";
-        EXPECT_FALSE(path.points[retract].contact);
-        EXPECT_FALSE(path.points[retract + 1].contact);
+        EXPECT_FALSE(path.points[retract].contact());
+        EXPECT_FALSE(path.points[retract + 1].contact());
     }
     for (const auto& pass : test::passes_of(path)) {
-        EXPECT_EQ(pass.front().contact->u, 0) << "all forwards";
-        EXPECT_EQ(pass.back().contact->u, 1);
+        EXPECT_EQ(pass.front().contact()->u, 0) << "all forwards";
+        EXPECT_EQ(pass.back().contact()->u, 1);
     }
 }
 

@@ -106,7 +106,7 @@ TEST(MarchPass, OnACollapsedEdgeIsOnePointFromWhichPassesGoOn)
         ASSERT_EQ(passes.size(), 21U) << "120 mm at 6 mm";
         ASSERT_EQ(passes[0].size(), 1U);
         EXPECT_LT((test::contact_point(passes[0][0]) - pole).norm(), 1e-13);
-        EXPECT_LT((passes[0][0].contact->contact.normal - Vec3::UnitZ()).norm(), 1e-12);
+        EXPECT_LT((passes[0][0].contact()->contact.normal - Vec3::UnitZ()).norm(), 1e-12);
         for (std::size_t k = 1; k < passes.size(); ++k) {
             ASSERT_EQ(passes[k].size(), 2U);
             EXPECT_NEAR(test::contact_point(passes[k][0]).x() - pole.x(), 6.0 * double(k),

@@ -62,8 +62,7 @@ TEST(ChordError, AlongVIsThatOfTheTransposedSurface)
     const Surface surface = trough();
     const Surface turned = transposed(surface);
     ToolPath path = pass_through(surface, {0, 0.8, 2}, 0.25);
-    for (PathPoint& point : path.points)
-        std::swap(point.contact->u, point.contact->v);
+    test::swap_parameters(path);
     const ChordError error = chord_error(turned, path, Parameter::V);
     EXPECT_LT(test::relative_error(error.greatest_mm, sagitta(-4, 20)), 1e-12);
     EXPECT_EQ(error.at.u, 0.25);
@@ -120,11 +119,11 @@ double scanned_error(const Surface& surface, const ToolPath& path)
     for (const auto& pass : test::passes_of(path))
         for (std::size_t k = 1; k < pass.size(); ++k)
             for (int sample = 1; sample < 400; ++sample) {
-                const double u =
-                    std::lerp(pass[k - 1].contact->u, pass[k].contact->u, sample / 400.0);
+                const double u = std::lerp(pass[k - 1].contact()->u, pass[k].contact()->u,
+                                           sample / 400.0);
                 greatest = std::max(
                     greatest,
-                    distance_to_segment(surface.tangents(u, pass[k].contact->v).point,
+                    distance_to_segment(surface.tangents(u, pass[k].contact()->v).point,
                                         test::contact_point(pass[k - 1]),
                                         test::contact_point(pass[k])));
             }

@@ -80,8 +80,8 @@ TEST(MotionError, IsTheGreatestOfDenseSamples)
             const test::SampledMove move{from.location.tip + Vec3::UnitZ(),
                                          to.location.tip + Vec3::UnitZ()};
             for (int s = 0; s <= 800; ++s) {
-                const double u = std::lerp(from.contact->u, to.contact->u, s / 800.0);
-                const double v = std::lerp(from.contact->v, to.contact->v, s / 800.0);
+                const double u = std::lerp(from.contact()->u, to.contact()->u, s / 800.0);
+                const double v = std::lerp(from.contact()->v, to.contact()->v, s / 800.0);
                 const double e =
                     test::distance_to(part[to.patch].tangents(u, v).point, move) - 1;
                 gouge = std::max(gouge, -e);

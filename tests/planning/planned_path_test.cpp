@@ -52,7 +52,7 @@ TEST(PlanPath, ByEitherPlannerHasThePassesOfTheClosedForm)
         plan_path(plane_part, plane_ball, plane_options(Planner::Verified));
     EXPECT_EQ(double(verified.path.points.size()), 2 * passes_on_the_plane(0.999));
     for (const PlannedPath& plan : {paper, verified})
-        EXPECT_EQ(plan.path.points.back().contact->u, 1);
+        EXPECT_EQ(plan.path.points.back().contact()->u, 1);
 }
 
 TEST(PlanPath, ReportsUncoveredPlacesOfTheVerifiedPlannerOnly)

@@ -41,8 +41,8 @@ TEST(StepStudy, OnACylinderHasTheSagittaAsChordError)
     for (std::size_t k = 1; k < path.points.size(); ++k) {
         if (path.points[k].move != Move::Cut)
             continue;
-        const double chord = (path.points[k].contact->contact.point -
-                              path.points[k - 1].contact->contact.point)
+        const double chord = (path.points[k].contact()->contact.point -
+                              path.points[k - 1].contact()->contact.point)
                                  .norm();
         const double sagitta = 20 - std::sqrt(400 - chord * chord / 4);
         ASSERT_LT(number, errors.size());
@@ -58,9 +58,9 @@ TEST(StepStudy, OnACylinderHasTheSagittaOfTheCentresAsGouge)
     const Surface surface = quarter();
     const ToolPath path = path_around(surface);
     const std::vector<StepErrors> errors = step_errors(surface, path, around);
-    const double chord =
-        (path.points[1].contact->contact.point - path.points[0].contact->contact.point)
-            .norm();
+    const double chord = (path.points[1].contact()->contact.point -
+                          path.points[0].contact()->contact.point)
+                             .norm();
     const double half = std::asin(chord / 40);
     EXPECT_NEAR(errors.front().gouge, 23 * (1 - std::cos(half)), 1e-5);
 }
@@ -75,8 +75,8 @@ TEST(StepStudy, RolledPathHasThePiecesAndTheSagittaOfEach)
     };
     EXPECT_EQ(cuts(rolled), 4 * cuts(path));
     for (const PathPoint& point : rolled.points)
-        if (point.contact) {
-            const Vec3& at = point.contact->contact.point;
+        if (point.contact()) {
+            const Vec3& at = point.contact()->contact.point;
             EXPECT_NEAR(std::hypot(at.y(), at.z()), 20, 1e-12);
         }
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "path_conditions.h"
 
 namespace endmill {
 namespace {
@@ -58,7 +59,7 @@ TEST(AptReader, ReadsEveryStatement)
     EXPECT_EQ(points[2].location.axis, (Vec3{0, 0.6, 0.8}));
     EXPECT_EQ(points[3].location.axis, (Vec3{0, 0, 1}));
     EXPECT_THAT(
-        program.path.conditions,
+        test::conditions_of(program.path),
         ElementsAre(CuttingConditions{}, CuttingConditions{250.5, 3000, {}},
                     CuttingConditions{250.5, 3000, {}}, CuttingConditions{{}, 3000, {}},
                     CuttingConditions{250.5, 3000, {}}));
@@ -70,7 +71,7 @@ TEST(AptReader, RequiresOnlyAGoto)
     EXPECT_EQ(program.path.points.size(), 1U);
     EXPECT_EQ(program.path.points[0].move, Move::Plunge);
     EXPECT_FALSE(program.cutter);
-    EXPECT_TRUE(program.path.conditions.empty());
+    EXPECT_EQ(program.path.points[0].conditions, CuttingConditions{});
     EXPECT_THAT(program.remarks,
                 ElementsAre(HasSubstr("taken as mm"), HasSubstr("no FINI")));
 }

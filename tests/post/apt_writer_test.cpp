@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "path_conditions.h"
 #include "random_path.h"
 
 namespace endmill {
@@ -16,12 +17,12 @@ TEST(Apt, WritesASmallPathAsByHand)
 {
     ToolPath path;
     const Vec3 up = Vec3::UnitZ();
-    path.points = {{0, 0, Move::Plunge, {{1, 2, -1}, up}, {}},
-                   {0, 1, Move::Cut, {{3.5, 2, -0.00004}, {0.6, 0, 0.8}}, {}},
-                   {0, 2, Move::Rapid, {{3.5, 2, 10}, up}, {}},
-                   {0, 3, Move::Cut, {{0, 0, 10}, up}, {}}};
-    path.conditions = {
-        {800, 6000, {}}, {800, 6000, {}}, {{}, 5000, {}}, {250.5, 5000, {}}};
+    path.points = {{0, 0, Move::Plunge, 0, {{1, 2, -1}, up}},
+                   {0, 1, Move::Cut, 0, {{3.5, 2, -0.00004}, {0.6, 0, 0.8}}},
+                   {0, 2, Move::Rapid, 0, {{3.5, 2, 10}, up}},
+                   {0, 3, Move::Cut, 0, {{0, 0, 10}, up}}};
+    path = test::with_conditions(
+        path, {{800, 6000, {}}, {800, 6000, {}}, {{}, 5000, {}}, {250.5, 5000, {}}});
     const WrittenProgram program =
         apt(path, {.name = "a $$ (plate)\n", .cutter = Cutter{6, 1}});
     EXPECT_EQ(program.text,
@@ -44,14 +45,14 @@ TEST(Apt, WritesASmallPathAsByHand)
 
 TEST(Apt, LeavesOutTheCutterAndTheSpeedIfUnknown)
 {
-    const ToolPath path{{{0, 0, Move::Cut, {{0, 0, 0}, {0, 0, 1}}, {}}}};
+    const ToolPath path{{{0, 0, Move::Cut, 0, {{0, 0, 0}, {0, 0, 1}}}}};
     EXPECT_EQ(apt(path, {.feed_mm_per_min = 9, .decimals = 0}).text,
               "PARTNO/\nUNITS/MM\nFEDRAT/9,MMPM\nGOTO/0,0,0\nFINI\n");
 }
 
 TEST(Apt, RefusesArgumentsOutsideItsDomain)
 {
-    ToolPath path{{{0, 0, Move::Cut, {{0, 0, 0}, {0, 0, 1}}, {}}}};
+    ToolPath path{{{0, 0, Move::Cut, 0, {{0, 0, 0}, {0, 0, 1}}}}};
     EXPECT_THROW(apt({}, {.feed_mm_per_min = 9}), DomainError);
     EXPECT_THROW(apt(path, {}), DomainError);
     EXPECT_THROW(apt(path, {.feed_mm_per_min = 9, .decimals = 10}), DomainError);
@@ -63,7 +64,7 @@ TEST(Apt, RefusesArgumentsOutsideItsDomain)
 // same cutter, and a ball as a ball.
 TEST(AptRoundTrip, KeepsTheCutterToTheBit)
 {
-    const ToolPath path{{{0, 0, Move::Cut, {{0, 0, 0}, {0, 0, 1}}, {}}}};
+    const ToolPath path{{{0, 0, Move::Cut, 0, {{0, 0, 0}, {0, 0, 1}}}}};
     for (const Cutter& cutter : {Cutter::ball(1.0 / 3), Cutter::ball(7.5),
                                  Cutter::flat(0.1), Cutter{6, 2.0 / 3}}) {
         const std::string text = apt(path, {.cutter = cutter, .feed_mm_per_min = 9}).text;
@@ -88,11 +89,11 @@ TEST(AptRoundTrip, KeepsThePathWithinTheRounding)
         EXPECT_LE((a.location.tip - b.location.tip).lpNorm<Eigen::Infinity>(), 5.0001e-5);
         EXPECT_EQ(a.location.axis, b.location.axis);
         EXPECT_EQ(a.move, b.move);
-        const CuttingConditions& conditions = read.path.conditions[k];
-        EXPECT_NEAR(*conditions.spindle_rpm, *path.conditions[k].spindle_rpm, 5.0001e-5);
+        const CuttingConditions& conditions = a.conditions;
+        EXPECT_NEAR(*conditions.spindle_rpm, *b.conditions.spindle_rpm, 5.0001e-5);
         ASSERT_EQ(conditions.feed_mm_per_min.has_value(), b.move != Move::Rapid);
         if (conditions.feed_mm_per_min) {
-            EXPECT_NEAR(*conditions.feed_mm_per_min, *path.conditions[k].feed_mm_per_min,
+            EXPECT_NEAR(*conditions.feed_mm_per_min, *b.conditions.feed_mm_per_min,
                         5.0001e-5);
         }
     }

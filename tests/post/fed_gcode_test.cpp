@@ -19,9 +19,8 @@ std::string fed(const std::string& text, const ConditionsAt& conditions_at,
                 ToolPath* path = nullptr, const GcodeReadOptions& options = {})
 {
     ToolPath read = parse_gcode(text, "p.ngc", options).path;
-    read.conditions.resize(read.points.size());
     for (std::size_t i = 0; i < read.points.size(); ++i) {
-        auto& conditions = read.conditions[i];
+        auto& conditions = read.points[i].conditions;
         const CuttingConditions wanted = conditions_at(i, read.points[i].location.tip);
         conditions.spindle_rpm = wanted.spindle_rpm;
         conditions.feed_mm_per_min =
@@ -67,11 +66,12 @@ TEST(FedGcode, ReadAgainHasTheFeedsOfThePath)
     ASSERT_EQ(again.points.size(), path.points.size());
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         EXPECT_EQ(again.points[i].location.tip, path.points[i].location.tip);
-        EXPECT_EQ(again.conditions[i].spindle_rpm, path.conditions[i].spindle_rpm);
+        EXPECT_EQ(again.points[i].conditions.spindle_rpm,
+                  path.points[i].conditions.spindle_rpm);
         EXPECT_EQ(again.points[i].move, path.points[i].move);
-        if (path.conditions[i].feed_mm_per_min) {
-            EXPECT_NEAR(*again.conditions[i].feed_mm_per_min,
-                        *path.conditions[i].feed_mm_per_min, 1e-4);
+        if (path.points[i].conditions.feed_mm_per_min) {
+            EXPECT_NEAR(*again.points[i].conditions.feed_mm_per_min,
+                        *path.points[i].conditions.feed_mm_per_min, 1e-4);
         }
     }
 }
@@ -121,7 +121,7 @@ void expect_split(const std::string& text, double least_parts,
             EXPECT_NEAR(std::hypot(tip.x(), tip.y()), 10, 1e-5) << written;
             const Vec3 middle = (tip + again.points[i - 1].location.tip) / 2;
             if (std::abs(middle.x()) > 0.5) {
-                EXPECT_NEAR(again.conditions[i].feed_mm_per_min.value(),
+                EXPECT_NEAR(again.points[i].conditions.feed_mm_per_min.value(),
                             middle.x() > 0 ? 100 : 200, 1e-3);
             }
         }
@@ -194,9 +194,9 @@ TEST(FedGcode, RefusesAnotherPathAndFeedsThatVanish)
 {
     const std::string text = "G21 G90\nG0 X1 Y0 Z0\nG1 X0 F1\nM2\n";
     ToolPath path = parse_gcode(text, "p.ngc").path;
-    path.conditions[1].feed_mm_per_min = 1e-6;
+    path.points[1].conditions.feed_mm_per_min = 1e-6;
     EXPECT_THROW(fed_gcode(text, "p.ngc", {}, path), DomainError);
-    path.conditions.clear();
+    path.points.pop_back();
     EXPECT_THROW(fed_gcode(text, "p.ngc", {}, path), DomainError);
     EXPECT_THROW(fed_gcode("G1 X", "p.ngc", {}, path), FormatError);
 }

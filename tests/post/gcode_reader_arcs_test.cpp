@@ -145,7 +145,7 @@ TEST(ParseGcodeArcs, ShareTheTimeOfInverseTimeFeed)
     double minutes = 0;
     for (std::size_t i = 1; i < program.path.points.size(); ++i)
         minutes += (tips(program)[i] - tips(program)[i - 1]).norm() /
-                   program.path.conditions[i].feed_mm_per_min.value();
+                   program.path.points[i].conditions.feed_mm_per_min.value();
     EXPECT_NEAR(minutes, 2, 1e-12);
 }
 

@@ -68,9 +68,9 @@ TEST(ParseCanonical, ReadsMovesFeedsSpindleAndTool)
     EXPECT_THAT(moves(program),
                 ElementsAre(Move::Rapid, Move::Rapid, Move::Plunge, Move::Cut));
     EXPECT_THAT(feeds(program), ElementsAre(std::nullopt, std::nullopt, 800, 800));
-    EXPECT_EQ(program.path.conditions.back().spindle_rpm, 3000);
-    EXPECT_EQ(program.path.conditions.back().tool, 3);
-    EXPECT_EQ(program.path.conditions.front().tool, std::nullopt);
+    EXPECT_EQ(program.path.points.back().conditions.spindle_rpm, 3000);
+    EXPECT_EQ(program.path.points.back().conditions.tool, 3);
+    EXPECT_EQ(program.path.points.front().conditions.tool, std::nullopt);
     EXPECT_EQ(program.position_error_mm, 5e-5);
     EXPECT_THAT(program.remarks,
                 ElementsAre("four decimals: coordinates are known to 5e-05 mm"));
@@ -151,8 +151,8 @@ TEST(ParseCanonical, ReadsTheEndOfAProgram)
 TEST(ParseCanonical, TakesTheToolOfM61)
 {
     EXPECT_EQ(read_canonical("CHANGE_TOOL_NUMBER(5)\nSTRAIGHT_TRAVERSE(1.0, 2.0, 3.0)")
-                  .path.conditions.back()
-                  .tool,
+                  .path.points.back()
+                  .conditions.tool,
               5);
 }
 
@@ -162,7 +162,7 @@ TEST(ParseCanonical, ReadsTheSpindleOfEarlierReleases)
         "SET_SPINDLE_SPEED(500.0000)\nSTART_SPINDLE_COUNTERCLOCKWISE()\nSET_FEED_MODE(0)"
         "\n"
         "STRAIGHT_TRAVERSE(1.0000, 0.0000, 0.0000)\nSTOP_SPINDLE_TURNING()\n");
-    EXPECT_EQ(program.path.conditions.back().spindle_rpm, 500);
+    EXPECT_EQ(program.path.points.back().conditions.spindle_rpm, 500);
 }
 
 TEST(ParseCanonical, RemarksOnAssumptions)

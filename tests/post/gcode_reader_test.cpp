@@ -24,9 +24,9 @@ TEST(ParseGcode, ReadsMovesWithTheirKinds)
     EXPECT_THAT(moves(program), ElementsAre(Move::Rapid, Move::Plunge, Move::Cut,
                                             Move::Cut, Move::Rapid));
     EXPECT_THAT(feeds(program), ElementsAre(std::nullopt, 200, 800, 800, std::nullopt));
-    for (const CuttingConditions& conditions : program.path.conditions) {
-        EXPECT_EQ(conditions.spindle_rpm, 3000);
-        EXPECT_EQ(conditions.tool, 1);
+    for (const PathPoint& point : program.path.points) {
+        EXPECT_EQ(point.conditions.spindle_rpm, 3000);
+        EXPECT_EQ(point.conditions.tool, 1);
     }
     EXPECT_FALSE(program.cutter);
     EXPECT_EQ(program.position_error_mm, 0);

@@ -57,7 +57,7 @@ class GcodeRoundTrip : public testing::TestWithParam<int> {};
 TEST_P(GcodeRoundTrip, IsReadBackByAnIndependentReader)
 {
     const int decimals = GetParam();
-    const double rounding = 0.5 * std::pow(10, -decimals) * (1 + 1e-6);
+    const double decimal_rounding = 0.5 * std::pow(10, -decimals) * (1 + 1e-6);
     const ToolPath path = test::random_path(11, 2000);
     const WrittenProgram program = gcode(path, {.decimals = decimals});
     const std::vector<ModalWords> moves = replayed(program.text);
@@ -66,41 +66,41 @@ TEST_P(GcodeRoundTrip, IsReadBackByAnIndependentReader)
     for (std::size_t k = 0; k < moves.size(); ++k) {
         const Vec3 off = moves[k].tip - path.points[k].location.tip;
         largest = std::max(largest, off.lpNorm<Eigen::Infinity>());
-        const CuttingConditions& conditions = path.conditions[k];
+        const CuttingConditions& conditions = path.points[k].conditions;
         EXPECT_EQ(moves[k].motion, path.points[k].move == Move::Rapid ? '0' : '1');
-        EXPECT_NEAR(moves[k].speed, *conditions.spindle_rpm, rounding);
+        EXPECT_NEAR(moves[k].speed, *conditions.spindle_rpm, decimal_rounding);
         if (conditions.feed_mm_per_min) {
-            EXPECT_NEAR(moves[k].feed, *conditions.feed_mm_per_min, rounding);
+            EXPECT_NEAR(moves[k].feed, *conditions.feed_mm_per_min, decimal_rounding);
         }
     }
-    EXPECT_LE(largest, rounding);
+    EXPECT_LE(largest, decimal_rounding);
     EXPECT_EQ(program.max_rounding_error_mm, largest);
 }
 
 TEST_P(GcodeRoundTrip, IsReadBack)
 {
     const int decimals = GetParam();
-    const double rounding = 0.5 * std::pow(10, -decimals) * (1 + 1e-6);
+    const double decimal_rounding = 0.5 * std::pow(10, -decimals) * (1 + 1e-6);
     const ToolPath path = test::random_path(12, 2000);
     const GcodeOptions options{.decimals = decimals, .line_numbers = decimals % 2 == 0};
     const Program program = parse_gcode(gcode(path, options).text, "f.ngc");
     const auto& points = program.path.points;
     // The program adds the position over the first point and the safe height at the end.
     ASSERT_EQ(points.size(), path.points.size() + 2);
-    ASSERT_EQ(program.path.conditions.size(), points.size());
     for (std::size_t k = 0; k < path.points.size(); ++k) {
         const PathPoint& read = points[k + 1];
-        const CuttingConditions& conditions = program.path.conditions[k + 1];
+        const CuttingConditions& conditions = read.conditions;
         const PathPoint& point = path.points[k];
         EXPECT_LE((read.location.tip - point.location.tip).lpNorm<Eigen::Infinity>(),
-                  rounding);
+                  decimal_rounding);
         EXPECT_EQ(read.move, point.move) << k;
         EXPECT_EQ(conditions.tool, 3);
-        EXPECT_NEAR(*conditions.spindle_rpm, *path.conditions[k].spindle_rpm, rounding);
+        EXPECT_NEAR(*conditions.spindle_rpm, *path.points[k].conditions.spindle_rpm,
+                    decimal_rounding);
         ASSERT_EQ(conditions.feed_mm_per_min.has_value(), point.move != Move::Rapid);
         if (conditions.feed_mm_per_min) {
-            EXPECT_NEAR(*conditions.feed_mm_per_min, *path.conditions[k].feed_mm_per_min,
-                        rounding);
+            EXPECT_NEAR(*conditions.feed_mm_per_min,
+                        *path.points[k].conditions.feed_mm_per_min, decimal_rounding);
         }
     }
 }

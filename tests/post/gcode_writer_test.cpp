@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "path_conditions.h"
 #include "random_path.h"
 
 namespace endmill {
@@ -23,7 +24,7 @@ ToolPath path_of(const std::vector<std::pair<Move, Vec3>>& moves)
     ToolPath path;
     for (const auto& [move, tip] : moves)
         path.points.push_back(
-            {0, static_cast<int>(path.points.size()), move, {tip, Vec3::UnitZ()}, {}});
+            {0, static_cast<int>(path.points.size()), move, 0, {tip, Vec3::UnitZ()}});
     return path;
 }
 
@@ -131,8 +132,9 @@ TEST(Gcode, ChangesToolsAboveThePathAndComesBackToIt)
                              {Move::Cut, {9, 2, 0}},
                              {Move::Retract, {9, 2, 4}},
                              {Move::Rapid, {0, 0, 4}}});
-    path.conditions = {
-        {100, 1000, 1}, {100, 1000, 1}, {200, 2000, 2}, {200, 2000, 2}, {{}, 2000, 3}};
+    path = test::with_conditions(
+        path,
+        {{100, 1000, 1}, {100, 1000, 1}, {200, 2000, 2}, {200, 2000, 2}, {{}, 2000, 3}});
     EXPECT_THAT(gcode(path, {.decimals = 0}).text,
                 HasSubstr("T1 M6\nS1000 M3\nG0 Z9\nX1 Y2\nG1 Z0 F100\nX5\n"
                           "G0 Z9\nT2 M6\nS2000 M3\nG0 Z9\nX5 Y2\nG1 Z0 F200\nX9\nZ4\n"

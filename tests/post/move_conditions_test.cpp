@@ -8,18 +8,19 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "path_conditions.h"
 
 namespace endmill {
 namespace {
 
 // A plunge, a rapid and a cut.
-ToolPath three_moves(std::vector<CuttingConditions> conditions)
+ToolPath three_moves(const std::vector<CuttingConditions>& conditions)
 {
     const CutterLocation location{Vec3::Zero(), Vec3::UnitZ()};
-    return {{{0, 0, Move::Plunge, location, {}},
-             {0, 1, Move::Rapid, location, {}},
-             {0, 2, Move::Cut, location, {}}},
-            std::move(conditions)};
+    return test::with_conditions({{{0, 0, Move::Plunge, 0, location},
+                                   {0, 1, Move::Rapid, 0, location},
+                                   {0, 2, Move::Cut, 0, location}}},
+                                 conditions);
 }
 
 std::string refusal(const ToolPath& path, const CuttingConditions& otherwise,
@@ -83,7 +84,6 @@ TEST(MoveConditions, RefuseNumbersOutOfTheirRange)
         EXPECT_THAT(refusal(three_moves({}), {1, speed, {}}),
                     testing::HasSubstr("speed"));
     EXPECT_THAT(refusal(three_moves({}), {1, {}, -1}), testing::HasSubstr("tool -1"));
-    EXPECT_THAT(refusal(three_moves({{1, {}, {}}}), {}), testing::HasSubstr("for all"));
 }
 
 }  // namespace

@@ -34,16 +34,16 @@ std::vector<int> passes(const Program& program)
 std::vector<int> tools(const Program& program)
 {
     std::vector<int> found;
-    for (const CuttingConditions& conditions : program.path.conditions)
-        found.push_back(conditions.tool.value_or(-1));
+    for (const PathPoint& point : program.path.points)
+        found.push_back(point.conditions.tool.value_or(-1));
     return found;
 }
 
 std::vector<double> speeds(const Program& program)
 {
     std::vector<double> found;
-    for (const CuttingConditions& conditions : program.path.conditions)
-        found.push_back(conditions.spindle_rpm.value_or(-1));
+    for (const PathPoint& point : program.path.points)
+        found.push_back(point.conditions.spindle_rpm.value_or(-1));
     return found;
 }
 
@@ -108,7 +108,7 @@ TEST_F(ProgramBuilderTest, SharesTheTimeOfAnArcAmongItsChords)
     double minutes = 0;
     for (std::size_t i = 1; i < points.size(); ++i)
         minutes += (points[i].location.tip - points[i - 1].location.tip).norm() /
-                   program.path.conditions[i].feed_mm_per_min.value();
+                   program.path.points[i].conditions.feed_mm_per_min.value();
     EXPECT_NEAR(minutes, 4, 1e-12);
     EXPECT_EQ(points.back().location.tip, Vec3(0, 5, -1));
 }
@@ -167,7 +167,7 @@ TEST_F(ProgramBuilderTest, HasNoConditionsIfTheProgramStatesNone)
 {
     ProgramBuilder builder{lines, options};
     builder.go_to({0, 0, 0}, std::nullopt);
-    EXPECT_THAT(builder.take().path.conditions, ElementsAre());
+    EXPECT_EQ(builder.take().path.points.at(0).conditions, CuttingConditions{});
 }
 
 TEST_F(ProgramBuilderTest, RemarksOnce)

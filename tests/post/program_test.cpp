@@ -10,7 +10,6 @@ TEST(Program, IsEmptyAndExactByDefault)
 {
     const Program program;
     EXPECT_TRUE(program.path.points.empty());
-    EXPECT_TRUE(program.path.conditions.empty());
     EXPECT_FALSE(program.cutter);
     EXPECT_TRUE(program.remarks.empty());
     EXPECT_EQ(program.position_error_mm, 0);

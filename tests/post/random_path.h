@@ -23,9 +23,12 @@ inline ToolPath random_path(unsigned seed, int points, double low = -100,
         feed = random.uniform(0, 1) < 0.2 ? random.uniform(50, 3000) : feed;
         speed = random.uniform(0, 1) < 0.05 ? random.uniform(500, 20000) : speed;
         const Move move = k == 0 ? Move::Plunge : is_rapid ? Move::Rapid : Move::Cut;
-        path.points.push_back({0, k, move, {tip, Vec3::UnitZ()}, {}});
-        path.conditions.push_back(
-            {is_rapid ? std::nullopt : std::optional{feed}, speed, 3});
+        path.points.push_back(
+            {.pass = 0,
+             .point = k,
+             .move = move,
+             .location = {tip, Vec3::UnitZ()},
+             .conditions = {is_rapid ? std::nullopt : std::optional{feed}, speed, 3}});
     }
     return path;
 }

@@ -58,8 +58,8 @@ inline std::vector<Move> moves(const Program& program)
 inline std::vector<std::optional<double>> feeds(const Program& program)
 {
     std::vector<std::optional<double>> found;
-    for (const CuttingConditions& conditions : program.path.conditions)
-        found.push_back(conditions.feed_mm_per_min);
+    for (const PathPoint& point : program.path.points)
+        found.push_back(point.conditions.feed_mm_per_min);
     return found;
 }
 

@@ -10,16 +10,15 @@ namespace {
 
 PathPoint at(Move move, const Vec3& tip)
 {
-    return {3, 0, move, {tip, Vec3::UnitZ()}, {}};
+    return {3, 0, move, 0, {tip, Vec3::UnitZ()}};
 }
 
 TEST(CutMoves, AreTheCutsWithHorizontalMotionInPathOrder)
 {
-    const ToolPath path{
-        {at(Move::Rapid, {0, 0, 5}), at(Move::Plunge, {0, 0, 0}),
-         at(Move::Cut, {3, 4, 0}), at(Move::Cut, {3, 4, 0}), at(Move::Cut, {3, 4, -2}),
-         at(Move::Cut, {3, 4, 1}), at(Move::Link, {3, 5, 1}), at(Move::Cut, {5, 5, 1})},
-        {}};
+    const ToolPath path{{at(Move::Rapid, {0, 0, 5}), at(Move::Plunge, {0, 0, 0}),
+                         at(Move::Cut, {3, 4, 0}), at(Move::Cut, {3, 4, 0}),
+                         at(Move::Cut, {3, 4, -2}), at(Move::Cut, {3, 4, 1}),
+                         at(Move::Link, {3, 5, 1}), at(Move::Cut, {5, 5, 1})}};
     const std::vector<CutMove> moves = cut_moves(path);
     ASSERT_EQ(moves.size(), 2u);
     EXPECT_EQ(moves[0].point, 2u);
@@ -35,12 +34,12 @@ TEST(CutMoves, AreTheCutsWithHorizontalMotionInPathOrder)
 TEST(CutMoves, OfAPathWithoutAMoveAreNone)
 {
     EXPECT_TRUE(cut_moves({}).empty());
-    EXPECT_TRUE(cut_moves({{at(Move::Cut, {0, 0, 0})}, {}}).empty());
+    EXPECT_TRUE(cut_moves({{at(Move::Cut, {0, 0, 0})}}).empty());
 }
 
 TEST(CutMoves, NeedAnUprightAxis)
 {
-    ToolPath path{{at(Move::Rapid, {0, 0, 0}), at(Move::Cut, {1, 0, 0})}, {}};
+    ToolPath path{{at(Move::Rapid, {0, 0, 0}), at(Move::Cut, {1, 0, 0})}};
     path.points[1].location.axis = Vec3{0, 0.01, 1}.normalized();
     EXPECT_THROW(cut_moves(path), GeometryError);
 }
@@ -52,8 +51,8 @@ TEST(CutMoves, OfZeroLengthAreCounted)
         path.points.push_back({0,
                                static_cast<int>(path.points.size()),
                                Move::Cut,
-                               {{x, 0, 0}, Vec3::UnitZ()},
-                               {}});
+                               0,
+                               {{x, 0, 0}, Vec3::UnitZ()}});
     path.points.back().move = Move::Rapid;
     EXPECT_EQ(zero_length_cuts(path), 3U);
     EXPECT_EQ(cut_moves(path).size(), 1U);

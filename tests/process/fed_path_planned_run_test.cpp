@@ -264,8 +264,7 @@ ToolPath path_of(const std::vector<double>& at, const std::vector<Move>& moves,
                                .point = static_cast<int>(i),
                                .move = moves[i],
                                .location = {{at[i], 0, 0}, Vec3::UnitZ()},
-                               .contact = {}});
-        path.conditions.push_back({feeds_mm_per_min[i], {}, {}});
+                               .conditions = {feeds_mm_per_min[i]}});
     }
     return path;
 }

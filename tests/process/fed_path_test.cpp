@@ -8,13 +8,14 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "path_conditions.h"
 
 namespace endmill {
 namespace {
 
 PathPoint at(Move move, const Vec3& tip)
 {
-    return {0, 0, move, {tip, Vec3::UnitZ()}, {}};
+    return {0, 0, move, 0, {tip, Vec3::UnitZ()}};
 }
 
 SegmentFeed row(double feed, double speed, FeedLimit limit)
@@ -26,26 +27,26 @@ SegmentFeed row(double feed, double speed, FeedLimit limit)
 }
 
 // A rapid, a plunge with a feed of its own, two cuts, a link and a retract.
-const ToolPath path{
-    {at(Move::Rapid, {0, 0, 9}), at(Move::Plunge, {0, 0, 0}), at(Move::Cut, {4, 0, 0}),
-     at(Move::Link, {4, 3, 0}), at(Move::Cut, {0, 3, 0}), at(Move::Rapid, {0, 3, 12}),
-     at(Move::Retract, {0, 3, 13})},
-    {{500, 1, 7}, {50, {}, 7}, {300, {}, 7}, {}, {}, {}, {}}};
+const ToolPath path = test::with_conditions(
+    {{at(Move::Rapid, {0, 0, 9}), at(Move::Plunge, {0, 0, 0}), at(Move::Cut, {4, 0, 0}),
+      at(Move::Link, {4, 3, 0}), at(Move::Cut, {0, 3, 0}), at(Move::Rapid, {0, 3, 12}),
+      at(Move::Retract, {0, 3, 13})}},
+    {{500, 1, 7}, {50, {}, 7}, {300, {}, 7}});
 const std::array<std::size_t, 2> points{2, 4};
 const std::array rows{row(100, 1000, FeedLimit::Thrust), row(200, 2000, FeedLimit::Cap)};
 
 TEST(FedPath, HasTheFeedOfEachCutAndKeepsThoseOfOtherMoves)
 {
     const ToolPath fed = fed_path(path, points, rows, 200);
-    ASSERT_EQ(fed.conditions.size(), 7u);
-    EXPECT_FALSE(fed.conditions[0].feed_mm_per_min);
-    EXPECT_EQ(fed.conditions[1].feed_mm_per_min, 50);
-    EXPECT_EQ(fed.conditions[2].feed_mm_per_min, 100);
-    EXPECT_EQ(fed.conditions[3].feed_mm_per_min, 200);
-    EXPECT_EQ(fed.conditions[4].feed_mm_per_min, 200);
-    EXPECT_FALSE(fed.conditions[5].feed_mm_per_min);
-    EXPECT_EQ(fed.conditions[6].feed_mm_per_min, 200);
-    EXPECT_EQ(fed.conditions[2].tool, 7);
+    ASSERT_EQ(fed.points.size(), 7u);
+    EXPECT_FALSE(fed.points[0].conditions.feed_mm_per_min);
+    EXPECT_EQ(fed.points[1].conditions.feed_mm_per_min, 50);
+    EXPECT_EQ(fed.points[2].conditions.feed_mm_per_min, 100);
+    EXPECT_EQ(fed.points[3].conditions.feed_mm_per_min, 200);
+    EXPECT_EQ(fed.points[4].conditions.feed_mm_per_min, 200);
+    EXPECT_FALSE(fed.points[5].conditions.feed_mm_per_min);
+    EXPECT_EQ(fed.points[6].conditions.feed_mm_per_min, 200);
+    EXPECT_EQ(fed.points[2].conditions.tool, 7);
 }
 
 // The spindle has the speed of the next cut.
@@ -53,10 +54,10 @@ TEST(FedPath, TurnsTheSpindleAsInTheNextCut)
 {
     const ToolPath fed = fed_path(path, points, rows, 200);
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(fed.conditions[i].spindle_rpm, 1000);
+        EXPECT_EQ(fed.points[i].conditions.spindle_rpm, 1000);
     }
     for (std::size_t i = 3; i < 7; ++i) {
-        EXPECT_EQ(fed.conditions[i].spindle_rpm, 2000);
+        EXPECT_EQ(fed.points[i].conditions.spindle_rpm, 2000);
     }
 }
 
@@ -81,8 +82,8 @@ TEST(FedPath, TakesItsTimeBesidesTheCuts)
 TEST(FedPath, WithoutACutKeepsItsFeeds)
 {
     const ToolPath fed = fed_path(path, {}, {}, 200);
-    EXPECT_EQ(fed.conditions[2].feed_mm_per_min, 300);
-    EXPECT_EQ(fed.conditions[0].spindle_rpm, 1);
+    EXPECT_EQ(fed.points[2].conditions.feed_mm_per_min, 300);
+    EXPECT_EQ(fed.points[0].conditions.spindle_rpm, 1);
 }
 
 TEST(FedPath, RefusesRowsThatAreNotThePaths)

@@ -28,6 +28,7 @@ ToolPath rolled(double bend, int count)
             {0,
              i,
              i == 0 ? Move::Plunge : Move::Cut,
+             0,
              {point + radius * normal - radius * Vec3::UnitZ(), Vec3::UnitZ()},
              SurfaceContact{0, 0, {point, normal}}});
     }
@@ -39,13 +40,13 @@ TEST(MoveContacts, StatedAtBothEndsAreHalfwayBetween)
     ToolPath path = rolled(-0.02, 10);
     const auto moves = cut_moves(path);
     const auto contacts = stated_contacts(path, moves);
-    EXPECT_LT((contacts[2]->normal - (path.points[2].contact->contact.normal +
-                                      path.points[3].contact->contact.normal)
+    EXPECT_LT((contacts[2]->normal - (path.points[2].contact()->contact.normal +
+                                      path.points[3].contact()->contact.normal)
                                          .normalized())
                   .norm(),
               1e-14);
     EXPECT_FALSE(contacts[2]->foot);
-    path.points[3].contact.reset();
+    path.points[3].known_contact = {};
     const auto fewer = stated_contacts(path, moves);
     EXPECT_FALSE(fewer[2]);
     EXPECT_FALSE(fewer[3]);
@@ -60,7 +61,7 @@ TEST(MoveContacts, ProjectedOnThePartAreWhereTheBallRolls)
     const ContactSearch search{part};
     ToolPath path = rolled(bend, 600);
     for (PathPoint& point : path.points)
-        point.contact.reset();
+        point.known_contact = {};
     const auto moves = cut_moves(path);
     const auto contacts = projected_contacts(path, moves, search, {radius, 0.05});
     for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -119,8 +120,8 @@ TEST(MoveContacts, StatedByNormalsAloneEqualWholeContacts)
     const ToolPath whole = rolled(-0.02, 10);
     ToolPath bare = whole;
     for (PathPoint& point : bare.points) {
-        bare.normals.push_back(point.contact->contact.normal);
-        point.contact.reset();
+        const Vec3 normal = *point.normal();
+        point.known_contact = normal;
     }
     const auto moves = cut_moves(whole);
     const auto stated = stated_contacts(whole, moves);
@@ -129,7 +130,7 @@ TEST(MoveContacts, StatedByNormalsAloneEqualWholeContacts)
         ASSERT_TRUE(by_normals[i]);
         EXPECT_EQ(by_normals[i]->normal, stated[i]->normal);
     }
-    bare.normals[3] = Vec3::Zero();
+    bare.points[3].known_contact = {};
     EXPECT_FALSE(stated_contacts(bare, moves)[2]);
     EXPECT_TRUE(stated_contacts(bare, moves)[4]);
 }

@@ -26,8 +26,8 @@ inline ToolPath passes(const std::vector<Pass>& lines, int moves)
             path.points.push_back({static_cast<int>(k),
                                    i,
                                    i == 0 ? Move::Plunge : Move::Cut,
-                                   {tip, Vec3::UnitZ()},
-                                   {}});
+                                   0,
+                                   {tip, Vec3::UnitZ()}});
         }
     return path;
 }

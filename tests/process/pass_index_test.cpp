@@ -53,7 +53,7 @@ std::vector<CutMove> wavy_moves(double slant)
                            std::sin(slant) * along + std::cos(slant) * across,
                            4 * std::sin(along / 7) * std::cos(across / 5)};
             path.points.push_back(
-                {pass, 0, x == 0 ? Move::Rapid : Move::Cut, {tip, Vec3::UnitZ()}, {}});
+                {pass, 0, x == 0 ? Move::Rapid : Move::Cut, 0, {tip, Vec3::UnitZ()}});
         }
     return cut_moves(path);
 }
@@ -89,7 +89,7 @@ TEST(PassIndex, LeavesOutTheOwnPassNearbyButNotFurtherOn)
     ToolPath path;
     for (const Vec3& tip : {Vec3{0, 0, 0}, Vec3{10, 0, 0}, Vec3{20, 0, 0}, Vec3{20, 1, 0},
                             Vec3{10, 1, 0}, Vec3{0, 1, 0}})
-        path.points.push_back({0, 0, Move::Cut, {tip, Vec3::UnitZ()}, {}});
+        path.points.push_back({0, 0, Move::Cut, 0, {tip, Vec3::UnitZ()}});
     const std::vector<CutMove> moves = cut_moves(path);
     const PassIndex index{moves};
     EXPECT_FALSE(index.beside(3, 15).left);  // its neighbour is 11 mm of path away

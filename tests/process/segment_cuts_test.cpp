@@ -132,7 +132,7 @@ TEST(SegmentCuts, ByStatedContactsOnAPlaneEqualThoseByPasses)
         ToolPath path = passes({{Vec3::Zero(), 20 * feed}, {pick, pick + 20 * feed}}, 5);
         const SegmentCuts by_path = segment_cuts(path, by_passes());
         for (PathPoint& point : path.points)
-            point.contact = touched(point, normal);
+            point.known_contact = touched(point, normal);
         SegmentCutOptions options = by_passes();
         options.source = CutSource::Auto;
         const SegmentCuts by_normals = segment_cuts(path, options);
@@ -153,7 +153,7 @@ TEST(SegmentCuts, TakeThePassesWhereAnEndHasNoContact)
 {
     ToolPath path = passes({{Vec3{0, 0, 0}, Vec3{20, 0, 0}}}, 5);
     for (std::size_t i = 0; i < 4; ++i)
-        path.points[i].contact = touched(path.points[i], Vec3::UnitZ());
+        path.points[i].known_contact = touched(path.points[i], Vec3::UnitZ());
     SegmentCutOptions options = by_passes();
     options.source = CutSource::Auto;
     const SegmentCuts cuts = segment_cuts(path, options);
@@ -192,8 +192,8 @@ TEST(SegmentCuts, LeaveOutMovesOfLengthZeroAndVerticalMoves)
         path.points.push_back({0,
                                static_cast<int>(path.points.size()),
                                Move::Cut,
-                               {tip, Vec3::UnitZ()},
-                               {}});
+                               0,
+                               {tip, Vec3::UnitZ()}});
     const SegmentCuts cuts = segment_cuts(path, by_passes());
     ASSERT_EQ(cuts.cuts.size(), 2u);
     EXPECT_EQ(cuts.points[1], path.points.size() - 1);

@@ -247,9 +247,8 @@ TEST(RemovalRates, AreVolumeByTime)
 {
     HeightStock stock = small_block(0.5);
     ToolPath path = tip_path({{-10, 0, -2}, {10, 0, -2}, {10, 0, 5}, {-10, 0, 5}});
-    path.conditions.resize(4);
-    path.conditions[1].feed_mm_per_min = 100;
-    path.conditions[2].feed_mm_per_min = 1000;
+    path.points[1].conditions.feed_mm_per_min = 100;
+    path.points[2].conditions.feed_mm_per_min = 1000;
     path.points[3].move = Move::Rapid;
     const Removal removal = remove_along(stock, path, Cutter::flat(5));
     EXPECT_NEAR(*removal_rate(removal, path, 1), 10 * 2 * 100, 1e-9);
@@ -258,7 +257,8 @@ TEST(RemovalRates, AreVolumeByTime)
     EXPECT_NEAR(rates->greatest, 2000, 1e-9);
     const double time_min = 20.0 / 100 + 7.0 / 1000;
     EXPECT_NEAR(rates->mean, (removal.removed[1] + removal.removed[2]) / time_min, 1e-9);
-    path.conditions.clear();
+    for (PathPoint& point : path.points)
+        point.conditions = {};
     EXPECT_FALSE(removal_rates(removal, path));
 }
 

@@ -18,8 +18,8 @@ const Cutter ball = Cutter::ball(3);
 
 ToolPath move(const Vec3& from, const Vec3& to)
 {
-    return {{{0, 0, Move::Plunge, {from, Vec3::UnitZ()}, {}},
-             {0, 1, Move::Cut, {to, Vec3::UnitZ()}, {}}}};
+    return {{{0, 0, Move::Plunge, 0, {from, Vec3::UnitZ()}},
+             {0, 1, Move::Cut, 0, {to, Vec3::UnitZ()}}}};
 }
 
 double gap(const Vec3& from, const Vec3& to)

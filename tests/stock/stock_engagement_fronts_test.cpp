@@ -60,8 +60,8 @@ BallFront last_of_raster(double pick_feed, double depth, double pitch, bool to_r
             path.points.push_back({pass,
                                    0,
                                    tip.x() < 0 ? Move::Rapid : Move::Cut,
-                                   {tip, Vec3::UnitZ()},
-                                   {}});
+                                   0,
+                                   {tip, Vec3::UnitZ()}});
     }
     // The last pass has two moves. The middle of the second one is over the stock.
     path.points.back().location.tip.x() = -1;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "endmill/path/tool_path.h"
@@ -12,7 +14,7 @@ inline std::vector<std::vector<PathPoint>> passes_of(const ToolPath& path)
 {
     std::vector<std::vector<PathPoint>> passes;
     for (const PathPoint& point : path.points) {
-        if (!point.contact)
+        if (!point.contact())
             continue;
         if (passes.empty() || passes.back().back().pass != point.pass)
             passes.emplace_back();
@@ -21,10 +23,18 @@ inline std::vector<std::vector<PathPoint>> passes_of(const ToolPath& path)
     return passes;
 }
 
+/// Swaps the surface parameters u and v of all contacts.
+inline void swap_parameters(ToolPath& path)
+{
+    for (PathPoint& point : path.points)
+        if (SurfaceContact* contact = std::get_if<SurfaceContact>(&point.known_contact))
+            std::swap(contact->u, contact->v);
+}
+
 /// The contact point on the part; `point` must have a contact.
 inline const Vec3& contact_point(const PathPoint& point)
 {
-    return point.contact->contact.point;
+    return point.contact()->contact.point;
 }
 
 /// Whether two paths are equal to the bit.
@@ -41,8 +51,8 @@ inline bool are_equal(const ToolPath& one, const ToolPath& other)
         const PathPoint& b = other.points[k];
         if (a.pass != b.pass || a.point != b.point || a.move != b.move ||
             a.location.tip != b.location.tip || a.location.axis != b.location.axis ||
-            a.contact.has_value() != b.contact.has_value() ||
-            (a.contact && !same_contact(*a.contact, *b.contact)))
+            (a.contact() == nullptr) != (b.contact() == nullptr) ||
+            (a.contact() && !same_contact(*a.contact(), *b.contact())))
             return false;
     }
     return true;

@@ -15,9 +15,7 @@ inline ToolPath tip_path(const std::vector<Vec3>& tips, Move move = Move::Cut)
         path.points.push_back({.pass = 0,
                                .point = static_cast<int>(path.points.size()),
                                .move = move,
-                               .location = {tip, Vec3::UnitZ()},
-                               .contact = {},
-                               .patch = 0});
+                               .location = {tip, Vec3::UnitZ()}});
     return path;
 }
 

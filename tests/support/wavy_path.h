@@ -29,13 +29,14 @@ inline ToolPath wavy_path(int passes, int points)
             path.points.push_back({pass,
                                    point,
                                    move,
+                                   0,
                                    {tip, axis},
                                    SurfaceContact{u, v, {contact, normal}}});
         }
     Vec3 above = path.points.back().location.tip;
     above.z() = safe_height;
-    path.points.push_back({passes, 0, Move::Retract, {above, axis}, {}});
-    path.points.push_back({passes, 1, Move::Rapid, {{0, 0, safe_height}, axis}, {}});
+    path.points.push_back({passes, 0, Move::Retract, 0, {above, axis}});
+    path.points.push_back({passes, 1, Move::Rapid, 0, {{0, 0, safe_height}, axis}});
     return path;
 }
 

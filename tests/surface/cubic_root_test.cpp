@@ -66,8 +66,8 @@ TEST(CubicRoot, OfRandomCubicsIsTheFirstThatADenseScanFinds)
             coefficient = scale * random.uniform(-1, 1);
         b[0] = -std::abs(b[0]) - 1e-3 * scale;
         const auto root = first_rise_to_zero(b);
-        const long double rounding = 1e-14L * size(b);
-        EXPECT_FALSE(reaches(b, root ? *root * (1 - 1e-9) : 1, rounding)) << k;
+        const long double value_rounding = 1e-14L * size(b);
+        EXPECT_FALSE(reaches(b, root ? *root * (1 - 1e-9) : 1, value_rounding)) << k;
         if (!root)
             continue;
         ++found;

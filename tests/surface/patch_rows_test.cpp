@@ -11,7 +11,7 @@
 namespace endmill {
 namespace {
 
-constexpr double rounding = 1e-12;
+constexpr double coordinate_rounding = 1e-12;
 
 SurfaceTangents tangents_in(const TangentRow& row, Eigen::Index i)
 {
@@ -36,9 +36,9 @@ TEST(PatchRows, AreTheTangentsOfEachPlaceOfAnyPatch)
                         const SurfaceTangents other =
                             patch.tangents(u[static_cast<std::size_t>(i)], v);
                         const double size = 1 + other.du.norm() + other.dv.norm();
-                        EXPECT_LE((one.point - other.point).norm(), rounding);
-                        EXPECT_LE((one.du - other.du).norm(), rounding * size);
-                        EXPECT_LE((one.dv - other.dv).norm(), rounding * size);
+                        EXPECT_LE((one.point - other.point).norm(), coordinate_rounding);
+                        EXPECT_LE((one.du - other.du).norm(), coordinate_rounding * size);
+                        EXPECT_LE((one.dv - other.dv).norm(), coordinate_rounding * size);
                     }
                 }
             }
@@ -56,9 +56,9 @@ TEST(PatchRows, AreThoseOfAPolynomialInClosedForm)
             const double x = 2 * u[static_cast<std::size_t>(i)];
             const double y = 1 + 2 * v;
             const SurfaceTangents at = tangents_in(row, i);
-            EXPECT_LE((at.point - Vec3{x, y, x * x * y}).norm(), rounding);
-            EXPECT_LE((at.du - Vec3{2, 0, 4 * x * y}).norm(), 10 * rounding);
-            EXPECT_LE((at.dv - Vec3{0, 2, 2 * x * x}).norm(), 10 * rounding);
+            EXPECT_LE((at.point - Vec3{x, y, x * x * y}).norm(), coordinate_rounding);
+            EXPECT_LE((at.du - Vec3{2, 0, 4 * x * y}).norm(), 10 * coordinate_rounding);
+            EXPECT_LE((at.dv - Vec3{0, 2, 2 * x * x}).norm(), 10 * coordinate_rounding);
         }
     }
 }

@@ -199,8 +199,8 @@ TEST(HardProfiles, AreJoinedWhereTheSmoothCurvesCrossInTheLimit)
         }
         const double coarse = worst_distance(profiles[i], 401, smooth);
         const double fine = worst_distance(profiles[i], 3201, smooth);
-        constexpr double rounding = 1e-10;  // of the listed numbers
-        EXPECT_LE(fine, std::max(coarse / 32, rounding));
+        constexpr double list_rounding = 1e-10;  // of the listed numbers
+        EXPECT_LE(fine, std::max(coarse / 32, list_rounding));
     }
 }
 

@@ -154,11 +154,12 @@ std::vector<SectionCurve> whole_number_curves(std::mt19937_64& random)
 
 bool lies_on(const SectionPoint& point, const SectionPoint& from, const SectionPoint& to)
 {
-    constexpr double rounding = 1e-14;
+    constexpr double coordinate_rounding = 1e-14;
     const SectionPoint way = to - from;
     const SectionPoint off = point - from;
-    return std::abs(way.x() * off.y() - way.y() * off.x()) <= rounding &&
-           off.dot(way) >= -rounding && (point - to).dot(way) <= rounding;
+    return std::abs(way.x() * off.y() - way.y() * off.x()) <= coordinate_rounding &&
+           off.dot(way) >= -coordinate_rounding &&
+           (point - to).dot(way) <= coordinate_rounding;
 }
 
 bool lies_on_one_segment(const SectionPoint& from, const SectionPoint& to,

@@ -135,19 +135,19 @@ TEST(ClosedForms, AreMeasuredWithinTheirBoundsAtACoarsePitch)
     for (const char* name : {"passes 3 apart: scallop", "lowered on 30 deg: gouge",
                              "flat plunge, 2 deep: removed"}) {
         const ClosedForm& form = form_named(name);
-        EXPECT_EQ(bound_holds(form, form.measure(0.4, 0)), true) << name;
+        EXPECT_EQ(bound_holds(form, form.measure(0.4, 0)), Answer::Yes) << name;
     }
 }
 
 TEST(BoundHolds, JudgesTheSideAndTheSizeOfTheError)
 {
     ClosedForm form{"", "mm", 2, true, {}, false};
-    EXPECT_EQ(bound_holds(form, {1.9, 0.2}), true);
-    EXPECT_EQ(bound_holds(form, {1.9, 0.05}), false);
-    EXPECT_EQ(bound_holds(form, {2.1, 0.2}), false);
+    EXPECT_EQ(bound_holds(form, {1.9, 0.2}), Answer::Yes);
+    EXPECT_EQ(bound_holds(form, {1.9, 0.05}), Answer::No);
+    EXPECT_EQ(bound_holds(form, {2.1, 0.2}), Answer::No);
     form.is_from_below = false;
-    EXPECT_EQ(bound_holds(form, {2.1, 0.2}), true);
-    EXPECT_FALSE(bound_holds(form, {2.1, {}}).has_value());
+    EXPECT_EQ(bound_holds(form, {2.1, 0.2}), Answer::Yes);
+    EXPECT_EQ(bound_holds(form, {2.1, {}}), Answer::Undecided);
 }
 
 }  // namespace

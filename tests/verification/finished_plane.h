@@ -26,12 +26,11 @@ inline ToolPath finishing_path(double pitch)
 inline VerificationTask task_of(const ToolPath& path, const Part* part)
 {
     const Cutter ball = Cutter::ball(5);
-    VerificationTask task{.path = &path,
-                          .cutter = ball,
-                          .part = part,
-                          .stock = default_block(part, path, ball)};
+    VerificationTask task{
+        .path = &path, .cutter = ball, .stock = default_block(part, path, ball)};
     task.resolution = 0.25;
-    task.limits = {0.01, 0.11};
+    if (part)
+        task.judged = JudgedPart{part, {0.01, 0.11}};
     return task;
 }
 

@@ -46,13 +46,15 @@ struct Slope {
     VerificationTask task(const ToolPath& path, double resolution) const
     {
         const Cutter ball = Cutter::ball(3);
-        VerificationTask task{.path = &path, .cutter = ball, .part = &part, .stock = {}};
+        VerificationTask task{.path = &path,
+                              .cutter = ball,
+                              .judged = JudgedPart{&part, {0.01, 0.02}},
+                              .stock = {}};
         Block block = default_block(&part, path, ball);
         block.low.z() = -5;
         block.high.z() = 12;
         task.stock = block;
         task.resolution = resolution;
-        task.limits = {0.01, 0.02};
         return task;
     }
 
@@ -85,7 +87,7 @@ TEST(VerifyPathAfterAnother, FindsTwoHalvesCleanTogether)
         const TwoRuns runs{slope.task(left, 0.1), slope.task(right, 0.1)};
         EXPECT_EQ(runs.before.verdict, Verdict::Uncut) << degrees;
         EXPECT_EQ(runs.after->verdict, Verdict::Clean) << degrees;
-        EXPECT_FALSE(runs.after->earlier_gouge);
+        EXPECT_FALSE(runs.after->on_part->earlier_gouge);
         EXPECT_EQ(runs.after->earlier_moves, left.points.size());
     }
 }
@@ -102,13 +104,13 @@ TEST(VerifyPathAfterAnother, EqualsOnePathOfBoth)
     const TwoRuns runs{slope.task(left, 0.2), slope.task(right, 0.2)};
     const Verification one = verify_path(slope.task(both, 0.2));
     EXPECT_EQ(runs.after->verdict, one.verdict);
-    const Deviation& found = *runs.after->deviation;
-    EXPECT_NEAR(found.max_gouge_mm, one.deviation->max_gouge_mm, 1e-12);
-    EXPECT_NEAR(found.max_scallop_mm, one.deviation->max_scallop_mm, 1e-9);
-    EXPECT_NEAR(found.gouge_bound_mm, one.deviation->gouge_bound_mm, 1e-9);
-    ASSERT_EQ(found.left.size(), one.deviation->left.size());
+    const Deviation& found = runs.after->on_part->deviation;
+    EXPECT_NEAR(found.max_gouge_mm, one.on_part->deviation.max_gouge_mm, 1e-12);
+    EXPECT_NEAR(found.max_scallop_mm, one.on_part->deviation.max_scallop_mm, 1e-9);
+    EXPECT_NEAR(found.gouge_bound_mm, one.on_part->deviation.gouge_bound_mm, 1e-9);
+    ASSERT_EQ(found.left.size(), one.on_part->deviation.left.size());
     for (std::size_t k = 0; k < found.left.size(); ++k)
-        EXPECT_NEAR(found.left[k], one.deviation->left[k], 1e-6);
+        EXPECT_NEAR(found.left[k], one.on_part->deviation.left[k], 1e-6);
 }
 
 // The first run gouges by 0.05 mm along the normal, which the second run cannot repair.
@@ -124,9 +126,9 @@ TEST(VerifyPathAfterAnother, FindsTheGougeOfTheFirst)
             const ToolPath second = slope.passes(-1, 9, 0);
             const TwoRuns runs{slope.task(first, resolution),
                                slope.task(second, resolution)};
-            ASSERT_TRUE(runs.after->deviation->deepest) << degrees;
+            ASSERT_TRUE(runs.after->on_part->deviation.deepest) << degrees;
             EXPECT_EQ(runs.after->verdict, Verdict::Gouged) << degrees;
-            const Deviation& found = *runs.after->deviation;
+            const Deviation& found = runs.after->on_part->deviation;
             EXPECT_LE(found.max_gouge_mm, 0.05 + 1e-9) << degrees;
             EXPECT_GE(found.max_gouge_mm + found.gouge_bound_mm, 0.05) << degrees;
             EXPECT_EQ(found.deepest->sweep, by_earlier_run) << degrees;
@@ -157,11 +159,12 @@ TEST(VerifyPathAfterAnother, KnowsTheCutterOfEachRun)
         const ToolPath finishing = finishing_path(2);
         const TwoRuns runs{first, task_of(finishing, &plane)};
         EXPECT_EQ(runs.after->verdict, low > 0 ? Verdict::Clean : Verdict::Gouged);
-        EXPECT_NEAR(runs.after->deviation->max_gouge_mm, std::max(0.0, -low), 1e-12);
+        EXPECT_NEAR(runs.after->on_part->deviation.max_gouge_mm, std::max(0.0, -low),
+                    1e-12);
         // The scallop lies beside the flat cutter's way: passes cover 12 mm, the cutter 8
         // mm.
-        EXPECT_NEAR(runs.after->deviation->max_scallop_mm, 0.101020514434,
-                    runs.after->deviation->scallop_bound_mm + 1e-12);
+        EXPECT_NEAR(runs.after->on_part->deviation.max_scallop_mm, 0.101020514434,
+                    runs.after->on_part->deviation.scallop_bound_mm + 1e-12);
     }
 }
 
@@ -194,14 +197,19 @@ TEST(VerifyPathAfterAnother, IsTheSameOnAnyNumberOfThreads)
     }
     for (std::size_t k = 2; k < found.size(); ++k) {
         const Verification& other = found[k % 2];
-        EXPECT_EQ(found[k].deviation->left, other.deviation->left);
-        EXPECT_EQ(found[k].deviation->max_gouge_mm, other.deviation->max_gouge_mm);
-        EXPECT_EQ(found[k].deviation->gouge_bound_mm, other.deviation->gouge_bound_mm);
-        ASSERT_EQ(found[k].earlier_gouge.has_value(), other.earlier_gouge.has_value());
-        EXPECT_EQ(found[k].earlier_gouge.has_value(), k % 2 == 0);
-        if (other.earlier_gouge) {
-            EXPECT_EQ(found[k].earlier_gouge->found_mm, other.earlier_gouge->found_mm);
-            EXPECT_EQ(found[k].earlier_gouge->bound_mm, other.earlier_gouge->bound_mm);
+        EXPECT_EQ(found[k].on_part->deviation.left, other.on_part->deviation.left);
+        EXPECT_EQ(found[k].on_part->deviation.max_gouge_mm,
+                  other.on_part->deviation.max_gouge_mm);
+        EXPECT_EQ(found[k].on_part->deviation.gouge_bound_mm,
+                  other.on_part->deviation.gouge_bound_mm);
+        ASSERT_EQ(found[k].on_part->earlier_gouge.has_value(),
+                  other.on_part->earlier_gouge.has_value());
+        EXPECT_EQ(found[k].on_part->earlier_gouge.has_value(), k % 2 == 0);
+        if (other.on_part->earlier_gouge) {
+            EXPECT_EQ(found[k].on_part->earlier_gouge->found_mm,
+                      other.on_part->earlier_gouge->found_mm);
+            EXPECT_EQ(found[k].on_part->earlier_gouge->bound_mm,
+                      other.on_part->earlier_gouge->bound_mm);
         }
     }
 }
@@ -220,14 +228,14 @@ TEST(VerifyPathInHeights, IsNotCleanIfAGougeIsPossible)
             const KeptStock kept{before.rest};
             task.stock = &kept;
             const Verification found = verify_path(task);
-            ASSERT_TRUE(found.earlier_gouge);
+            ASSERT_TRUE(found.on_part->earlier_gouge);
             if (above > 0) {
                 EXPECT_EQ(found.verdict, Verdict::Clean) << degrees;
                 continue;
             }
             EXPECT_NE(found.verdict, Verdict::Clean) << degrees;
             EXPECT_NE(found.verdict, Verdict::Uncut) << degrees;
-            const EarlierGouge& gouge = *found.earlier_gouge;
+            const EarlierGouge& gouge = *found.on_part->earlier_gouge;
             EXPECT_LE(gouge.found_mm, 0.05 + 1e-9);
             EXPECT_GE(gouge.found_mm + gouge.bound_mm, 0.05);
             EXPECT_FALSE(history_of_rest(task));
@@ -254,7 +262,7 @@ TEST(VerifyPathAfterAnother, BoundsTheDepthAfterCuttersOfAllKinds)
                 VerificationTask before = slope.task(first, resolution);
                 before.cutter = cutter;
                 const TwoRuns runs{before, slope.task(second, resolution)};
-                const Deviation& found = *runs.after->deviation;
+                const Deviation& found = runs.after->on_part->deviation;
                 EXPECT_GE(found.max_gouge_mm + found.gouge_bound_mm + 1e-9, most);
                 most = std::max(most, found.max_gouge_mm);
                 if (settled != Verdict::Undecided) {

@@ -46,9 +46,9 @@ TEST(VerifyPath, FindsACleanPathCleanAndItsVolumes)
     const ToolPath path = finishing_path(2);
     const Verification found = verify_path(task_of(path, &plane));
     EXPECT_EQ(found.verdict, Verdict::Clean);
-    ASSERT_TRUE(found.deviation);
-    EXPECT_NEAR(found.deviation->max_scallop_mm, 0.101020514434,
-                found.deviation->scallop_bound_mm + 1e-12);
+    ASSERT_TRUE(found.on_part);
+    EXPECT_NEAR(found.on_part->deviation.max_scallop_mm, 0.101020514434,
+                found.on_part->deviation.scallop_bound_mm + 1e-12);
     const double sum =
         std::accumulate(found.removal.removed.begin(), found.removal.removed.end(), 0.0);
     EXPECT_NEAR(sum / found.removal.total, 1, 1e-12);
@@ -102,7 +102,7 @@ TEST(VerifyPath, WithoutAPartReportsTheRemovalOnly)
 {
     const ToolPath path = finishing_path(2);
     const Verification found = verify_path(task_of(path, nullptr));
-    EXPECT_FALSE(found.deviation);
+    EXPECT_FALSE(found.on_part);
     EXPECT_EQ(found.verdict, Verdict::Clean);
 }
 
@@ -115,10 +115,10 @@ TEST(VerifyPath, NamesThePointThatGouges)
     path.points[6].location.tip.z() = -0.2;
     const Verification found = verify_path(task_of(path, &plane));
     EXPECT_EQ(found.verdict, Verdict::Gouged);
-    ASSERT_TRUE(found.deviation->deepest);
+    ASSERT_TRUE(found.on_part->deviation.deepest);
     // The deepest place lies on the move to the lowered point or on the next move.
-    EXPECT_GE(found.deviation->deepest->sweep, 6);
-    EXPECT_LE(found.deviation->deepest->sweep, 7);
+    EXPECT_GE(found.on_part->deviation.deepest->sweep, 6);
+    EXPECT_LE(found.on_part->deviation.deepest->sweep, 7);
 }
 
 TEST(VerifyPath, ReportsTheDistanceOfAPathBesideThePart)
@@ -185,7 +185,8 @@ TEST(VerifyPath, ProposesAResolutionThatFitsTheMemory)
     EXPECT_EQ(verify_path(task).verdict, Verdict::Clean) << what;
     const double cells = static_cast<double>(verify_path(task).rest.grid().columns) *
                          verify_path(task).rest.grid().rows;
-    EXPECT_LT((cells * 8 + verify_path(task).deviation->rays * 16), 0.02 * 0x1p30);
+    EXPECT_LT((cells * 8 + verify_path(task).on_part->deviation.rays * 16),
+              0.02 * 0x1p30);
 }
 
 TEST(VerifyPath, RefusesAResolutionThatDoesNotFitTheMemory)

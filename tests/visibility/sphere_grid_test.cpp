@@ -11,51 +11,12 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "endmill/visibility/detail/cover_radius.h"
 
 namespace endmill {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-
-using Polygon = std::vector<Eigen::Vector2d>;
-
-// The part of a polygon with line . (u, v, 1) >= 0.
-Polygon clipped(const Polygon& polygon, const Vec3& line)
-{
-    Polygon kept;
-    for (std::size_t k = 0; k < polygon.size(); ++k) {
-        const Eigen::Vector2d& from = polygon[k];
-        const Eigen::Vector2d& to = polygon[(k + 1) % polygon.size()];
-        const double start = line.dot(from.homogeneous());
-        const double end = line.dot(to.homogeneous());
-        if (start >= 0)
-            kept.push_back(from);
-        if ((start >= 0) != (end >= 0))
-            kept.push_back(from + start / (start - end) * (to - from));
-    }
-    return kept;
-}
-
-// The cover radius: the largest angle from a direction to the nearest centre. It is
-// computed from the Voronoi cell of each centre in the plane that touches the sphere
-// there.
-double cover_radius(const std::vector<Vec3>& centres)
-{
-    double tangent = 0;
-    for (const Vec3& centre : centres) {
-        const Vec3 u = centre.unitOrthogonal();
-        const Vec3 v = centre.cross(u);
-        Polygon cell{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-        for (const Vec3& other : centres) {
-            const Vec3 nearer = centre - other;
-            if (nearer.squaredNorm() < 0.5 && nearer.squaredNorm() > 0)
-                cell = clipped(cell, {nearer.dot(u), nearer.dot(v), nearer.dot(centre)});
-        }
-        for (const Eigen::Vector2d& corner : cell)
-            tangent = std::max(tangent, corner.norm());
-    }
-    return std::atan(tangent);
-}
 
 struct PrintedGrid {
     const char* name;

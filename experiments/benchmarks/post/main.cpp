@@ -36,6 +36,7 @@ ToolPath wavy_zigzag(int points)
         path.points.push_back({pass,
                                k % points_per_pass,
                                k == 0 ? Move::Plunge : Move::Cut,
+                               0,
                                {tip, Vec3::UnitZ()},
                                SurfaceContact{u, v, {contact, normal}}});
     }

@@ -27,9 +27,8 @@ public:
         const Cutter cutter = Cutter::ball(plan.ball.radius());
         VerificationTask task{.path = &path,
                               .cutter = cutter,
-                              .part = &part_,
+                              .judged = JudgedPart{&part_, limits_of(plan)},
                               .stock = default_block(&part_, path, cutter)};
-        task.limits = limits_of(plan);
         task.resolution = pitch;
         return verify_path(task).verdict;
     }

@@ -23,8 +23,10 @@ double removed_volume(const ToolPath& path, const Cutter& cutter, double pitch)
 double verified_volume(const ToolPath& path, const Cutter& cutter, double pitch)
 {
     const Part part = std::vector<Surface>{low_saddle_surface()};
-    VerificationTask task{
-        .path = &path, .cutter = cutter, .part = &part, .stock = LowSaddle::block()};
+    VerificationTask task{.path = &path,
+                          .cutter = cutter,
+                          .judged = JudgedPart{&part},
+                          .stock = LowSaddle::block()};
     task.resolution = pitch;
     return verify_path(task).removal.total;
 }

@@ -80,12 +80,13 @@ std::vector<TrimmingTrial> section_trials(const SectionPlan& plan)
     for (const PlaneSection& section : offset_sections(plan).sections)
         for (const SectionCurve& curve : section.curves)
             if (curve.points.size() >= fewest_points)
-                trials.push_back(
-                    {curve,
-                     {.step_back_mm = 1e-9, .gouge_mm = gouge, .uncovered = 0.02},
-                     gouge,
-                     step,
-                     4 * step});
+                trials.push_back({curve,
+                                  {.step_back_mm = step_back_on_parts_mm,
+                                   .gouge_mm = gouge,
+                                   .uncovered = 0.02},
+                                  gouge,
+                                  step,
+                                  4 * step});
     return trials;
 }
 

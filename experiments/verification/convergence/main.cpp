@@ -22,8 +22,8 @@ void add_cells(std::vector<CsvCell>& cells, const ClosedForm& form,
     if (measured.bound)
         bound = *measured.bound;
     CsvCell holds;
-    if (const auto is_held = bound_holds(form, measured))
-        holds = std::string{*is_held ? "yes" : "no"};
+    if (const Answer answer = bound_holds(form, measured); answer != Answer::Undecided)
+        holds = std::string{answer == Answer::Yes ? "yes" : "no"};
     cells.insert(cells.end(),
                  {measured.value, measured.value - form.exact, bound, holds});
 }

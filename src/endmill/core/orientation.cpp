@@ -74,7 +74,7 @@ bool are_independent(const Vec3& a, const Vec3& b, const Vec3& c, int i, int j)
     // ccwerrboundA of [Shewchuk, section 4]: rounding error of the determinant, as a
     // share of the sum of the sizes of its products.
     constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
-    constexpr double rounding = (3 + 16 * unit) * unit;
+    constexpr double determinant_rounding = (3 + 16 * unit) * unit;
     // Added because a product below this size may have lost digits.
     constexpr double underflow = std::numeric_limits<double>::min();
 
@@ -85,7 +85,7 @@ bool are_independent(const Vec3& a, const Vec3& b, const Vec3& c, int i, int j)
     const double left = u * t;
     const double right = v * s;
     if (std::abs(left - right) >
-        rounding * (std::abs(left) + std::abs(right)) + underflow)
+        determinant_rounding * (std::abs(left) + std::abs(right)) + underflow)
         return true;
     // A rounded difference is zero only if the exact one is, so both products vanish.
     if ((u == 0 || t == 0) && (v == 0 || s == 0))

@@ -61,8 +61,43 @@ inline constexpr double box_margin_share = 1e-12;
 /// With it, a pass planned exactly to a limit satisfies the limit.
 inline constexpr double radius_rounding_share = 1e-12;
 
-/// Depth in mm up to which a cutter that just touches the part removes nothing. It
-/// absorbs the rounding of coordinates.
+/// Depth in mm up to which two bodies only touch: a cutter removes nothing, and shank and
+/// holder do not collide with the stock. It absorbs the rounding of coordinates.
 inline constexpr double touching_depth = 1e-9;
+
+/// Slack in mm that is added to both limits of the deviation before a verdict. Otherwise a
+/// path that is planned exactly to a limit would stay undecided.
+/// Source: docs/mathematics/removal.md, section 3.
+inline constexpr double verdict_slack = 0.001;
+
+/// Depth in mm up to which a contact of shank or holder with the part is treated as
+/// rounding. It covers the distance between the part and the triangles that approximate
+/// it.
+inline constexpr double part_contact_slack = 0.001;
+
+/// Error in mm that rounding may cause in the height of a tip on a triangle: a fifth of
+/// the accuracy of 1e-9 mm that the drop cutter promises.
+inline constexpr double tip_accuracy = 2e-10;
+
+/// Depth in mm by which the part may enter the cutter at a contact that counts as the
+/// highest. It is far below the required accuracy of the height, 1e-4 mm, also at a
+/// contact on a slope of 80 degrees.
+inline constexpr double rest_gouge = 2e-6;
+
+/// Distance, in widths of a patch, within which a point is moved to the end of its pass,
+/// and a pass to the border. Without it, an interval that divides the width exactly would
+/// need one more pass because of rounding.
+/// Source: docs/mathematics/economic-cl-data.md, section 6.
+inline constexpr double end_width = 1e-6;
+
+/// Accuracy of the search for the smallest rectangle of poses: its area exceeds the least
+/// area by at most this share of it, or of a square degree for smaller areas. It is far
+/// below the effect of a cell's width of 0.1 rad.
+inline constexpr double branch_accuracy = 1e-7;
+
+/// Cosine of the angle between the normal of a facet and a direction that must be
+/// exceeded for the facet to be accessible. A facet that is seen from its edge, closer to
+/// 90 degrees than 1e-6 rad, is not accessible; the paper excludes 90 degrees.
+inline constexpr double least_facing_cosine = 1e-6;
 
 }  // namespace endmill

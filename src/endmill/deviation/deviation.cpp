@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/deviation/deviation.h"
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 
 std::string_view verdict_name(Verdict verdict)
@@ -32,6 +34,13 @@ Verdict verdict(const Deviation& deviation, const DeviationLimits& limits)
         return Verdict::Uncut;
     const bool is_low = deviation.max_scallop_mm + deviation.scallop_bound_mm <= scallop;
     return is_low ? Verdict::Clean : Verdict::Undecided;
+}
+
+RefinedBounds refined_bounds(const Deviation& deviation, const DeviationLimits& limits)
+{
+    const bool is_gouged = deviation.max_gouge_mm > limits.tolerance + verdict_slack;
+    const bool is_uncut = deviation.max_scallop_mm > limits.scallop + verdict_slack;
+    return {!is_gouged, !is_gouged && !is_uncut};
 }
 
 }  // namespace endmill

@@ -22,11 +22,6 @@ struct DeviationLimits {
     double scallop = 0.1;     ///< greatest allowed thickness of remaining stock, mm
 };
 
-/// This length, in mm, is added to both limits before a verdict. Otherwise a path that is
-/// planned exactly to a limit would stay undecided.
-/// Source: docs/mathematics/removal.md, section 3.
-inline constexpr double verdict_slack = 0.001;
-
 /// Options of the measurement.
 struct DeviationOptions {
     DeviationLimits limits = {};  ///< cells are refined until the verdict is certain
@@ -95,7 +90,7 @@ enum class Verdict {
 /// Returns the word for a verdict in files: "clean", "gouged", "uncut" or "undecided".
 std::string_view verdict_name(Verdict verdict);
 
-/// Returns the verdict on a deviation, with both limits raised by the slack. The first
+/// Returns the verdict on a deviation, with both limits raised by `verdict_slack`. The first
 /// rule that applies decides:
 /// 1. `Gouged` if a measured gouge exceeds the tolerance;
 /// 2. `Undecided` if the bound allows a deeper gouge than the tolerance;
@@ -106,5 +101,18 @@ std::string_view verdict_name(Verdict verdict);
 /// A finer grid can therefore change no verdict except `Undecided`.
 /// Source: docs/mathematics/removal.md, section 3.
 Verdict verdict(const Deviation& deviation, const DeviationLimits& limits);
+
+/// Which error bounds were refined until the verdict was certain. A measured gouge beyond
+/// the tolerance decides the verdict, and measured stock beyond the scallop limit decides
+/// whether the part is uncut. The bounds that cannot change the verdict any more keep the
+/// values of the first rays.
+struct RefinedBounds {
+    bool gouge;    ///< whether gouge_bound_mm was refined
+    bool scallop;  ///< whether scallop_bound_mm was refined
+};
+
+/// Returns which bounds of `deviation` were refined.
+/// \param limits the limits with which it was measured.
+RefinedBounds refined_bounds(const Deviation& deviation, const DeviationLimits& limits);
 
 }  // namespace endmill

@@ -10,6 +10,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/figures/axonometric_figure.h"
 #include "endmill/figures/detail/deviation_raster.h"
 

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/figures/axonometric_figure.h"
 
 // The sphere is drawn from back to front: the rotary axes that pass through it, the
@@ -193,7 +194,7 @@ private:
     // Whether a range is a whole turn, so that it has no ends.
     static bool goes_round(const RotaryRange& range)
     {
-        return range.to - range.from >= 2 * pi - 1e-9;
+        return range.to - range.from >= 2 * pi - equal_angles;
     }
 
     // Draws the visible ends of an axis and its name, with a minus sign at the negative
@@ -209,7 +210,7 @@ private:
         }
         const bool is_turned = !is_front(axis.axis);
         const Vec3 end = is_turned ? Vec3{-axis.axis} : axis.axis;
-        if ((axis.axis - frame_.tool_axis).norm() > 1e-9)
+        if ((axis.axis - frame_.tool_axis).norm() > equal_angles)
             figure_.add_label(label_reach * end, {0, 0},
                               (is_turned ? "−" : "") + std::string{axis.name},
                               axis.style.colour);

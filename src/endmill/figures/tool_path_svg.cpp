@@ -40,8 +40,8 @@ std::vector<Vec3> drawn_points(const ToolPath& path)
     std::vector<Vec3> points;
     points.reserve(path.points.size());
     for (const PathPoint& point : path.points)
-        points.push_back(point.contact ? point.contact->contact.point
-                                       : point.location.tip);
+        points.push_back(point.contact() ? point.contact()->contact.point
+                                         : point.location.tip);
     return points;
 }
 

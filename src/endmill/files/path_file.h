@@ -78,8 +78,7 @@ std::size_t line_of_row(std::string_view text, std::size_t row);
 /// feed_mm_per_min and spindle_rpm (each if any point has one). A number is the shortest
 /// text that reads back to the same double; an unknown value is an empty cell. The bytes
 /// do not depend on the number of threads.
-/// \throws DomainError if a number is not finite, or if the path has conditions or
-///         normals for some points only.
+/// \throws DomainError if a number is not finite.
 std::string tool_path_csv(const ToolPath& path);
 
 /// The same with a last column `limit`, which states what limits the feed of each move.

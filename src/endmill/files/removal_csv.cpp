@@ -45,8 +45,6 @@ std::string removal_csv(const Removal& removal, const ToolPath& path)
 {
     require(removal.removed.size() == path.points.size(),
             "removal_csv: need a volume for each point");
-    require(path.conditions.empty() || path.conditions.size() == path.points.size(),
-            "removal_csv: need conditions for no point or for all");
     return joined_rows("point,length_mm,removed_mm3,rate_mm3_per_min\n",
                        path.points.size(), [&](std::size_t first, std::size_t count) {
                            std::string text;

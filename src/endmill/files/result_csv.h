@@ -63,8 +63,7 @@ std::string force_profile_csv(std::span<const double> angles,
 /// `point` (from 0 in the whole path), `length_mm` of the move that ends there (0 for the
 /// first), `removed_mm3` and `rate_mm3_per_min`. The rate is empty for a move without
 /// feed, a rapid and a move of length 0.
-/// \throws DomainError unless there is a volume for each point, conditions for every
-///         point or none, and every number is finite.
+/// \throws DomainError unless there is a volume for each point and every number is finite.
 std::string removal_csv(const Removal& removal, const ToolPath& path);
 
 /// Writes the engagement of the cutter on each move as a CSV file, with one row for each

@@ -68,13 +68,12 @@ struct OptionalColumns {
 OptionalColumns optional_columns(const ToolPath& path)
 {
     OptionalColumns columns;
-    for (const CuttingConditions& conditions : path.conditions) {
-        columns.tool |= conditions.tool.has_value();
-        columns.feed |= conditions.feed_mm_per_min.has_value();
-        columns.speed |= conditions.spindle_rpm.has_value();
+    for (const PathPoint& point : path.points) {
+        columns.tool |= point.conditions.tool.has_value();
+        columns.patch |= point.patch != 0;
+        columns.feed |= point.conditions.feed_mm_per_min.has_value();
+        columns.speed |= point.conditions.spindle_rpm.has_value();
     }
-    columns.patch =
-        std::ranges::any_of(path.points, [](const PathPoint& p) { return p.patch != 0; });
     return columns;
 }
 
@@ -88,8 +87,7 @@ public:
                 std::string_view limit)
     {
         const PathPoint& point = path.points[i];
-        const CuttingConditions conditions =
-            path.conditions.empty() ? CuttingConditions{} : path.conditions[i];
+        const CuttingConditions& conditions = point.conditions;
         text += std::to_string(point.pass);
         text += ',';
         text += std::to_string(point.point);
@@ -105,14 +103,14 @@ public:
             text += ',';
             text += std::to_string(point.patch);
         }
-        if (point.contact) {
-            numbers_[6].append(text, point.contact->u);
-            numbers_[7].append(text, point.contact->v);
-            append(text, point.contact->contact.point, 8);
+        if (const SurfaceContact* contact = point.contact()) {
+            numbers_[6].append(text, contact->u);
+            numbers_[7].append(text, contact->v);
+            append(text, contact->contact.point, 8);
         } else {
             text += no_contact_place;
         }
-        if (const std::optional<Vec3> normal = path.normal(i))
+        if (const Vec3* normal = point.normal())
             append(text, *normal, 11);
         else
             text += no_normal;
@@ -182,15 +180,9 @@ std::string rows(const Table& table, std::size_t first, std::size_t count)
     return text;
 }
 
-// Checks the path and writes all rows in parallel.
+// Writes all rows in parallel.
 std::string table_text(const Table& table)
 {
-    require(table.path.conditions.empty() ||
-                table.path.conditions.size() == table.path.points.size(),
-            "tool_path_csv: need conditions for no point or for all");
-    require(table.path.normals.empty() ||
-                table.path.normals.size() == table.path.points.size(),
-            "tool_path_csv: need normals for no point or for all");
     return joined_rows(
         header(table.columns), table.path.points.size(),
         [&](std::size_t first, std::size_t count) { return rows(table, first, count); });

@@ -74,13 +74,13 @@ std::vector<double> per_point(const std::vector<PathPoint>& points, Function val
 // The contact point; the tip where there is no contact.
 Vec3 contact_point(const PathPoint& point)
 {
-    return point.contact ? point.contact->contact.point : point.location.tip;
+    return point.contact() ? point.contact()->contact.point : point.location.tip;
 }
 
 // The normal at the contact; the axis where there is no contact.
 Vec3 contact_normal(const PathPoint& point)
 {
-    return point.contact ? point.contact->contact.normal : point.location.axis;
+    return point.contact() ? point.contact()->contact.normal : point.location.axis;
 }
 
 // The elements of the point data; their arrays are appended.
@@ -89,13 +89,13 @@ std::string point_data(const std::vector<PathPoint>& points, AppendedArrays& arr
     std::vector<std::uint8_t> has_contact;
     has_contact.reserve(points.size());
     for (const PathPoint& point : points)
-        has_contact.push_back(point.contact ? 1 : 0);
+        has_contact.push_back(point.contact() ? 1 : 0);
     using Scalar = std::array<double, 1>;
     const auto u = [](const PathPoint& p) {
-        return Scalar{p.contact ? p.contact->u : 0};
+        return Scalar{p.contact() ? p.contact()->u : 0};
     };
     const auto v = [](const PathPoint& p) {
-        return Scalar{p.contact ? p.contact->v : 0};
+        return Scalar{p.contact() ? p.contact()->v : 0};
     };
     const auto axis = [](const PathPoint& p) { return p.location.axis; };
 

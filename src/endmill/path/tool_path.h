@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "endmill/cutter/cutter.h"
@@ -33,51 +33,52 @@ struct SurfaceContact {
     CutterContact contact;  ///< point and normal
 };
 
-/// A point of a tool path, with the move that leads to it.
-struct PathPoint {
-    int pass;                 ///< number of the pass, from 0
-    int point;                ///< number of the point in its pass, from 0
-    Move move;                ///< the move that leads here
-    CutterLocation location;  ///< tip and axis
-    /// Place where the cutter touches the surface. Empty if it is clear of the part, or
-    /// if only the tip is known.
-    std::optional<SurfaceContact> contact;
-    /// For a part of several surfaces: number of the surface of this pass, from 0.
-    int patch = 0;
-};
+/// What is known of the contact of the cutter at a point of a path: nothing, the unit
+/// normal of the part there, or the whole contact.
+using KnownContact = std::variant<std::monostate, Vec3, SurfaceContact>;
 
 /// The settings of the machine on the move to a point. A setting that is not given is
 /// unknown.
 struct CuttingConditions {
-    std::optional<double> feed_mm_per_min;  ///< speed of the tip along the path
-    std::optional<double> spindle_rpm;      ///< speed of the spindle
-    std::optional<int> tool;                ///< number of the tool
+    std::optional<double> feed_mm_per_min = {};  ///< speed of the tip along the path
+    std::optional<double> spindle_rpm = {};      ///< speed of the spindle
+    std::optional<int> tool = {};                ///< number of the tool
 
     /// Whether both have the same settings.
     friend bool operator==(const CuttingConditions&, const CuttingConditions&) = default;
 };
 
+/// A point of a tool path, with the move that leads to it.
+struct PathPoint {
+    int pass;   ///< number of the pass, from 0
+    int point;  ///< number of the point in its pass, from 0
+    Move move;  ///< the move that leads here
+    /// For a part of several surfaces: number of the surface of this pass, from 0.
+    int patch = 0;
+    CutterLocation location;            ///< tip and axis
+    KnownContact known_contact = {};    ///< where the cutter touches the part
+    CuttingConditions conditions = {};  ///< settings for the move that leads here
+
+    /// Returns the contact of the cutter with the surface; null if the cutter is clear of
+    /// the part, or if the contact is not known completely.
+    const SurfaceContact* contact() const
+    {
+        return std::get_if<SurfaceContact>(&known_contact);
+    }
+
+    /// Returns the unit normal of the part at the contact; null if it is unknown.
+    const Vec3* normal() const
+    {
+        if (const SurfaceContact* whole = contact())
+            return &whole->contact.normal;
+        return std::get_if<Vec3>(&known_contact);
+    }
+};
+
 /// A tool path: points in the order in which the cutter reaches them. Between points the
-/// tip moves on a straight line. `conditions` and `normals` are either empty or have one
-/// entry for each point.
+/// tip moves on a straight line.
 struct ToolPath {
     std::vector<PathPoint> points;  ///< in order
-    /// Settings for the move to each point; empty if no setting is known.
-    std::vector<CuttingConditions> conditions = {};
-    /// Unit normal of the part at each contact, for paths without other contact data. A
-    /// normal is zero where it is unknown. Empty if all are unknown.
-    std::vector<Vec3> normals = {};
-
-    /// Unit normal of the part where the cutter touches it at points[i].
-    /// \return nothing if it is unknown.
-    std::optional<Vec3> normal(std::size_t i) const
-    {
-        if (points[i].contact)
-            return points[i].contact->contact.normal;
-        if (normals.empty() || normals[i] == Vec3::Zero())
-            return std::nullopt;
-        return normals[i];
-    }
 };
 
 /// Lengths of a path, measured along the tip.

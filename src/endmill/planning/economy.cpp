@@ -12,7 +12,8 @@ namespace {
 // Adds the lengths of the straight move between two points with contacts.
 void add_move(Travel& travel, const PathPoint& from, const PathPoint& to)
 {
-    travel.contact_mm += (to.contact->contact.point - from.contact->contact.point).norm();
+    travel.contact_mm +=
+        (to.contact()->contact.point - from.contact()->contact.point).norm();
     travel.tip_mm += (to.location.tip - from.location.tip).norm();
 }
 
@@ -31,10 +32,10 @@ PathEconomy path_economy(const ToolPath& path)
     for (const PathPoint& point : path.points) {
         if (!previous || point.pass != previous->pass)
             ++economy.passes;
-        if (point.contact)
+        if (point.contact())
             ++economy.ncl;
         if (point.move == Move::Cut || point.move == Move::Link) {
-            require(previous && previous->contact && point.contact,
+            require(previous && previous->contact() && point.contact(),
                     "path_economy: a cut or link must lead from contact to contact");
             add_move(point.move == Move::Cut ? economy.cut : economy.link, *previous,
                      point);

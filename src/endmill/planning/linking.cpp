@@ -43,17 +43,16 @@ public:
     void lift_over(const SurfaceContact& contact)
     {
         const CutterLocation next = locate(cutter_, contact.contact, options_.axis);
-        add(Move::Retract, lifted(path_.points.back().location, options_), std::nullopt);
-        add(Move::Rapid, lifted(next, options_), std::nullopt);
+        add(Move::Retract, lifted(path_.points.back().location, options_));
+        add(Move::Rapid, lifted(next, options_));
     }
 
     ToolPath take() { return std::move(path_); }
 
 private:
-    void add(Move move, const CutterLocation& location,
-             const std::optional<SurfaceContact>& contact)
+    void add(Move move, const CutterLocation& location, const KnownContact& known = {})
     {
-        path_.points.push_back({pass_, point_++, move, location, contact});
+        path_.points.push_back({pass_, point_++, move, 0, location, known});
     }
 
     const BallCutter& cutter_;
@@ -113,7 +112,7 @@ private:
 
     void add(Move move, const Vec3& tip)
     {
-        path_.points.push_back({pass_, point_++, move, {tip, Vec3::UnitZ()}, {}});
+        path_.points.push_back({pass_, point_++, move, 0, {tip, Vec3::UnitZ()}});
     }
 
     const DriveFrame& frame_;
@@ -199,8 +198,8 @@ ToolPath join_paths(std::span<const ToolPath> paths, const LinkOptions& options)
         if (!joined.points.empty()) {
             const CutterLocation from = lifted(joined.points.back().location, options);
             const CutterLocation to = lifted(points.front().location, options);
-            joined.points.push_back({passes, 0, Move::Retract, from, {}, patch});
-            joined.points.push_back({passes, 1, Move::Rapid, to, {}, patch});
+            joined.points.push_back({passes, 0, Move::Retract, patch, from});
+            joined.points.push_back({passes, 1, Move::Rapid, patch, to});
             lifts = 2;
         }
         for (PathPoint point : points) {

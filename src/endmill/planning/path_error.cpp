@@ -263,8 +263,8 @@ ChordError chord_error(std::span<const Surface> surfaces, const ToolPath& path,
 {
     ChordError error{0, 0, {0, 0}};
     for_each_iso_cut(surfaces, path, along, [&](const IsoCut& move) {
-        const Cut cut{move.from, move.to, move.start.contact->contact.point,
-                      move.end.contact->contact.point};
+        const Cut cut{move.from, move.to, move.start.contact()->contact.point,
+                      move.end.contact()->contact.point};
         const double before = error.greatest_mm;
         if (may_be_worst(move.line, cut, error))
             measure_cut(move.line, cut, error);

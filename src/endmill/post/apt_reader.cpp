@@ -206,11 +206,13 @@ private:
             move = Move::Rapid;
         else if (!points.empty())
             move = feed_move(points.back().location.tip, location.tip);
-        points.push_back({0, static_cast<int>(points.size()), move, location, {}});
-        CuttingConditions conditions = conditions_;
+        points.push_back({.pass = 0,
+                          .point = static_cast<int>(points.size()),
+                          .move = move,
+                          .location = location,
+                          .conditions = conditions_});
         if (is_rapid_)
-            conditions.feed_mm_per_min.reset();
-        program_.path.conditions.push_back(conditions);
+            points.back().conditions.feed_mm_per_min.reset();
         is_rapid_ = false;
     }
 
@@ -274,14 +276,8 @@ private:
     // Completes the program at the end of the file.
     void finish()
     {
-        ToolPath& path = program_.path;
-        if (path.points.empty())
+        if (program_.path.points.empty())
             throw FormatError{"E_APT", {lines_.file(), "", "no GOTO", "a path"}};
-        const auto is_empty = [](const CuttingConditions& conditions) {
-            return conditions == CuttingConditions{};
-        };
-        if (std::ranges::all_of(path.conditions, is_empty))
-            path.conditions.clear();
         if (!has_units_)
             program_.remarks.emplace_back("no UNITS statement: lengths are taken as mm");
         if (!is_finished_)

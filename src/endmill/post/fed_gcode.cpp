@@ -93,7 +93,7 @@ public:
 private:
     const CuttingConditions& conditions(std::size_t point) const
     {
-        return path_.conditions[point];
+        return path_.points[point].conditions;
     }
 
     // Position of the programmed point in mm.
@@ -303,8 +303,7 @@ std::string fed_gcode(std::string_view text, const std::string& file,
 {
     const std::vector<GcodeMove> moves = gcode_moves(text, file, options);
     const std::size_t points = moves.empty() ? 0 : moves.back().end;
-    require(points == path.points.size() && points == path.conditions.size(),
-            "fed_gcode: need the path of the program, with conditions");
+    require(points == path.points.size(), "fed_gcode: need the path of the program");
     return FedGcode{options, path}.rewritten(TextLines{text, {file, "E_GCODE"}}, moves);
 }
 

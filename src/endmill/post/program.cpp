@@ -14,8 +14,7 @@ std::size_t points_within(double memory_gib)
 {
     // A growing vector needs the memory of its points three times: once for the old
     // array, and twice for the new array of double size.
-    constexpr double bytes_per_point =
-        3 * (sizeof(PathPoint) + sizeof(CuttingConditions));
+    constexpr double bytes_per_point = 3 * sizeof(PathPoint);
     constexpr double most = std::numeric_limits<int>::max();  // point numbers are int
     return static_cast<std::size_t>(
         std::min(std::floor(memory_gib * bytes_per_gib / bytes_per_point), most));

@@ -32,10 +32,9 @@ ToolPath fed_path(ToolPath path, std::span<const std::size_t> points,
 {
     require_rows(path.points.size(), points, rows);
     require_feed(plunge_feed_mm_per_min, "fed_path: need 0 < plunge feed");
-    path.conditions.resize(path.points.size());
     std::size_t next = 0;  // the planned move at this point or after it
     for (std::size_t i = 0; i < path.points.size(); ++i) {
-        CuttingConditions& conditions = path.conditions[i];
+        CuttingConditions& conditions = path.points[i].conditions;
         const bool is_cut = next < points.size() && points[next] == i;
         if (!rows.empty())
             conditions.spindle_rpm =
@@ -76,8 +75,7 @@ double noncut_minutes(const ToolPath& fed, std::span<const std::size_t> points,
             continue;
         const double length =
             (fed.points[i].location.tip - fed.points[i - 1].location.tip).norm();
-        const auto feed =
-            fed.conditions.empty() ? std::nullopt : fed.conditions[i].feed_mm_per_min;
+        const auto& feed = fed.points[i].conditions.feed_mm_per_min;
         minutes += length / feed.value_or(rapid_mm_per_min);
     }
     return minutes;

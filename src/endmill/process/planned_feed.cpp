@@ -93,9 +93,8 @@ double segment_time(double length, double from, double to, double feed, double a
 std::optional<double> feed_of_move(const ToolPath& path, std::size_t i)
 {
     const Move move = path.points[i].move;
-    const auto feed = move == Move::Rapid || path.conditions.empty()
-                          ? std::nullopt
-                          : path.conditions[i].feed_mm_per_min;
+    const auto feed =
+        move == Move::Rapid ? std::nullopt : path.points[i].conditions.feed_mm_per_min;
     require(feed || move != Move::Cut, "planned_times: need a feed for each cut");
     return feed ? std::optional{*feed / seconds_per_min} : std::nullopt;
 }
@@ -162,8 +161,6 @@ PlannedRun planned_run(std::span<const Vec3> points, std::span<const double> fee
 std::vector<double> planned_times(const ToolPath& path, const FeedAcceleration& motion)
 {
     require_sound(motion);
-    require(path.conditions.empty() || path.conditions.size() == path.points.size(),
-            "planned_times: need conditions for all points or for none");
     std::vector<double> times(path.points.size(), 0);
     Run run;
     for (std::size_t i = 1; i < path.points.size(); ++i) {

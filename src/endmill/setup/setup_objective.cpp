@@ -8,7 +8,7 @@ namespace endmill {
 namespace {
 
 /// Relative error bound of the results: a few roundings of 1.1e-16 each.
-constexpr double rounding = 1e-14;
+constexpr double measure_rounding = 1e-14;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ double PoseMeasure::useful_width(double target, double m0, double m1) const
     if (std::max(m0, m1) >= target)
         return -1;
     return family == RotaryFamily::CA ? std::numeric_limits<double>::infinity()
-                                      : 2 * target * (1 + rounding);
+                                      : 2 * target * (1 + measure_rounding);
 }
 
 double PoseMeasure::useful_height(double target, double width) const
@@ -49,7 +49,7 @@ double PoseMeasure::useful_height(double target, double width) const
     const double rest = objective == SetupObjective::FlooredArea
                             ? target / (width + floor_rad) - floor_rad
                             : target - width;
-    return rest + rounding * (1 + std::abs(rest));
+    return rest + measure_rounding * (1 + std::abs(rest));
 }
 
 }  // namespace endmill

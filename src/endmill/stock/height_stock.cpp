@@ -176,7 +176,10 @@ std::optional<double> fitting_pitch(const Block& box, double bytes, double extra
     // Lower bound of the pitch: it counts only the heights, without the margins of tiles
     // and work.
     const double bound = std::sqrt(size.x() * size.y() * sizeof(double) / bytes);
-    double decade = std::pow(10, std::floor(std::log10(std::max(bound, largest * 1e-9))));
+    // Limits the logarithm for a box without area. No stock of so many cells fits.
+    constexpr double least_pitch_share = 1e-9;
+    double decade = std::pow(
+        10, std::floor(std::log10(std::max(bound, largest * least_pitch_share))));
     for (;; decade *= 10)
         for (int digits = 10; digits < 100; ++digits) {
             // Goes through the text, so that the pitch is the double nearest to its two

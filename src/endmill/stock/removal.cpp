@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/stock/detail/group_removal.h"
 #include "endmill/stock/detail/move_bins.h"
 #include "endmill/stock/detail/removable_path.h"
@@ -89,12 +90,12 @@ void add_part(Removal& removal, const PartOfRemoval& part, const ToolPath& path,
         const double depth = part.deepest[k];
         removal.removed[number] = static_cast<double>(part.volumes[k]) * part.unit;
         removal.deepest[number] = depth;
-        const bool cuts = depth > least_cut_depth;
+        const bool cuts = depth > touching_depth;
         if (!cuts && number > 0)
             ++removal.air_moves;
         if (cuts && path.points[number].move == Move::Rapid)
             add_move(removal.rapid_cuts, number, depth);
-        if (part.body_depths[k] > least_cut_depth)
+        if (part.body_depths[k] > touching_depth)
             add_move(removal.collisions, number, part.body_depths[k]);
     }
 }
@@ -141,9 +142,9 @@ Removal remove_along(HeightStock& stock, const ToolPath& path, const Cutter& cut
 std::optional<double> removal_rate(const Removal& removal, const ToolPath& path,
                                    std::size_t number)
 {
-    if (path.conditions.empty() || path.points[number].move == Move::Rapid)
+    if (path.points[number].move == Move::Rapid)
         return std::nullopt;
-    const auto feed = path.conditions[number].feed_mm_per_min;
+    const auto feed = path.points[number].conditions.feed_mm_per_min;
     const double length = length_to(path, number);
     if (!feed || !(length > 0))
         return std::nullopt;
@@ -160,7 +161,7 @@ std::optional<RemovalRates> removal_rates(const Removal& removal, const ToolPath
         if (const auto rate = removal_rate(removal, path, k)) {
             greatest = std::max(greatest, *rate);
             volume += removal.removed[k];
-            time_min += length_to(path, k) / *path.conditions[k].feed_mm_per_min;
+            time_min += length_to(path, k) / *path.points[k].conditions.feed_mm_per_min;
         }
     if (!(time_min > 0) || !std::isfinite(volume / time_min))
         return std::nullopt;

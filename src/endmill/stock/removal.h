@@ -13,10 +13,6 @@
 
 namespace endmill {
 
-/// Depth in mm up to which a cut, or a contact with shank or holder, does not count,
-/// because rounding may have caused it.
-inline constexpr double least_cut_depth = 1e-9;
-
 /// Options of `remove_along`.
 struct RemovalOptions {
     /// Cylinders of shank and holder, above the tip, which must not touch the stock.
@@ -57,7 +53,7 @@ struct Removal {
 /// `Plunge` or `Cut`, we assume that the cutter plunged there and removed material.
 /// Otherwise it removes material from the first move on.
 ///
-/// Shank or holder collides if it is more than `least_cut_depth` inside the stock. This
+/// Shank or holder collides if it is more than `touching_depth` inside the stock. This
 /// is tested twice per move. On the stock before the move, only the cells that the
 /// cylinder newly covers are tested. On the stock after the move, all cells that it
 /// covers are tested. A cylinder that is not wider than the cutter is not tested before

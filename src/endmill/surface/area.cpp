@@ -17,7 +17,7 @@ using Rule = boost::math::quadrature::gauss<double, 10>;
 constexpr double agreement = 1e-10;
 // Agreement as a share of the squared diagonal of the surface: smaller differences are
 // rounding.
-constexpr double rounding = 1e-15;
+constexpr double area_rounding = 1e-15;
 // Halvings after which a cell is accepted as it is.
 constexpr int deepest_halving = 10;
 
@@ -76,8 +76,9 @@ double area(const Surface& surface)
             const BezierPatch& patch = surface.patch(i, j);
             const Cell whole{0, 0, 1};
             const double coarse = area_by_one_rule(patch, whole);
-            const double tolerance = std::max(
-                agreement * coarse, rounding * surface.diagonal() * surface.diagonal());
+            const double tolerance =
+                std::max(agreement * coarse,
+                         area_rounding * surface.diagonal() * surface.diagonal());
             total += refined_area(patch, whole, coarse, tolerance, deepest_halving);
         }
     return total;

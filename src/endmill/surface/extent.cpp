@@ -15,7 +15,8 @@ namespace {
 // Difference, as a share of the diagonal, between an upper bound and an attained value at
 // which the search stops.
 constexpr double bound_gap = 1e-9;
-constexpr double rounding = 1e-14;  // of a coordinate, for bounds far from the origin
+constexpr double coordinate_rounding =
+    1e-14;  // of a coordinate, for bounds far from the origin
 
 // A piece of a patch, given by the polynomials w r . direction and w on it.
 struct BoundedPiece {
@@ -63,8 +64,8 @@ double greatest_height(const Surface& surface, const Vec3& direction)
             greatest_corner(heights_of(height_net(patch, direction), weight_net(patch))));
     });
     const auto may_reach_higher = [&](double bound) {
-        return bound >
-               attained + bound_gap * surface.diagonal() + rounding * std::abs(attained);
+        return bound > attained + bound_gap * surface.diagonal() +
+                           coordinate_rounding * std::abs(attained);
     };
     std::priority_queue<BoundedPiece> pieces;
     const auto add = [&](BernsteinPiece height, BernsteinPiece weight) {

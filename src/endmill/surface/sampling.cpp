@@ -363,11 +363,11 @@ double default_chord_tolerance(std::span<const Surface> surfaces)
 {
     constexpr double share = 1e-3;
     // So that a side of 10 mm less its rounding counts as 10 mm.
-    constexpr double rounding = 1e-9;
+    constexpr double side_rounding = 1e-9;
     double longest = 0;
     for (int c = 0; c < 3; ++c)
         longest = std::max(longest, extent(surfaces, Vec3::Unit(c)).length());
-    const double tolerance = share * longest * (1 + rounding);
+    const double tolerance = share * longest * (1 + side_rounding);
     const double digit = std::pow(10, std::floor(std::log10(tolerance)));
     return std::floor(tolerance / digit) * digit;
 }

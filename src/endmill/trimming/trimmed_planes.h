@@ -69,7 +69,7 @@ struct RefinedPlanes {
 /// the old and the new position of a crossing are removed.
 ///
 /// Accuracy of a moved point in z: 1e-4 mm for every grid, and 1e-9 mm where N_z > 0.1 at
-/// the contact; contacts whose depths differ by less than `rest_gouge` (smooth_drop.h)
+/// the contact; contacts whose depths differ by less than `rest_gouge` (tolerance.h)
 /// count as equally high. Between points the path is straight; its chord error is c l^2 /
 /// 8 for a chord of length l on a section of curvature c.
 ///

@@ -25,6 +25,10 @@ struct TrimmingQuality {
     double uncovered = 0;
 };
 
+/// Step back in mm that rounding causes on sections of a part, with coordinates of some
+/// 100 mm.
+inline constexpr double step_back_on_parts_mm = 1e-10;
+
 /// The errors up to which a result counts as right.
 struct TrimmingTolerance {
     double step_back_mm = 1e-12;  ///< rounding of coordinates of about 10 mm

@@ -84,14 +84,16 @@ ToolPath turned(const ToolPath& path, const Eigen::Matrix3d& rotation)
         point.location.axis = (axis - Vec3::UnitZ()).norm() <= 2 * unit_vector_rounding
                                   ? Vec3::UnitZ()
                                   : axis;
-        if (point.contact) {
-            CutterContact& contact = point.contact->contact;
-            contact.point = rotation * contact.point;
-            contact.normal = rotation * contact.normal;
+        if (const SurfaceContact* known = point.contact()) {
+            SurfaceContact contact = *known;
+            contact.contact.point = rotation * contact.contact.point;
+            contact.contact.normal = rotation * contact.contact.normal;
+            point.known_contact = contact;
+        } else if (const Vec3* normal = point.normal()) {
+            const Vec3 rotated = rotation * *normal;
+            point.known_contact = rotated;
         }
     }
-    for (Vec3& normal : result.normals)
-        normal = rotation * normal;
     return result;
 }
 

@@ -117,7 +117,7 @@ double units_of(double value, int digits)
 class MemoryNeed {
 public:
     explicit MemoryNeed(const VerificationTask& task)
-        : area_{task.part ? area_of(*task.part) : 0},
+        : area_{task.judged ? area_of(*task.judged->part) : 0},
           box_{stock_box(task)},
           extra_bytes_per_cell_{task.extra_bytes_per_cell}
     {
@@ -200,12 +200,12 @@ void require_fitting(const VerificationTask& task)
     const double extra = task.extra_bytes_per_cell;
     const KeptStock* kept = kept_stock(task);
     const Block box = stock_box(task);
-    if (!task.part || kept)
+    if (!task.judged || kept)
         require_stock_memory(box, kept ? kept->heights.grid().pitch : task.resolution,
                              limit / bytes_per_gib, extra);
     const MemoryNeed need{task};
     const double bytes = need.both(task.resolution);
-    if (!task.part ||
+    if (!task.judged ||
         (bytes <= limit && need.rays(task.resolution) <= most_rays * bytes_a_ray))
         return;
     const double fixed = kept ? need.both(std::numeric_limits<double>::infinity())
@@ -249,21 +249,19 @@ void require_cutting(const VerificationTask& task, const PartCharts& charts,
                             why_nothing_is_cut(part_gap(charts, own))};
 }
 
-// Measures the deviation, if there is a part.
-std::optional<Deviation> deviation_of(const VerificationTask& task)
+// Measures the deviation from the part.
+Deviation deviation_of(const VerificationTask& task, const JudgedPart& judged)
 {
-    if (!task.part)
-        return std::nullopt;
-    const PartCharts charts = part_charts(*task.part);
+    const PartCharts charts = part_charts(*judged.part);
     const JoinedSweeps all{history_of(task), *task.path, task.cutter};
     const MachinedStock stock{all.all(), all.earlier(), initial_ray_of(task)};
     Deviation deviation =
         measure_deviation(charts, stock,
-                          {.limits = task.limits,
+                          {.limits = judged.limits,
                            .pitch = task.resolution,
-                           .max_refine = task.max_refine,
+                           .max_refine = judged.max_refine,
                            .most_cells = static_cast<std::size_t>(most_rays),
-                           .progress = task.progress});
+                           .progress = judged.progress});
     require_cutting(task, charts, all, deviation);
     for (auto* place : {&deviation.deepest, &deviation.highest})
         if (*place)
@@ -377,33 +375,37 @@ std::optional<StockHistory> history_of_rest(const VerificationTask& task)
 Verification verify_path(const VerificationTask& task)
 {
     require(task.path != nullptr, "verify_path: need a path");
+    require(!task.judged || task.judged->part != nullptr, "verify_path: need a part");
     require_fitting(task);
     const KeptStock* kept = kept_stock(task);
-    std::optional<Deviation> deviation = deviation_of(task);
+    std::optional<PartFindings> on_part;
+    if (const auto& judged = task.judged)
+        on_part = PartFindings{.limits = judged->limits,
+                               .deviation = deviation_of(task, *judged),
+                               .collisions = {}};
     HeightStock rest =
         kept ? kept->heights : block_stock(std::get<Block>(task.stock), task.resolution);
     Removal removal = remove_along(rest, *task.path, task.cutter, {task.body});
-    std::optional<PartCollisions> in_part;
-    if (task.part)
-        in_part = part_collisions(*task.part, *task.path, task.cutter, task.body,
-                                  finer_share * task.max_memory_gib * bytes_per_gib);
+    if (on_part)
+        on_part->collisions =
+            part_collisions(*task.judged->part, *task.path, task.cutter, task.body,
+                            finer_share * task.max_memory_gib * bytes_per_gib);
     const StockContacts contacts = contacts_with_stock(task, removal, rest.grid());
     removal.rapid_cuts = contacts.rapid_cuts;
     removal.collisions = contacts.collisions;
-    Verification found{.deviation = std::move(deviation),
+    Verification found{.on_part = std::move(on_part),
                        .removal = std::move(removal),
                        .contacts = contacts,
-                       .part_collisions = std::move(in_part),
                        .earlier_moves = {},
-                       .earlier_gouge = {},
                        .rest = std::move(rest),
                        .verdict = Verdict::Clean};
     if (const StockHistory* history = history_of(task))
         found.earlier_moves = sweep_count(*history);
-    else if (kept && found.deviation)
-        found.earlier_gouge =
-            earlier_gouge(part_charts(*task.part), found.deviation->tiles, kept->heights);
-    found.verdict = verdict_with_contacts(found, task.limits);
+    else if (kept && found.on_part)
+        found.on_part->earlier_gouge =
+            earlier_gouge(part_charts(*task.judged->part), found.on_part->deviation.tiles,
+                          kept->heights);
+    found.verdict = verdict_with_contacts(found);
     return found;
 }
 

@@ -70,24 +70,30 @@ struct PathDeviationOptions {
 Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter& cutter,
                             const PathDeviationOptions& options);
 
+/// The part with which `verify_path` compares the stock, and how.
+struct JudgedPart {
+    const Part* part;             ///< not null; must outlive this object
+    DeviationLimits limits = {};  ///< of the verdict
+    int max_refine = 8;           ///< largest number of halvings of a cell, 0 to 20
+    /// If set, it is called now and then with the finished share of the measurement, 0 to
+    /// 1.
+    std::function<void(double share)> progress = {};
+};
+
 /// The input of `verify_path`. It refers to the part, the path and a kept stock, which
 /// must outlive it.
 struct VerificationTask {
     const ToolPath* path;                 ///< tips along +z; not null
     Cutter cutter;                        ///< the shape that cuts
     std::vector<ToolCylinder> body = {};  ///< cylinders of shank and holder
-    const Part* part = nullptr;           ///< null: only the removal is simulated
+    /// The part that the path machines; nothing: only the removal is simulated.
+    std::optional<JudgedPart> judged = {};
     /// The material before the path: a block, or a stock that was kept (not null), such
     /// as the result of an earlier run or a mesh.
     std::variant<Block, const KeptStock*> stock;
     double resolution = 0.1;  ///< mm; cell size of a block and distance of the first rays
-    DeviationLimits limits = {};      ///< of the verdict
-    int max_refine = 8;               ///< largest number of halvings of a cell, 0 to 20
     double max_memory_gib = 8;        ///< limit of the memory, GiB
     double extra_bytes_per_cell = 0;  ///< memory for output made from the remaining stock
-    /// If set, it is called now and then with the finished share of the measurement, 0 to
-    /// 1.
-    std::function<void(double share)> progress = {};
 };
 
 /// Returns the history of the stock that remains after `task`.
@@ -109,7 +115,7 @@ std::optional<StockHistory> history_of_rest(const VerificationTask& task);
 /// \throws GeometryError if the path cuts nothing over the part, with the gap between
 ///         cutter and part, or if an axis is not +z.
 /// \throws LimitError if the memory does not suffice, with a resolution that fits.
-/// \throws DomainError if the path is null or an option is out of range.
+/// \throws DomainError if path or part is null, or an option is out of range.
 Verification verify_path(const VerificationTask& task);
 
 /// Returns the unit axis that all points of `path` share; +z for a path without points.

@@ -1,23 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/verification/verification_result.h"
 
-namespace endmill {
+#include "endmill/core/tolerance.h"
 
-Verdict verdict_with_contacts(const Verification& found, const DeviationLimits& limits)
+namespace endmill {
+namespace {
+
+// Whether a gouge of an earlier run beyond the tolerance is possible.
+bool may_be_gouged_before(const PartFindings& found)
 {
-    const bool is_in_part =
-        found.part_collisions && found.part_collisions->moves.count > 0;
+    return found.earlier_gouge &&
+           found.earlier_gouge->found_mm + found.earlier_gouge->bound_mm >
+               found.limits.tolerance + verdict_slack;
+}
+
+}  // namespace
+
+bool may_be_in_part(const PartCollisions& found)
+{
+    return found.bound_mm > closed_contact_bound;
+}
+
+Verdict verdict_with_contacts(const Verification& found)
+{
+    const auto& on_part = found.on_part;
     if (found.contacts.rapid_cuts.count > 0 || found.contacts.collisions.count > 0 ||
-        is_in_part)
+        (on_part && on_part->collisions.moves.count > 0))
         return Verdict::Gouged;
-    const Verdict of_rest =
-        found.deviation ? verdict(*found.deviation, limits) : Verdict::Clean;
-    const auto& earlier = found.earlier_gouge;
-    const bool may_be_in_part =
-        found.part_collisions && found.part_collisions->bound_mm > closed_contact_bound;
-    const bool may_be_gouged = earlier && earlier->found_mm + earlier->bound_mm >
-                                              limits.tolerance + verdict_slack;
-    const bool is_open = may_be_in_part || may_be_gouged;
+    if (!on_part)
+        return Verdict::Clean;
+    const Verdict of_rest = verdict(on_part->deviation, on_part->limits);
+    const bool is_open =
+        may_be_in_part(on_part->collisions) || may_be_gouged_before(*on_part);
     return is_open && of_rest != Verdict::Gouged ? Verdict::Undecided : of_rest;
 }
 

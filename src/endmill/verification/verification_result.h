@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/core/vec.h"
 #include "endmill/deviation/deviation.h"
 #include "endmill/stock/height_stock.h"
@@ -15,10 +16,6 @@
 
 namespace endmill {
 
-/// Contacts of shank and holder with the part up to this depth, in mm, are treated as
-/// rounding. A contact deeper than `PartCollisions::bound_mm` is never missed.
-inline constexpr double part_contact_slack = 0.001;
-
 /// Largest bound, in mm, at which no contact is undecided: the slack for rounding, plus
 /// the same for the distance between the part and the triangles that approximate it.
 inline constexpr double closed_contact_bound = 2 * part_contact_slack;
@@ -29,7 +26,7 @@ struct DeepestContact {
     std::size_t move;  ///< number of the path point to which the move leads
 };
 
-/// Contacts of shank and holder with the part.
+/// Contacts of shank and holder with the part that are deeper than `part_contact_slack`.
 struct PartCollisions {
     /// Moves with a contact. The depth of a contact is the shortest distance out of the
     /// cylinder, downwards or sideways.
@@ -39,6 +36,9 @@ struct PartCollisions {
     double error_mm = 0;
     double bound_mm = 0;  ///< a missed contact is at most this deep
 };
+
+/// Whether the bound allows a contact that was not found and is deeper than rounding.
+bool may_be_in_part(const PartCollisions& found);
 
 /// Forbidden contacts with the stock.
 struct StockContacts {
@@ -58,18 +58,24 @@ struct EarlierGouge {
     double bound_mm = 0;
 };
 
-/// The result of `verify_path`. A move has the number of the point to which it leads. The
-/// sweep numbers of the places in `deviation` are numbers of moves in the same sense.
+/// What `verify_path` finds on the part. The sweep numbers of the places in `deviation`
+/// are numbers of moves, as in `Verification`.
+struct PartFindings {
+    DeviationLimits limits;     ///< of the verdict
+    Deviation deviation;        ///< of the stock after the path
+    PartCollisions collisions;  ///< of shank and holder
+    /// None if the stock before the path is a block, or if its history is known.
+    std::optional<EarlierGouge> earlier_gouge = {};
+};
+
+/// The result of `verify_path`. A move has the number of the point to which it leads.
 struct Verification {
-    std::optional<Deviation> deviation;  ///< none without a part
+    std::optional<PartFindings> on_part = {};  ///< none without a part
     Removal removal;         ///< its rapid cuts and collisions are those of `contacts`
     StockContacts contacts;  ///< with the stock, by rapids, shank and holder
-    std::optional<PartCollisions> part_collisions;  ///< none without a part
     /// Number of moves of earlier runs that were measured with the path; none if the
     /// history of the stock is not known.
     std::optional<std::size_t> earlier_moves = {};
-    /// None if the stock is a block, if its history is known, or if there is no part.
-    std::optional<EarlierGouge> earlier_gouge = {};
     HeightStock rest;  ///< the stock after the path
     Verdict verdict;   ///< of `verdict_with_contacts`
 };
@@ -79,10 +85,9 @@ struct Verification {
 /// 1. `Gouged` if a rapid cuts, or shank or holder is in the stock or in the part.
 /// 2. `Undecided` if a bound allows shank or holder to be in the part, or an earlier
 ///    gouge beyond the tolerance, and the verdict on the deviation is not `Gouged`.
-/// 3. Otherwise the verdict on the deviation; `Clean` if there is none.
+/// 3. Otherwise the verdict on the deviation; `Clean` without a part.
 /// \param found its member `verdict` is not used.
-/// \param limits of the deviation.
 /// Source: docs/mathematics/removal.md, section 3.
-Verdict verdict_with_contacts(const Verification& found, const DeviationLimits& limits);
+Verdict verdict_with_contacts(const Verification& found);
 
 }  // namespace endmill

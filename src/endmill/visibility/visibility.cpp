@@ -16,6 +16,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/visibility/detail/cylinder_contact.h"
 #include "endmill/visibility/detail/direction_count.h"
 #include "endmill/visibility/detail/facet_boxes.h"
@@ -30,15 +31,11 @@ namespace {
 // requested.
 constexpr std::size_t most_words = std::size_t{1} << 42;
 
-// Least cosine of the incidence. A facet that is seen from its edge, closer to 90 degrees
-// than 1e-6 rad, is not accessible; the paper excludes 90 degrees.
-constexpr double least_cosine = 1e-6;
-
 double limit_of(Angle incidence)
 {
     require(0 < incidence.radians() && incidence.radians() <= std::numbers::pi / 2,
             "visibility: need 0 < incidence <= 90 degrees");
-    return std::max(std::cos(incidence.radians()), least_cosine);
+    return std::max(std::cos(incidence.radians()), least_facing_cosine);
 }
 
 // Sets the bits of the facets whose incidence is within the limit.

@@ -73,7 +73,7 @@ public:
                 if (half.short_by >= (before_ - look.t) * half.rate)
                     return {Answer::No, {}};
                 low_ = std::max(low_, look.t + half.short_by / half.rate);
-                const double close = rounding(look.t) * half.rate;
+                const double close = length_rounding(look.t) * half.rate;
                 // The place is within the corner radius of the core, and the half space
                 // proves that no earlier place is in the region.
                 if (half.gap <= close && half.short_by >= -close)
@@ -93,7 +93,10 @@ public:
 private:
     static constexpr double least_square = std::numeric_limits<double>::min();
 
-    double rounding(double t) const { return rounding_share * (scale_ + std::abs(t)); }
+    double length_rounding(double t) const
+    {
+        return rounding_share * (scale_ + std::abs(t));
+    }
 
     // Starts at t, at the nearest place of the move. If t is infinite, a rising line
     // starts at the level of the lowest tip, below which it cannot be in the region.
@@ -207,12 +210,12 @@ std::optional<SweepEntry> entry_between(const StraightSweep& sweep,
                                         const LineInPlan& plan, const Line& line,
                                         LineInterval left, bool inside)
 {
-    const double rounding =
+    const double length_rounding =
         rounding_share *
         (sweep.cutter().radius() + plan.length + std::abs(left.low) +
          line.origin.lpNorm<Eigen::Infinity>() + sweep.from().lpNorm<Eigen::Infinity>());
     std::optional<Gap> at_low;  // the gap at left.low, once that is final
-    for (int i = 1; i < most_iterations && left.high - left.low > rounding; ++i) {
+    for (int i = 1; i < most_iterations && left.high - left.low > length_rounding; ++i) {
         // At the rim S is infinitely steep, so that only halving makes progress.
         const bool halve = !inside || i % steps_per_halving == 0;
         const double t = halve ? left.low + (left.high - left.low) / 2 : left.low;
@@ -231,7 +234,7 @@ std::optional<SweepEntry> entry_between(const StraightSweep& sweep,
             left.high = std::min(left.high, std::isfinite(tangent) ? tangent : t);
         } else if (gap.rate < 0) {
             left.low = std::max(left.low, std::isfinite(tangent) ? tangent : t);
-            if (inside && tangent - t <= rounding && std::isfinite(gap.rate)) {
+            if (inside && tangent - t <= length_rounding && std::isfinite(gap.rate)) {
                 at_low = gap;
                 break;
             }

@@ -16,6 +16,9 @@ using Eigen::Vector2d;
 // Rise of a move, as a share of its length, up to which it counts as level. Its heights
 // are then off by at most this share.
 constexpr double level_rise = 1e-13;
+// Rounding error of a place on the line, as a share of the cutter's radius and the length
+// of the move.
+constexpr double rounding_share = 1e-12;
 
 // Where the line is in the upright cylinder around the place `along` on the move, above
 // the height `bottom`.
@@ -153,8 +156,9 @@ std::optional<SweepEntry> flat_entry(const StraightSweep& sweep, const Line& lin
     // The line enters through the side if it crosses the outline last, else through the
     // bottom.
     const LineInterval outline = within_outline(plan, R);
-    const double rounding = 1e-12 * (R + plan.length);  // of t, in mm
-    return SweepEntry{t, outline.low >= t - rounding ? outline_normal(plan, t) : normal};
+    const double length_rounding = rounding_share * (R + plan.length);
+    return SweepEntry{
+        t, outline.low >= t - length_rounding ? outline_normal(plan, t) : normal};
 }
 
 }  // namespace

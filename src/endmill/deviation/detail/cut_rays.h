@@ -14,8 +14,8 @@ namespace endmill {
 
 /// Neighbouring measuring rays of the part while the moves cut them.
 ///
-/// This is the method of rays along the part's normals, known as "mowing the lawn": every
-/// move shortens the rays that meet its swept volume. `cut_ray` defines the result for
+/// This is the discrete vector method, with vectors along the part's normals: every move
+/// shortens the rays that meet its swept volume. `cut_ray` defines the result for
 /// one ray and one sweep; the thickness of a ray is the smallest over all sweeps.
 /// Source: docs/mathematics/removal.md, section 2.
 class CutRays {

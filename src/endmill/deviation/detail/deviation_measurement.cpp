@@ -12,6 +12,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/deviation/detail/deviation_cells.h"
 #include "endmill/deviation/detail/part_distance.h"
 #include "endmill/deviation/detail/part_tiles.h"

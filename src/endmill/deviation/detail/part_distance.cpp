@@ -18,7 +18,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double longest = 1e9;  // mm
 // Far more than are needed, except at a foot with no free ball.
 constexpr int most_shrinkings = 60;
-constexpr double rounding = 1e-9;  // share of a ball's radius
+constexpr double radius_rounding = 1e-9;  // share of a ball's radius
 // The coarse triangulation has this many times the chord tolerance. With so many fewer
 // triangles it proves most balls empty.
 constexpr double coarse_share = 10;
@@ -95,7 +95,7 @@ FreeBall PartDistance::free_ball(const PartWay& way,
     for (int i = 0; i < most_shrinkings; ++i) {
         const Vec3 centre = way.foot + ball.length * way.direction;
         const auto other =
-            nearest(centre, hint, ball.length * (1 - rounding) - chord_error_);
+            nearest(centre, hint, ball.length * (1 - radius_rounding) - chord_error_);
         if (!other) {
             if (ball.other)
                 ball.length = std::max(0.0, ball.length - uncertainty());

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "endmill/core/answer.h"
 #include "endmill/deviation/detail/half_space.h"
 
 namespace endmill {
@@ -49,48 +50,46 @@ double gap_of(const PartCharts& charts, const SweepTree& tree, const PartCell& c
     return least;
 }
 
-// Whether a cutter passes over a piece of the part.
-enum class Overlap { None, Possible, Certain };
-
 // Whether no point of the level disc with this radius lies in the half space.
 bool is_clear(const HalfSpace& half, const Vec3& middle, double radius)
 {
     return half.least - half.normal.dot(middle) >= radius * half.normal.head<2>().norm();
 }
 
-// Tests the overlap, seen from above, of the cell's disc and the sweeps that come below
-// `top`.
-Overlap overlap_of(const SweepTree& tree, const Vec3& middle, double reach, double top)
+// Whether the sweeps that come below `top` pass over the cell, seen from above. They do if
+// one covers its middle; they do not if none reaches the disc around the cell.
+Answer passes_over_cell(const SweepTree& tree, const Vec3& middle, double reach,
+                        double top)
 {
     const Cutter& cutter = tree.sweeps().front().cutter();
     const Vec3 at_top{middle.x(), middle.y(), top};
     const Vec3 place = at_top + Vec3{0, 0, cutter.corner_radius()};
     const double around = reach + cutter.radius();
-    Overlap overlap = Overlap::None;
+    Answer answer = Answer::No;
     tree.visit(
         place,
         [&](const Vec3& nearest) {
-            return overlap != Overlap::Certain && nearest.z() <= place.z() &&
+            return answer != Answer::Yes && nearest.z() <= place.z() &&
                    (nearest - place).head<2>().norm() <= around;
         },
         [&](std::size_t number) {
             const StraightSweep& sweep = tree.sweeps()[number];
             if (sweep.height(place.x(), place.y()) < top)
-                overlap = Overlap::Certain;
+                answer = Answer::Yes;
             else if (!is_clear(half_space_beyond(sweep, at_top), at_top, reach))
-                overlap = Overlap::Possible;
+                answer = Answer::Undecided;
         });
-    return overlap;
+    return answer;
 }
 
-// Halves the cell while an overlap is possible but not certain.
+// Halves the cell while the answer is undecided.
 bool passes_over(const PartCharts& charts, const SweepTree& tree, const PartCell& cell,
                  int halvings, double top)
 {
     if (const auto ray = charts.ray(cell.chart, cell.centre())) {
-        const Overlap overlap = overlap_of(tree, ray->point, cell.reach(*ray), top);
-        if (overlap != Overlap::Possible)
-            return overlap == Overlap::Certain;
+        const Answer answer = passes_over_cell(tree, ray->point, cell.reach(*ray), top);
+        if (answer != Answer::Undecided)
+            return answer == Answer::Yes;
     }
     if (halvings == 0)
         return false;

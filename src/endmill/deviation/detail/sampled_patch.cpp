@@ -108,9 +108,10 @@ void SampledPatch::look_into(NearestSearch& search, std::size_t number,
     const std::array<Range, 2> halves = range.halves();
     const std::array<std::size_t, 2> nodes{
         node + 1, node + static_cast<std::size_t>(range.cells())};
-    const std::array<double, 2> squares{
-        discs_[nodes[0]].squared_distance(search.place) * (1 - NearestSearch::rounding),
-        discs_[nodes[1]].squared_distance(search.place) * (1 - NearestSearch::rounding)};
+    const std::array<double, 2> squares{discs_[nodes[0]].squared_distance(search.place) *
+                                            (1 - NearestSearch::square_rounding),
+                                        discs_[nodes[1]].squared_distance(search.place) *
+                                            (1 - NearestSearch::square_rounding)};
     const std::size_t first = squares[0] <= squares[1] ? 0 : 1;
     for (const std::size_t half : {first, 1 - first})
         if (squares[half] <= search.least_square)

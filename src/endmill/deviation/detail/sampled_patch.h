@@ -39,11 +39,11 @@ struct NearestSearch {
     /// Whether a place in the disc may be nearer or as near.
     bool may_improve(const TangentDisc& disc) const
     {
-        return disc.squared_distance(place) * (1 - rounding) <= least_square;
+        return disc.squared_distance(place) * (1 - square_rounding) <= least_square;
     }
 
     /// Relative rounding error of a squared distance.
-    static constexpr double rounding = 1e-13;
+    static constexpr double square_rounding = 1e-13;
 };
 
 /// A piece of a surface, sampled by a grid of points with two triangles per cell, in a

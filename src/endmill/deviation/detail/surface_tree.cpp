@@ -172,11 +172,11 @@ void SurfaceTree::look_into(NearestSearch& search, std::size_t level,
     for (std::size_t k = number * children;
          k < std::min((number + 1) * children, below.size()); ++k)
         if (const double square = below[k].squared_distance(search.place);
-            square * (1 - NearestSearch::rounding) <= search.least_square)
+            square * (1 - NearestSearch::square_rounding) <= search.least_square)
             order[count++] = {square, k};
     std::sort(order.begin(), order.begin() + count);
     for (std::size_t k = 0; k < count; ++k)
-        if (order[k].first * (1 - NearestSearch::rounding) <= search.least_square)
+        if (order[k].first * (1 - NearestSearch::square_rounding) <= search.least_square)
             look_into(search, level - 1, order[k].second);
 }
 

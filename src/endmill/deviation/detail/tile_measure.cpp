@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "endmill/core/tolerance.h"
+
 namespace endmill {
 namespace {
 

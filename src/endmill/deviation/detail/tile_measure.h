@@ -136,9 +136,6 @@ bool is_beyond(double left, const DeviationLimits& limits);
 double limited_thickness(double left, const PartRay& ray, const PartDistance& distance,
                          std::optional<std::size_t>& hint);
 
-/// Thicknesses up to this length in mm are not limited.
-inline constexpr double negligible_length = 1e-6;
-
 /// The measurement of one tile: cut rays at the middles of its cells, and bounds between
 /// them.
 class TileMeasure {

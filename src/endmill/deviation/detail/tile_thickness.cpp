@@ -15,6 +15,10 @@
 namespace endmill {
 namespace {
 
+// Thicknesses up to this length in mm are not limited by an empty ball: it is far below
+// verdict_slack.
+constexpr double negligible_length = 1e-6;
+
 // Let s be half the diagonal of a tile, and rho the radius of a ball that touches the
 // tile's middle. All balls of radius rho / 3 that touch the tile lie in the large ball if
 // rho is at least 5.2 s, except in a layer of less than s over the tile and at most 2 s

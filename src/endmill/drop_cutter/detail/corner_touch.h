@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "endmill/core/detail/exact_arithmetic.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/drop_cutter/detail/triangle_contact.h"
 
 namespace endmill {

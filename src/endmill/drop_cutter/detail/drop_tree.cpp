@@ -88,11 +88,11 @@ void DropTree::set_node(Level& level, std::size_t number, const DropEntry& whole
     const double r = cutter_.corner_radius();
     const double c = cutter_.flat_radius();
     // Boxes are enlarged by the rounding error of a touching point.
-    const double rounding = float_rounding * (half_.maxCoeff() + 2 * R);
-    nodes.low_x[k] = rounded_down(whole.box.min().x() - rounding);
-    nodes.low_y[k] = rounded_down(whole.box.min().y() - rounding);
-    nodes.high_x[k] = rounded_up(whole.box.max().x() + rounding);
-    nodes.high_y[k] = rounded_up(whole.box.max().y() + rounding);
+    const double place_rounding = float_rounding * (half_.maxCoeff() + 2 * R);
+    nodes.low_x[k] = rounded_down(whole.box.min().x() - place_rounding);
+    nodes.low_y[k] = rounded_down(whole.box.min().y() - place_rounding);
+    nodes.high_x[k] = rounded_up(whole.box.max().x() + place_rounding);
+    nodes.high_y[k] = rounded_up(whole.box.max().y() + place_rounding);
     if (!level.tops.empty())
         level.tops[number / float_lanes][k] = rounded_up(whole.top);
     const double g = whole.slope.norm();

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/gouge/detail/surface_gap.h"
 
 namespace endmill {

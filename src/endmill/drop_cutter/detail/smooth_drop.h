@@ -26,11 +26,6 @@ struct PartContact {
     bool is_inside;
 };
 
-/// mm. The part may enter the cutter by this depth at a contact that counts as the
-/// highest. It is far below the required accuracy of the height, 1e-4 mm, also at a
-/// contact on a slope of 80 degrees.
-inline constexpr double rest_gouge = 2e-6;
-
 /// The drop cutter on smooth surfaces: the height of a cutter that is lowered onto them,
 /// over contacts on surfaces, borders, creases and corners. Its error is at most
 /// `rest_gouge` along the normal of the part. An immutable value that all threads may

@@ -21,8 +21,4 @@ struct TriangleContact {
     TouchKind kind = TouchKind::Facet;
 };
 
-/// mm, the error that rounding may cause in the height of a tip on a triangle: a fifth of
-/// the accuracy that TriangleDrop promises.
-inline constexpr double tip_accuracy = 2e-10;
-
 }  // namespace endmill

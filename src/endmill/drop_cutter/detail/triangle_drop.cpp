@@ -2,6 +2,7 @@
 #include "endmill/drop_cutter/detail/triangle_drop.h"
 
 #include "endmill/core/detail/exact_arithmetic.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/drop_cutter/detail/triangle_lowering.h"
 
 namespace endmill {

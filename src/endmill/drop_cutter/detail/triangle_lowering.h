@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/drop_cutter/detail/corner_touch.h"
 #include "endmill/drop_cutter/detail/triangle_contact.h"
 
@@ -99,10 +100,10 @@ public:
     }
 
 private:
-    static constexpr double rounding = std::numeric_limits<double>::epsilon();
+    static constexpr double unit_rounding = std::numeric_limits<double>::epsilon();
     // Bound of the rounding errors in a height that follows from a normal or from a point
     // of a line in few operations, relative to tip_accuracy.
-    static constexpr double doubt = 4 * rounding / tip_accuracy;
+    static constexpr double doubt = 4 * unit_rounding / tip_accuracy;
 
     static double square(double number) { return number * number; }
 
@@ -147,7 +148,7 @@ private:
             value_of(shape_.R) + std::abs(value_of(on.x)) + std::abs(value_of(on.y));
         const double steepness = std::abs(value_of(length * share));
         return {point, tip,
-                value_of(tip) + 16 * rounding * lever * steepness + tip_accuracy};
+                value_of(tip) + 16 * unit_rounding * lever * steepness + tip_accuracy};
     }
 
     void lower_onto_sides(const std::array<AxisPlace<Real>, 3>& corners,

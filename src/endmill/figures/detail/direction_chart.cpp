@@ -34,7 +34,7 @@ constexpr double text_px = 13;
 constexpr double mark_px = 3.2;
 constexpr double ring_name_px = 14;  // least distance of the names of two rings
 constexpr int circle_corners = 120;
-constexpr double rounding = 1e-9;  // rad; shows directions exactly at the reach
+constexpr double angle_rounding = 1e-9;  // rad; shows directions exactly at the reach
 constexpr LineStyle ring_style{"#cccccc", 1, ""};
 constexpr std::string_view scale_colour = "#666666";
 
@@ -88,7 +88,7 @@ bool DirectionChart::is_shown(const Vec3& direction) const
 {
     const double polar =
         std::atan2(direction.cross(frame_.pole).norm(), direction.dot(frame_.pole));
-    return polar <= reach_ + rounding;
+    return polar <= reach_ + angle_rounding;
 }
 
 // A direction beyond the reach interrupts the curve.
@@ -146,7 +146,7 @@ void DirectionChart::add_rings()
     const double reach_deg = Angle::radians(reach_).degrees();
     const double step_deg = reach_deg > 100 ? 30 : reach_deg > 45 ? 15 : 5;
     double named_radius = 0;
-    for (double polar_deg = step_deg; polar_deg <= reach_deg + rounding;
+    for (double polar_deg = step_deg; polar_deg <= reach_deg + angle_rounding;
          polar_deg += step_deg) {
         const double radius = radius_at(Angle::degrees(polar_deg).radians());
         std::vector<PixelPoint> ring;

@@ -218,11 +218,16 @@ void check(std::span<const double> places, std::span<const ChartPanel> panels)
 
 }  // namespace
 
+// Width of a range below which its ticks would differ only in the rounding of their
+// labels, as a share of its largest number, or absolute for numbers below 1.
+constexpr double least_range_share = 1e-9;
+
 // The step is the smallest of 1, 2, 5, 10 times a power of ten that is at least the rough
 // step. A range of zero width gets the least step.
 std::vector<double> round_ticks(double low, double high, int count)
 {
-    const double least = std::max({std::abs(low), std::abs(high), 1.0}) * 1e-9;
+    const double least =
+        std::max({std::abs(low), std::abs(high), 1.0}) * least_range_share;
     const double rough = std::max(high - low, least) / count;
     const double power = std::pow(10, std::floor(std::log10(rough)));
     double step = 10 * power;

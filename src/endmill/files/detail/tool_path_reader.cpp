@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
 
 #include "endmill/core/parallel.h"
@@ -22,9 +21,7 @@
 //    the limit. Row i of the file becomes point i of the path, whichever thread reads it.
 // 3. The text is divided into runs of whole lines; each thread reads runs with a
 //    PathRowReader, which converts the cells in place.
-// 4. Normals of rows without a contact are collected for each run and stored in the path
-//    only if there are any.
-// 5. Remarks state what was assumed or ignored.
+// 4. Remarks state what was assumed or ignored.
 //
 // The first error in the order of the file is reported, as `parallel_for` rethrows it.
 
@@ -34,13 +31,6 @@ namespace {
 using enum PathColumn;
 
 constexpr std::size_t longest_echo = 40;
-
-// The content of a row.
-struct PathRow {
-    PathPoint point;
-    CuttingConditions conditions;
-    std::optional<Vec3> normal;  // only if the row has no contact
-};
 
 // Reads the rows of one run of lines, without copying cells.
 class PathRowReader {
@@ -56,23 +46,26 @@ public:
 
     bool next() { return lines_.next(); }
 
-    // The current row. `number` is its index in the file, which numbers the points of a
-    // file without the column point.
-    PathRow row(std::size_t number) const
+    // The point of the current row. `number` is its index in the file, which numbers the
+    // points of a file without the column point.
+    PathPoint point(std::size_t number) const
     {
         if (lines_.cells().size() != columns_.count())
             throw lines_.complaint("E_CSV",
                                    "row has " + counted(lines_.cells().size(), "cell"),
                                    std::to_string(columns_.count()));
-        PathRow row{{whole_number(Pass).value_or(0),
-                     whole_number(Point).value_or(static_cast<int>(number)), move(),
-                     location(), contact(), whole_number(Patch).value_or(0)},
-                    {},
-                    {}};
-        if (columns_.has(NormalX) && !row.point.contact)
-            row.normal = direction(NormalX);
-        row.conditions = {positive(Feed), positive(Speed), whole_number(Tool)};
-        return row;
+        PathPoint point{.pass = whole_number(Pass).value_or(0),
+                        .point = whole_number(Point).value_or(static_cast<int>(number)),
+                        .move = move(),
+                        .location = location()};
+        if (const auto whole = contact())
+            point.known_contact = *whole;
+        point.patch = whole_number(Patch).value_or(0);
+        if (columns_.has(NormalX) && !point.contact())
+            if (const auto normal = direction(NormalX))
+                point.known_contact = *normal;
+        point.conditions = {positive(Feed), positive(Speed), whole_number(Tool)};
+        return point;
     }
 
 private:
@@ -222,7 +215,7 @@ private:
         const std::optional<Vec3> point = place(ContactX);
         const std::optional<Vec3> normal = direction(NormalX);
         if (!u && !v && !point)
-            return std::nullopt;  // a normal alone is stored by `row`
+            return std::nullopt;  // a normal alone is stored by `point`
         for (const PathColumn column : {U, V, ContactX, NormalX})
             if (cell(column).empty())
                 refuse(column,
@@ -248,7 +241,6 @@ public:
     {
         header_.next();  // an empty text has no columns
         columns_ = path_columns(header_);
-        has_conditions_ = columns_.has(Tool) || columns_.has(Feed) || columns_.has(Speed);
     }
 
     // Reads the whole file.
@@ -256,12 +248,10 @@ public:
     {
         make_room();
         const std::vector<CsvRun> runs = csv_runs(header_.rest());
-        std::vector<std::vector<Vec3>> normals(runs.size());
         parallel_for(runs.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
-                normals[i] = read(runs[i]);
+                read(runs[i]);
         });
-        keep_normals(runs, normals);
         add_remarks();
         return std::move(program_);
     }
@@ -273,47 +263,18 @@ private:
         const std::size_t rows = line_count(header_.rest());
         if (rows == 0)
             throw header_.complaint("E_CSV", "no row after the header", "a point");
-        const bool has_normals = columns_.has(NormalX) && !columns_.has_contacts();
-        const std::size_t bytes = sizeof(PathPoint) + (has_normals ? sizeof(Vec3) : 0) +
-                                  (has_conditions_ ? sizeof(CuttingConditions) : 0);
-        require_memory(file_, static_cast<double>(rows) * static_cast<double>(bytes),
-                       limits_);
+        require_memory(file_, static_cast<double>(rows) * sizeof(PathPoint), limits_);
         if (rows > std::numeric_limits<int>::max())
             throw LimitError{file_ + ": more than 2147483647 points"};
         program_.path.points.resize(rows);
-        program_.path.conditions.resize(has_conditions_ ? rows : 0);
     }
 
-    // Reads a run. \return the normals of its rows without a contact, zero for a row
-    // without normal; empty if no row has one.
-    std::vector<Vec3> read(const CsvRun& run)
+    // Reads a run.
+    void read(const CsvRun& run)
     {
         PathRowReader reader{run, columns_, file_, limits_, header_.line()};
-        std::vector<Vec3> normals;
-        for (std::size_t i = run.first_line; reader.next(); ++i) {
-            const PathRow row = reader.row(i);
-            program_.path.points[i] = row.point;
-            if (has_conditions_)
-                program_.path.conditions[i] = row.conditions;
-            if (row.normal) {
-                normals.resize(i - run.first_line + 1, Vec3::Zero());
-                normals.back() = *row.normal;
-            }
-        }
-        return normals;
-    }
-
-    // Stores the normals in the path if the file has any.
-    void keep_normals(std::span<const CsvRun> runs,
-                      std::span<const std::vector<Vec3>> normals)
-    {
-        for (std::size_t k = 0; k < runs.size(); ++k) {
-            if (normals[k].empty())
-                continue;
-            program_.path.normals.resize(program_.path.points.size(), Vec3::Zero());
-            std::ranges::copy(normals[k], program_.path.normals.begin() +
-                                              static_cast<long>(runs[k].first_line));
-        }
+        for (std::size_t i = run.first_line; reader.next(); ++i)
+            program_.path.points[i] = reader.point(i);
     }
 
     // States what was assumed and what was ignored.
@@ -339,7 +300,6 @@ private:
     const ReadLimits& limits_;
     CsvLines header_;
     PathColumns columns_;
-    bool has_conditions_;
     Program program_;
 };
 

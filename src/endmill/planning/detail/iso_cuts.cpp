@@ -15,7 +15,7 @@ void for_each_iso_cut(std::span<const Surface> surfaces, const ToolPath& path,
     for (const Surface& surface : surfaces)
         turned.push_back(along == Parameter::U ? surface : transposed(surface));
     const auto parameters = [&](const PathPoint& point) {
-        const auto& [u, v, contact] = *point.contact;
+        const auto& [u, v, contact] = *point.contact();
         return along == Parameter::U ? SurfacePoint{u, v} : SurfacePoint{v, u};
     };
     // The line of a pass is kept for all its moves, because it costs more to construct

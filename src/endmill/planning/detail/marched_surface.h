@@ -24,10 +24,4 @@ MarchedSurface marched_surface(const Surface& surface, double side, Parameter di
 /// Parameters of a marched surface, in the order of the original surface.
 SurfacePoint in_surface_order(const SurfacePoint& at, Parameter direction);
 
-/// Widths of a patch within which a point is moved to the end of its pass, and a pass to
-/// the border. Without it, an interval that divides the width exactly would need one more
-/// pass because of rounding.
-/// Source: docs/mathematics/economic-cl-data.md, section 6.
-inline constexpr double end_width = 1e-6;
-
 }  // namespace endmill

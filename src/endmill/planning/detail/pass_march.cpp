@@ -9,6 +9,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/planning/detail/cross_section.h"
 #include "endmill/planning/path_interval.h"
 #include "endmill/planning/step_length.h"

@@ -30,11 +30,11 @@ std::vector<double> pass_parameters(const ToolPath& path, Parameter direction)
     std::vector<double> parameters;
     int last_pass = -1;
     for (const PathPoint& point : path.points) {
-        if (!point.contact || point.pass == last_pass)
+        if (!point.contact() || point.pass == last_pass)
             continue;
         last_pass = point.pass;
-        parameters.push_back(direction == Parameter::U ? point.contact->v
-                                                       : point.contact->u);
+        parameters.push_back(direction == Parameter::U ? point.contact()->v
+                                                       : point.contact()->u);
     }
     return parameters;
 }
@@ -133,13 +133,14 @@ ToolPath rolled_path(const Surface& surface, const ToolPath& path, const BallCut
     for (std::size_t k = 0; k < path.points.size(); ++k) {
         const PathPoint& end = path.points[k];
         for (int piece = 1; end.move == Move::Cut && piece < pieces; ++piece) {
-            const SurfaceContact& from = *path.points[k - 1].contact;
+            const SurfaceContact& from = *path.points[k - 1].contact();
             const double share = piece / double(pieces);
-            const SurfacePoint at{std::lerp(from.u, end.contact->u, share),
-                                  std::lerp(from.v, end.contact->v, share)};
+            const SurfacePoint at{std::lerp(from.u, end.contact()->u, share),
+                                  std::lerp(from.v, end.contact()->v, share)};
             PathPoint between = end;
-            between.contact = contact_at(on, at, Parameter::U);
-            between.location = locate(ball, between.contact->contact, end.location.axis);
+            const SurfaceContact contact = contact_at(on, at, Parameter::U);
+            between.known_contact = contact;
+            between.location = locate(ball, contact.contact, end.location.axis);
             rolled.points.push_back(between);
         }
         rolled.points.push_back(end);

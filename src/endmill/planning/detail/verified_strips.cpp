@@ -9,6 +9,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/planning/detail/cover_front.h"
 #include "endmill/planning/detail/segment_distance.h"
 

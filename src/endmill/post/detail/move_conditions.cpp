@@ -26,16 +26,13 @@ MoveConditions::MoveConditions(const ToolPath& path, const CuttingConditions& ot
       otherwise_{otherwise},
       decimals_{decimals}
 {
-    require(path.conditions.empty() || path.conditions.size() == path.points.size(),
-            "post: need conditions for all points or for none");
 }
 
 // Neighbouring moves usually have the same numbers, so a number is checked only where it
 // changes.
 CuttingConditions MoveConditions::at(std::size_t point)
 {
-    CuttingConditions conditions =
-        path_.conditions.empty() ? CuttingConditions{} : path_.conditions[point];
+    CuttingConditions conditions = path_.points[point].conditions;
     if (!conditions.feed_mm_per_min)
         conditions.feed_mm_per_min = otherwise_.feed_mm_per_min;
     if (!conditions.spindle_rpm)

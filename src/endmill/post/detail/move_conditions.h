@@ -14,9 +14,8 @@ namespace endmill {
 class MoveConditions {
 public:
     /// \param path the path; must outlive this object.
-    /// \param otherwise values for moves whose conditions are not in the path.
+    /// \param otherwise values of the conditions that a move does not have.
     /// \param decimals digits after the point with which a feed is written.
-    /// \throws DomainError unless the path has no conditions or one per point.
     MoveConditions(const ToolPath& path, const CuttingConditions& otherwise,
                    int decimals);
 

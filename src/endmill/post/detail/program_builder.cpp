@@ -64,10 +64,14 @@ void ProgramBuilder::append(Move move, const Vec3& point)
         number = is_new_pass ? 0 : last.point + 1;
     }
     const Vec3 tip = point - options_.programmed_point_height_mm * Vec3::UnitZ();
-    path_.points.push_back({pass, number, move, {tip, Vec3::UnitZ()}, std::nullopt});
     const bool is_turning = !spindle_stopped_ && speed_rpm_ && *speed_rpm_ > 0;
-    path_.conditions.push_back(
-        {std::nullopt, is_turning ? speed_rpm_ : std::nullopt, tool_});
+    path_.points.push_back(
+        {.pass = pass,
+         .point = number,
+         .move = move,
+         .location = {tip, Vec3::UnitZ()},
+         .conditions = {.spindle_rpm = is_turning ? speed_rpm_ : std::nullopt,
+                        .tool = tool_}});
     position_ = point;
 }
 
@@ -75,7 +79,7 @@ void ProgramBuilder::append(Move move, const Vec3& point)
 // Precondition: `first_point` is not 0.
 void ProgramBuilder::set_feed(const MoveFeed& feed, std::size_t first_point)
 {
-    const auto& points = path_.points;
+    auto& points = path_.points;
     double feed_mm_per_min = feed.value;
     if (feed.mode == FeedRateMode::InverseTime) {
         double length = 0;
@@ -90,7 +94,7 @@ void ProgramBuilder::set_feed(const MoveFeed& feed, std::size_t first_point)
         throw lines_.range_complaint("a feed of " + brief(feed_mm_per_min) + " mm/min",
                                      "a feed that a double can store");
     for (std::size_t i = first_point; i < points.size(); ++i)
-        path_.conditions[i].feed_mm_per_min = feed_mm_per_min;
+        points[i].conditions.feed_mm_per_min = feed_mm_per_min;
 }
 
 // T selects the next tool and M6 changes to it, so that a program may select a tool
@@ -126,9 +130,9 @@ void ProgramBuilder::fill_selected_tools()
     for (std::size_t k = 0; k < selections_.size(); ++k) {
         const bool is_last = k + 1 == selections_.size();
         const std::size_t end =
-            is_last ? path_.conditions.size() : selections_[k + 1].first_point;
+            is_last ? path_.points.size() : selections_[k + 1].first_point;
         for (std::size_t i = selections_[k].first_point; i < end; ++i)
-            path_.conditions[i].tool = selections_[k].tool;
+            path_.points[i].conditions.tool = selections_[k].tool;
     }
 }
 
@@ -137,9 +141,9 @@ void ProgramBuilder::remark_tools()
 {
     constexpr std::size_t most_named = 10;
     std::set<int> tools;
-    for (const CuttingConditions& conditions : path_.conditions)
-        if (conditions.feed_mm_per_min && conditions.tool)
-            tools.insert(*conditions.tool);
+    for (const PathPoint& point : path_.points)
+        if (point.conditions.feed_mm_per_min && point.conditions.tool)
+            tools.insert(*point.conditions.tool);
     if (tools.size() < 2)
         return;
     std::string text = "several tools cut:";
@@ -171,10 +175,6 @@ Program ProgramBuilder::take()
         fill_selected_tools();
     remark_tools();
     close_last_pass();
-    if (std::ranges::all_of(path_.conditions, [](const CuttingConditions& conditions) {
-            return conditions == CuttingConditions{};
-        }))
-        path_.conditions.clear();
     Program program{
         .path = std::move(path_), .cutter = {}, .remarks = std::move(remarks_)};
     path_ = {};

@@ -34,11 +34,11 @@ Vec3 centre_at(const Vec3& tip, double radius)
 
 std::optional<FootPlace> stated_place(const PathPoint& point, const ContactSearch& part)
 {
-    if (!point.contact || point.patch < 0 ||
+    if (!point.contact() || point.patch < 0 ||
         static_cast<std::size_t>(point.patch) >= part.surfaces())
         return std::nullopt;
-    return FootPlace{static_cast<std::size_t>(point.patch), point.contact->u,
-                     point.contact->v};
+    return FootPlace{static_cast<std::size_t>(point.patch), point.contact()->u,
+                     point.contact()->v};
 }
 
 // The middle between the feet at both ends, or the foot at the end if they are on
@@ -116,10 +116,10 @@ void require_touch(const ToolPath& path, const Miss& worst, double tolerance)
 // Checks that a contact stated in the path belongs to this ball.
 void require_ball(const PathPoint& point, const BallOnPart& ball)
 {
-    if (!point.contact)
+    if (!point.contact())
         return;
     const Vec3 centre = centre_at(point.location.tip, ball.radius);
-    const double distance = (point.contact->contact.point - centre).norm();
+    const double distance = (point.contact()->contact.point - centre).norm();
     if (!(std::abs(distance - ball.radius) <= ball.tolerance))
         throw GeometryError{
             "the contact stated in the path for point " + std::to_string(point.point) +
@@ -145,8 +145,8 @@ std::vector<std::optional<MoveContact>> stated_contacts(const ToolPath& path,
 {
     std::vector<std::optional<MoveContact>> contacts(moves.size());
     for (std::size_t i = 0; i < moves.size(); ++i) {
-        const std::optional<Vec3> from = path.normal(moves[i].point - 1);
-        const std::optional<Vec3> to = path.normal(moves[i].point);
+        const Vec3* from = path.points[moves[i].point - 1].normal();
+        const Vec3* to = path.points[moves[i].point].normal();
         if (!from || !to)
             continue;
         const Vec3 sum = *from + *to;

@@ -102,8 +102,7 @@ void add_point(ToolPath& path, const Vec3& tip, int pass, Move move)
     path.points.push_back({.pass = pass,
                            .point = is_new ? 0 : path.points.back().point + 1,
                            .move = move,
-                           .location = {tip, Vec3::UnitZ()},
-                           .contact = {}});
+                           .location = {tip, Vec3::UnitZ()}});
 }
 
 }  // namespace

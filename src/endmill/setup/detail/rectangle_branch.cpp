@@ -7,6 +7,7 @@
 #include <queue>
 #include <vector>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/setup/detail/rectangle_bound.h"
 #include "endmill/setup/detail/setup_order.h"
 

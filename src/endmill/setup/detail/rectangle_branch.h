@@ -10,11 +10,6 @@
 
 namespace endmill {
 
-/// Accuracy of a search over R1: the area exceeds the least area by at most this share of
-/// it, or of a square degree for smaller areas. It is far below the effect of a cell's
-/// width of 0.1 rad.
-inline constexpr double branch_accuracy = 1e-7;
-
 /// The goal of a search over R1.
 struct BranchGoal {
     /// Signed limits of alpha (phi) and beta (theta).

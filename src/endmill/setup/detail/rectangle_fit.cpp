@@ -9,6 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/setup/detail/pole_points.h"
 #include "endmill/setup/detail/rectangle_branch.h"
 #include "endmill/setup/detail/rectangle_edges.h"

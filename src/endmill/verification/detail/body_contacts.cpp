@@ -44,19 +44,9 @@ struct Finding {
     BodyMove found;
 };
 
-// A bounding box of triangles.
-struct Box {
-    Vec3 low = Vec3::Constant(infinite);
-    Vec3 high = Vec3::Constant(-infinite);
-
-    void add(const Vec3& place)
-    {
-        low = low.cwiseMin(place);
-        high = high.cwiseMax(place);
-    }
-    Vec3 middle() const { return (low + high) / 2; }
-    Vec3 half() const { return (high - low) / 2; }
-};
+// The bounding box of a run of triangles. The moves are in a tree, so runs of neighbouring
+// triangles need none.
+using Box = Eigen::AlignedBox3d;
 
 using Corners = std::array<Vec3, 3>;
 
@@ -150,10 +140,10 @@ private:
 // Returns the open moves that may bring the cylinder into the box.
 std::vector<std::size_t> moves_near(const BodyAndMesh& task, const Box& box)
 {
-    Vec3 place = box.middle();
-    place.z() = box.high.z() - task.cylinder.above;
+    Vec3 place = box.center();
+    place.z() = box.max().z() - task.cylinder.above;
     const double reach =
-        task.cylinder.radius + box.half().head<2>().norm() + task.chord_error;
+        task.cylinder.radius + (box.sizes() / 2).head<2>().norm() + task.chord_error;
     std::vector<std::size_t> near;
     task.tree.visit(
         place,
@@ -174,17 +164,17 @@ std::vector<Finding> contacts_in(const BodyAndMesh& task, const BodyMoves& moves
     Box box;
     for (std::size_t k = first; k < last; ++k)
         for (const Vec3& corner : task.mesh.corners(k))
-            box.add(corner);
+            box.extend(corner);
     std::vector<Finding> findings;
     for (const std::size_t number : moves_near(task, box)) {
         const StraightSweep& sweep = task.tree.sweeps()[number];
         const SweptMove move = swept_move(sweep.from(), sweep.to());
         const double negligible = moves.negligible(number);
-        const double around = place_in_body(task.cylinder, move, box.middle()).depth +
-                              box.half().norm() + task.chord_error;
+        const double around = place_in_body(task.cylinder, move, box.center()).depth +
+                              (box.sizes() / 2).norm() + task.chord_error;
         if (around <= negligible)
             continue;
-        Finding finding{number, {.depth = 0, .place = box.middle(), .most = -infinite}};
+        Finding finding{number, {.depth = 0, .place = box.center(), .most = -infinite}};
         PiecewiseDepth depth{task, move, finding.found};
         for (std::size_t k = first; k < last; ++k)
             depth.look_at(task.mesh.corners(k), negligible, moves.sharpness(number));

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/mesh/triangle_mesh.h"
 #include "endmill/stock/detail/sweep_tree.h"
 #include "endmill/stock/detail/tile_cut.h"

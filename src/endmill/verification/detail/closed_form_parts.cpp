@@ -19,9 +19,7 @@ ToolPath tip_path(const std::vector<Vec3>& tips)
         path.points.push_back({.pass = 0,
                                .point = static_cast<int>(path.points.size()),
                                .move = Move::Cut,
-                               .location = {tip, Vec3::UnitZ()},
-                               .contact = {},
-                               .patch = 0});
+                               .location = {tip, Vec3::UnitZ()}});
     return path;
 }
 

@@ -20,7 +20,7 @@ constexpr double R = 5;  // radius of all cutters, mm
 
 // Slack for the rounding of sums of a million terms, relative to the value and at least
 // absolute.
-constexpr double rounding = 1e-9;
+constexpr double sum_rounding = 1e-9;
 
 // Measures the deviation of `part` after `path`. The limits control how far rays are
 // refined: until the bound decides the verdict for them.
@@ -190,14 +190,14 @@ std::vector<ClosedForm> closed_forms()
     return forms;
 }
 
-std::optional<bool> bound_holds(const ClosedForm& form, const MeasuredValue& measured)
+Answer bound_holds(const ClosedForm& form, const MeasuredValue& measured)
 {
     if (!measured.bound)
-        return std::nullopt;
-    const double slack = rounding * std::max(1.0, std::abs(form.exact));
+        return Answer::Undecided;
+    const double slack = sum_rounding * std::max(1.0, std::abs(form.exact));
     const double missed = form.exact - measured.value;
     const double least = form.is_from_below ? 0 : -*measured.bound;
-    return missed >= least - slack && missed <= *measured.bound + slack;
+    return answer_of(missed >= least - slack && missed <= *measured.bound + slack);
 }
 
 }  // namespace endmill

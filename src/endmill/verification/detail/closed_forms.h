@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "endmill/core/answer.h"
+
 namespace endmill {
 
 /// A measured value with its error bound.
@@ -38,7 +40,7 @@ struct ClosedForm {
 std::vector<ClosedForm> closed_forms();
 
 /// Whether the exact value lies within the error bound of `measured`, allowing for
-/// rounding; none if `measured` has no bound.
-std::optional<bool> bound_holds(const ClosedForm& form, const MeasuredValue& measured);
+/// rounding. `Undecided` if `measured` has no bound.
+Answer bound_holds(const ClosedForm& form, const MeasuredValue& measured);
 
 }  // namespace endmill

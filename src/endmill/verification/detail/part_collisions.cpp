@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/stock/detail/sweep_tree.h"
 #include "endmill/stock/stock_history.h"
 #include "endmill/surface/sampling.h"

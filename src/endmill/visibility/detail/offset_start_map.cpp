@@ -7,13 +7,11 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/mesh/triangle_tree.h"
 
 namespace endmill {
 namespace {
-
-// Least cosine between normal and direction, also at an incidence of 90 degrees.
-constexpr double least_cosine = 1e-6;
 
 double largest_distance(const TriangleMesh& mesh)
 {
@@ -30,7 +28,7 @@ VisibilityMap offset_start_map(const TriangleMesh& mesh, std::span<const Vec3> d
 {
     const TriangleTree tree{mesh};
     const double offset = start * largest_distance(mesh);
-    const double cosine = std::max(std::cos(incidence.radians()), least_cosine);
+    const double cosine = std::max(std::cos(incidence.radians()), least_facing_cosine);
     VisibilityMap map{mesh.triangles().size(), directions.size()};
     for (std::size_t j = 0; j < map.facets(); ++j) {
         const auto [a, b, c] = mesh.corners(j);

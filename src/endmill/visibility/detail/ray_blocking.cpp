@@ -28,7 +28,7 @@ using ExactVector = std::array<Rational, 3>;
 using Corners = std::array<Vec3, 3>;
 
 // Half a unit in the last place of 1.
-constexpr double rounding = std::numeric_limits<double>::epsilon() / 2;
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
 // A vector with a bound of the error of each component.
 struct RoundedVector {
@@ -52,7 +52,8 @@ std::optional<int> certain_sign(const RoundedVector& x, const RoundedVector& y,
     const double Z = z.size();
     const double determinant = x.value.dot(y.value.cross(z.value));
     const double doubt = 8 * (x.error * Y * Z + X * y.error * Z + X * Y * z.error) +
-                         40 * rounding * X * Y * Z + std::numeric_limits<double>::min();
+                         40 * unit_roundoff * X * Y * Z +
+                         std::numeric_limits<double>::min();
     if (!std::isfinite(determinant))  // overflow: the sign means nothing
         return {};
     if (determinant > doubt)
@@ -72,7 +73,7 @@ Answer certain_answer(const Corners& from, const Vec3& direction, const Corners&
         largest = std::max(
             {largest, from[k].cwiseAbs().maxCoeff(), facet[k].cwiseAbs().maxCoeff()});
     // In roundings of `largest`: 3 for 3 a, 2 + 3 for the sum, 6 for their difference.
-    const double error = 16 * rounding * largest;
+    const double error = 16 * unit_roundoff * largest;
     std::array<RoundedVector, 3> to;
     for (int k = 0; k < 3; ++k)
         to[k] = {3 * facet[k] - sum, error};

@@ -13,7 +13,7 @@ namespace endmill {
 namespace {
 
 // Half a unit in the last place of 1 in single precision.
-constexpr float rounding = std::numeric_limits<float>::epsilon() / 2;
+constexpr float float_roundoff = std::numeric_limits<float>::epsilon() / 2;
 
 // Squared sine of the angle between a direction and the x axis below which the y axis is
 // projected to the first coordinate instead.
@@ -35,7 +35,7 @@ ShadowRaster::ShadowRaster(const TriangleMesh& part, const FacetGroups& groups)
       groups_{&groups},
       centre_{Vec3::Zero()},
       scale_{1},
-      accuracy_{rounding},
+      accuracy_{float_roundoff},
       corners_(groups.points.size(), Eigen::Vector4f::Zero())
 {
     Eigen::AlignedBox3d box;
@@ -54,7 +54,7 @@ ShadowRaster::ShadowRaster(const TriangleMesh& part, const FacetGroups& groups)
         std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
     // Half a unit in the last place of a float below 1, and at most a dozen roundings of
     // doubles of the size of the given coordinates.
-    accuracy_ = rounding / 2 + 0x1p-49 * (1 + largest / reach);
+    accuracy_ = float_roundoff / 2 + 0x1p-49 * (1 + largest / reach);
 }
 
 void ShadowRaster::look_along(const Vec3& direction)
