@@ -20,8 +20,7 @@ namespace {
 // 3. The depth below that height is projected onto the normal of the result's segment.
 // 4. The uncovered share compares two unions of intervals of s: those between the ends of
 //    the open curves, and those under the segments of the result.
-// A smaller step back is rounding, for coordinates of some 100 mm.
-constexpr double step_back_mm = 1e-10;
+
 constexpr double nowhere = -std::numeric_limits<double>::infinity();
 
 // The side from which a limit is taken.
@@ -198,7 +197,7 @@ EnvelopeComparison compare_with_envelope(std::span<const PlaneSection> planes,
     });
     EnvelopeComparison result;
     for (const TrimmingQuality& quality : qualities) {
-        if (quality.step_back_mm > step_back_mm || quality.gouge_mm > tolerance)
+        if (quality.step_back_mm > step_back_on_parts_mm || quality.gouge_mm > tolerance)
             ++result.wrong;
         result.max_gouge_mm = std::max(result.max_gouge_mm, quality.gouge_mm);
     }
