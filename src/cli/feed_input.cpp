@@ -187,7 +187,7 @@ void require_cut(const Program& program)
 void require_contacts(const FeedInput& input, const FeedCommandOptions& options)
 {
     const auto has_contact = [](const PathPoint& point) {
-        return point.contact.has_value();
+        return point.contact() != nullptr;
     };
     const bool is_by_passes = options.engagement == EngagementChoice::Passes;
     if (std::ranges::any_of(input.program.path.points, has_contact) ||
