@@ -85,8 +85,9 @@ void add_engagement_options(CLI::App& command, FeedCommandOptions& options)
 void add_model_options(CLI::App& command, FeedCommandOptions& options)
 {
     add_choice<FeedMode>(command, "--mode", options.mode, feed_modes,
-                         "rules of the plan (default paper); planned: as corrected, with "
-                         "the acceleration limit of the machine");
+                         "rules of the plan (default paper); planned: as corrected, and "
+                         "reports the time under the acceleration limit of the "
+                         "machine");
     add_chip_option(command, options.chip, "paper; --mode corrected, planned: exact");
     command
         .add_option_function<std::string>(
