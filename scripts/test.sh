@@ -12,17 +12,17 @@ Installs missing packages (Debian, root) and runs the tests:
   1. builds the preset release (g++) and runs all tests;
   2. builds the program and the fuzzers by the preset asan (clang, address and
      undefined-behaviour sanitizers), runs the tests of the program except long ones, and
-     fuzzes each reader for 5 s (scripts/fuzz.sh);
+     fuzzes each reader for 3 s (scripts/fuzz.sh);
   3. runs clang-tidy on the files that changed since the merge base with origin/main, or
      on main itself since the commit before.
 It takes at most 20 minutes on two cores, beginning with an empty clone.
 
   --all          also runs all tests under sanitizers, fuzzes each reader for 60 s,
-                 compiles the benchmarks, compiles every installed header alone, builds
-                 and tests the Debian package, builds the documentation, runs an
-                 experiment by scripts/reproduce.sh, compares every picture of docs/images
-                 with what its commands make, and runs clang-tidy on every file; about an
-                 hour and a half on two cores
+                 compiles all experiments and benchmarks, compiles every installed
+                 header alone, builds and tests the Debian package, builds the
+                 documentation, runs an experiment by scripts/reproduce.sh, compares every
+                 picture of docs/images with what its commands make, and runs clang-tidy
+                 on every file; takes hours on two cores
   --no-install   installs nothing and checks that every program and library is there
 
 Build folders: build/release, build/asan, build/fuzz. Rebuilds only changed files.
@@ -32,11 +32,11 @@ HELP
 }
 
 all=false
-fuzz_seconds=5
+fuzz_seconds=3
 tidy_options=()
 setup_options=()
 groups=(build figures tests sanitizers)
-release_targets=(all endmill_tests endmill_experiments)
+release_targets=(all endmill_tests)
 asan_targets=(endmill endmill_fuzzers)
 asan_tests=(--label-regex '^cli$')
 for argument in "$@"; do
@@ -44,7 +44,7 @@ for argument in "$@"; do
         --all)
             all=true fuzz_seconds=60 tidy_options=(--all)
             groups+=(benchmarks docs packaging)
-            release_targets+=(endmill_benchmarks)
+            release_targets+=(endmill_experiments endmill_benchmarks)
             asan_targets+=(endmill_tests)
             asan_tests=(--label-exclude '^scripts$') ;;
         --no-install) setup_options=(--no-install) ;;

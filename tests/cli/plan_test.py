@@ -117,6 +117,7 @@ class PlanOnAPlane(ProgramTest):
 
 
 class VerifiedPlan(ProgramTest):
+    @long_work
     def test_verified_plan_keeps_one_sided_tolerances(self):
         facts = self.summary("plan", SURFACES / "wavy.json", "--cutter", "ball:6", "--mode", "verified",
                              "--chord-tolerance", "0.1", "--inner-tolerance", "0.03",
@@ -181,6 +182,7 @@ class KnownGouge(ProgramTest):
         error = json.loads(done.stderr)["error"]
         self.assertEqual((error["code"], error["exit"]), ("E_GOUGE", 1))
 
+    @long_work
     def test_gouges_of_both_directions_give_one_line(self):
         done = endmill("plan", NET, *BALL, cwd=self.folder)
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
@@ -202,6 +204,7 @@ class BetterMode(ProgramTest):
         self.assertIn("--mode verified", line)
         self.assertTrue(line.endswith("limits missed along u: chord error, scallop"), line)
 
+    @long_work
     def test_both_directions_have_one_line(self):
         line = self.line(NET, *PAPER)
         self.assertIn("along u: ", line)

@@ -46,6 +46,7 @@ class Progress(ProgramTest):
                 self.assertRegex(shown, r", \d+ s|: \d+ s")
                 self.assertEqual(shown.rsplit("\r\x1b[K", 1)[1].strip(), "", shown[-200:])
 
+    @long_work
     def test_quiet_or_quick_work_shows_no_line(self):
         status, shown = self.on_terminal("plan", NET, "--chord-tolerance", "0.05", "--quiet", "-o", "quiet")
         self.assertEqual((status, shown), (0, ""))

@@ -6,7 +6,7 @@ import re
 import subprocess
 import unittest
 
-from program import ROOT, SURFACES, ProgramTest, endmill
+from program import ROOT, SURFACES, ProgramTest, endmill, long_work
 
 # The tool table of rs274 is always in inches.
 TOOLS = "T1 P1 D0.3937 Z0.0 ;ball\nT12 P12 D0.3937 Z1.0 ;another\n"
@@ -82,6 +82,7 @@ class Interpreter(ProgramTest):
     def test_one_way_over_the_default_net(self):
         self.judge([*COARSE, "--order", "one-way"], ["--line-numbers"])
 
+    @long_work
     def test_decimals_bound_the_rounding(self):
         for decimals in (2, 3, 6, 9):
             self.judge(COARSE, ["--line-numbers"], decimals)

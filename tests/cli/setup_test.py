@@ -115,6 +115,7 @@ class Setup(ProgramTest):
             self.assertAlmostEqual(found["area_deg2"], area, delta=0.005)
             self.assertGreater(found["tool_axis"][0], 0)  # the tool axis leans towards the spout
 
+    @long_work
     def test_mode_set_keeps_the_gap_to_its_bound(self):
         found = self.found(TEAPOT, "--family", "AB", "--mode", "set")
         self.assertLessEqual(found["lower_bound_deg2"], 931.92)  # a pose of section 8.4

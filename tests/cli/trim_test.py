@@ -177,6 +177,7 @@ class Trim(ProgramTest):
             for loop in loops:
                 self.assertIn((loop["plane"], loop["s_mm"], loop["z_mm"]), left, words)
 
+    @long_work
     def test_drop_cutter_follows_a_mesh(self):
         mesh = ROOT / "datasets/meshes"
         part = sorted(mesh.glob("*.stl"))[0]
