@@ -8,7 +8,9 @@
 
 namespace endmill {
 
-/// One line "key = value" for each key of an answer. Numbers are rounded by `shown`.
+/// One line "name = value" for each key of an answer that is not null. A unit at the end of
+/// a key, as in "length_mm", follows the value. Numbers are rounded by `shown_result`. An
+/// array of objects has a line for each object.
 std::string answer_lines(const Json& answer);
 
 /// Prints the answer of a command in the format that `options` ask for. With --output it
@@ -17,5 +19,9 @@ std::string answer_lines(const Json& answer);
 /// \throws DomainError, OutputError as `OutputFolder`.
 void give_answer(const CommonOptions& options, const std::vector<std::string>& inputs,
                  const Json& answer);
+
+/// The same, with another `text` for the terminal than the lines of the answer.
+void give_answer(const CommonOptions& options, const std::vector<std::string>& inputs,
+                 const Json& answer, const std::string& text);
 
 }  // namespace endmill

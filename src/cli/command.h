@@ -20,6 +20,9 @@ using Json = nlohmann::ordered_json;
 /// The work of the chosen command. It runs after the whole command line has been parsed.
 using Action = std::function<ExitCode()>;
 
+/// Bytes of a GiB, the unit of --max-memory.
+inline constexpr double one_gib = 0x1p30;
+
 /// The options that every command has.
 struct CommonOptions {
     std::string output;  ///< folder; empty: the command's default

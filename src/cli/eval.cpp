@@ -80,12 +80,12 @@ void add_formula(CLI::App& eval, const Formula& formula,
 void add_eval_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "eval", "evaluate a closed formula by name; alone: list the formulas");
+        "eval", "evaluate a closed formula; without a name, list the formulas");
     const auto options = std::make_shared<EvalOptions>();
     command->require_subcommand(0, 1);
     add_common_options(*command, options->common);
     command->footer(
-        "Prints; with --output also writes DIR/summary.json.\n\n"
+        "Prints the result. With --output it also writes DIR/summary.json.\n\n"
         "Example:\n  endmill eval path-interval --radius 5 --curvature 0.01 "
         "--scallop 0.1 --json");
     for (const Formula& formula : eval_formulas())

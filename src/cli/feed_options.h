@@ -60,8 +60,8 @@ inline const NumberDomain accuracy_domain = NumberDomain::from_to(1e-12, 1e-3);
 
 /// Help text of --helix-deg.
 inline constexpr const char* helix_help =
-    "helix angle. Up milling: positive = right-hand. Down milling: positive = left-hand "
-    "under M03, so give a right-hand cutter a negative angle";
+    "helix angle under M03: positive for a right-hand cutter in up milling, negative for "
+    "a right-hand cutter in down milling";
 
 /// Largest number of flutes. No end mill has more, and larger sums would take long.
 inline constexpr int most_flutes = 100;

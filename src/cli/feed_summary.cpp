@@ -139,7 +139,7 @@ std::string shares_text(const Json& shares)
 
 std::string minutes(const Json& value)
 {
-    return shown(value.get<double>()) + " min";
+    return shown_time(value.get<double>()) + " min";
 }
 
 std::string times_text(const Json& s)
@@ -152,7 +152,7 @@ std::string times_text(const Json& s)
     if (!s["saving_percent"].is_null())
         text += fmt::format("  saving        {:.1f} % against {} mm/min\n",
                             s["saving_percent"].get<double>(),
-                            shown(s["constant_feed_mm_per_min"].get<double>()));
+                            to_text(s["constant_feed_mm_per_min"].get<double>()));
     if (s.contains("planned_min"))
         text += "  machine       " + minutes(s["planned_min"]) +
                 " of cutting with its acceleration\n";

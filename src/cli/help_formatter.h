@@ -16,6 +16,10 @@ public:
     std::string make_help(const CLI::App* command, std::string name,
                           CLI::AppFormatMode mode) const override;
 
+    /// The lines of one option. The description begins on a line of its own if fewer than
+    /// two blanks would separate it from the name.
+    std::string make_option(const CLI::Option* option, bool is_positional) const override;
+
     /// What follows the name of an option.
     std::string make_option_opts(const CLI::Option* option) const override;
 };

@@ -82,7 +82,7 @@ void add_info_command(CLI::App& program, Action& action)
     add_require_option(*command, options->required);
     add_common_options(*command, options->common);
     command->footer(
-        "Prints; with --output also writes DIR/summary.json.\n\n"
+        "Prints the result. With --output it also writes DIR/summary.json.\n\n"
         "Example:\n  endmill info datasets/surfaces/net_rot24_7D.json");
     command->callback(
         [options, &action] { action = [options] { return run_info(*options); }; });

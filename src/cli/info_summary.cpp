@@ -201,8 +201,9 @@ std::string mesh_text(const Json& s)
         "{}: {} triangles, {} points, {} {}\n"
         "{}"
         "  volume        {}\n"
-        "  edges         {} on a border, {} of more than two triangles, {} between "
-        "opposite triangles\n"
+        "  edges         {} boundary edges, {} edges of more than two triangles, {} "
+        "edges "
+        "between triangles of opposite orientation\n"
         "  boundary      {}\n"
         "  triangles     {} degenerate (left out), {} duplicate\n",
         s["name"].get<std::string>(), s["triangles"].get<std::size_t>(),

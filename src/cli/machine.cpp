@@ -39,7 +39,10 @@ ExitCode run_machine(const MachineOptions& options)
         machine.rotary =
             limits_for_machine(options.limits, machine.configuration, machine.rotary);
     const Json summary = machine_summary(machine, options);
-    give_answer(options.common, {file}, summary);
+    Json reported = summary;
+    if (options.contains.empty())
+        reported.erase("contains");
+    give_answer(options.common, {file}, summary, answer_lines(reported));
     return is_valid ? ExitCode::Yes : ExitCode::No;
 }
 
@@ -54,13 +57,13 @@ void add_machine_command(CLI::App& program, Action& action)
     const auto options = std::make_shared<MachineOptions>();
     add_machine_options(*command, *options);
     command->footer(
-        "phi and theta, in limits and results, are rotations of the tool against the "
-        "part.\n"
-        "C,A: phi is the tilt, theta the rotation of C. A,B: phi is the rotation of the "
-        "axis\n"
-        "nearer to the part. Letters are axis positions: right-hand rotations of what "
-        "the\n"
-        "axis carries. Prints; with --output also writes DIR/summary.json.\n\n"
+        "phi and theta are rotations of the tool against the part. C,A: phi is the "
+        "tilt, theta\n"
+        "the rotation of C. A,B: phi is the rotation of the axis nearer to the part. a, "
+        "b and c\n"
+        "are axis positions: the right-hand rotation of the body that the axis "
+        "carries.\n\n"
+        "Prints the result. With --output it also writes DIR/summary.json.\n\n"
         "Exit 1: the configuration is not valid; the report has the reason.\n\n"
         "Example:\n"
         "  endmill machine W/caxyBz/T --limits a=-120:30 --contains 45,100 --contains "

@@ -23,13 +23,16 @@ constexpr const char* footer =
     "  endmill info datasets/surfaces/saddle.json\n"
     "  endmill plan datasets/surfaces/saddle.json -o saddle\n"
     "  endmill verify saddle/u/toolpath.csv --resolution 0.5\n\n"
-    "Exit status: 0 done, yes    1 done, no    2 command line    3 input file\n"
-    "             4 geometry     5 output      6 limit           7 fault of endmill\n"
-    "             130, 143 interrupted";
+    "Exit status:\n"
+    "  0  success, or the answer is yes    4  the geometry does not allow the task\n"
+    "  1  the answer is no, or a gouge     5  output not written\n"
+    "  2  wrong command line               6  a limit was reached, such as memory\n"
+    "  3  missing or malformed input file  7  a fault of endmill\n"
+    "  130, 143  interrupted";
 
 ExitCode run(int argc, char** argv, bool json_errors)
 {
-    CLI::App program{"Computational geometry of sculptured-surface machining.",
+    CLI::App program{"Plans, checks and posts tool paths for free-form surfaces.",
                      "endmill"};
     program.formatter(std::make_shared<HelpFormatter>());
     program.footer(footer);

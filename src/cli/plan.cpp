@@ -69,13 +69,14 @@ void report_gouge(const KnownGouge& gouge, const PlanOptions& options)
 {
     const std::string better =
         options.mode == Planner::Paper ? "; --mode verified keeps the tolerance" : "";
-    report_error("E_GOUGE",
-                 fmt::format("{}: the path along {} gouges the part {} mm deep with "
-                             "--mode {}, beyond the inner tolerance of {} mm{}",
-                             options.part, gouge.along == Parameter::U ? "u" : "v",
-                             shown(gouge.depth_mm), mode_word(options.mode),
-                             shown(options.motion.inner), better),
-                 ExitCode::No, options.common.json_errors);
+    report_error(
+        "E_GOUGE",
+        fmt::format("{}: the path along {} gouges the part {} mm deep with "
+                    "--mode {}, beyond the inner tolerance of {} mm{}",
+                    options.part, gouge.along == Parameter::U ? "u" : "v",
+                    shown_against(gouge.depth_mm, options.motion.inner),
+                    mode_word(options.mode), shown_limit(options.motion.inner), better),
+        ExitCode::No, options.common.json_errors);
 }
 
 ExitCode run_plan(PlanOptions options)

@@ -51,33 +51,36 @@ void add_paper_options(CLI::App& command, IsoParametricOptions& planning)
 {
     add_choice<Governing>(
         command, "--governing", planning.governing, governing,
-        "path interval that places the next pass: the smallest at the points of a pass "
-        "(min), also between them (dense-min), the mean, the first or the largest (max)");
+        "path interval to the next pass, from the intervals along the current pass. min "
+        "(default): the smallest at its points; dense-min: the smallest at and between "
+        "its points; mean: their mean; first: the first; max: the largest");
     add_choice<LastPath>(
         command, "--last-path", planning.last_path, last_path,
-        "if the next pass would lie beyond the border. border: add a pass on the border; "
-        "none: add no pass; half: add one if half an interval remains");
-    add_choice<EndPoint>(command, "--end-point", planning.end_point, end_point,
-                         "end of a pass. force: add a point on the border; free: stop at "
-                         "the last full step");
+        "what to do if the next pass would lie beyond the border. border (default): add "
+        "a pass on the border; none: add no pass; half: add a pass on the border if at "
+        "least half an interval remains");
+    add_choice<EndPoint>(
+        command, "--end-point", planning.end_point, end_point,
+        "end of a pass. force (default): add a point on the border; free: "
+        "stop at the last full step");
     add_choice<StepCurvature>(
         command, "--step-curvature", planning.step_curvature, step_curvature,
-        "curvature that sets the step length. curve: of the pass as a space curve; "
-        "normal: normal curvature of the surface");
-    add_choice<March>(command, "--march", planning.march, march,
-                      "forward: compute all passes from the same end; alternate: every "
-                      "second one from the other end");
-    add_choice<CrossCurvature>(command, "--cross-curvature", planning.cross_curvature,
-                               cross,
-                               "curvature across the feed. exact: from the second "
-                               "fundamental form; chord: by eq. (8)");
+        "curvature that sets the step length. curve (default): of the pass as a space "
+        "curve; normal: normal curvature of the surface");
+    add_choice<March>(
+        command, "--march", planning.march, march,
+        "end from which a pass is computed. forward (default): the same for "
+        "all passes; alternate: the other end for every second pass");
+    add_choice<CrossCurvature>(
+        command, "--cross-curvature", planning.cross_curvature, cross,
+        "curvature across the feed. exact (default): from the second "
+        "fundamental form; chord: by eq. (8) of the paper");
     add_number(command,
                {"--cross-step", "MM", "step of eq. (8) (--cross-curvature chord)",
                 NumberDomain::of_machine()},
                planning.cross_step);
     for (const char* name : paper_options)
-        command.get_option(name)->group(
-            "Policies of --mode paper (default: the first word)");
+        command.get_option(name)->group("Policies of --mode paper");
 }
 
 void add_path_policies(CLI::App& command, PlanOptions& options)
@@ -85,23 +88,27 @@ void add_path_policies(CLI::App& command, PlanOptions& options)
     IsoParametricOptions& planning = options.planning;
     add_choice<PatchBorders>(command, "--stop-at-borders", planning.patch_borders,
                              stop_at_borders,
-                             "add a point wherever a pass crosses a patch border");
+                             "points at patch borders. no (default): a step may cross a "
+                             "border; yes: a pass has a point wherever it crosses one");
     add_choice<PassOrder>(
         command, "--order", planning.link.order, order,
-        "cutting direction of neighbouring passes. zigzag: opposite; one-way: the same");
+        "cutting direction of neighbouring passes. zigzag (default): opposite; one-way: "
+        "the same");
     add_number(command,
                {"--safe-height", "MM",
                 "height of rapids along the axis (default 5 above the part)",
                 NumberDomain::any()},
                options.safe_height);
     add_choice<CountedMoves>(command, "--count-links", options.counted, count_links,
-                             "include the links between passes in tcd_mm and tcd_cl_mm");
+                             "whether tcd_mm and tcd_cl_mm include the links between "
+                             "passes (default yes)");
     add_choice<TravelKind>(command, "--distance", options.distance, distance,
                            "length used for the machining time and for comparing u and "
-                           "v. contact: of contact points; cl: of cutter locations");
+                           "v. contact (default): of contact points; cl: of cutter "
+                           "locations");
     for (const char* name :
          {"--stop-at-borders", "--order", "--safe-height", "--count-links", "--distance"})
-        command.get_option(name)->group("Policies (default: the first word)");
+        command.get_option(name)->group("Policies");
 }
 
 void add_tolerances(CLI::App& command, PlanOptions& options)
@@ -147,9 +154,11 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_tolerances(command, options);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
                               "parameter along which the passes run (default both)");
-    add_choice<Planner>(command, "--mode", options.mode, modes,
-                        "verified (default): every move is proved to be within "
-                        "tolerance; paper: as published, with misprints corrected");
+    add_choice<Planner>(
+        command, "--mode", options.mode, modes,
+        "verified (default): every move is proved to be within "
+        "tolerance; paper: as in the paper, with its misprints corrected; "
+        "the path may exceed its tolerances");
     add_number(command,
                {"--feed", "MM_PER_MIN", "feed for the machining time in the summary",
                 NumberDomain::of_machine()},

@@ -24,13 +24,14 @@ std::string settings_text(const PlanContext& context, const PlanOptions& options
     const std::string tolerance =
         options.mode == Planner::Paper
             ? fmt::format("chord tolerance {} mm",
-                          shown(options.planning.chord_tolerance))
+                          shown_limit(options.planning.chord_tolerance))
             : fmt::format("inner tolerance {} mm, outer tolerance {} mm",
-                          shown(options.motion.inner), shown(options.motion.outer));
+                          shown_limit(options.motion.inner),
+                          shown_limit(options.motion.outer));
     return fmt::format("{}: cutter ball:{}, mode {}, {}, scallop height {} mm\n",
                        context.name, to_text(context.cutter_diameter),
                        mode_word(options.mode), tolerance,
-                       shown(options.planning.scallop_height));
+                       shown_limit(options.planning.scallop_height));
 }
 
 namespace {
@@ -40,24 +41,35 @@ std::string length_of(const Json& s, const char* key)
     return s[key].is_null() ? "unknown" : shown(s[key].get<double>()) + " mm";
 }
 
-// The motion error along the passes, then gouge and scallop on the whole part.
+// A length beside its limit.
+std::string length_against(const Json& s, const char* key, double limit)
+{
+    return s[key].is_null() ? "unknown"
+                            : shown_against(s[key].get<double>(), limit) + " mm";
+}
+
+// Gouge and remaining stock, along the passes and then on the whole part.
 std::string deviation_text(const Json& s)
 {
+    const double inner = s["inner_tolerance_mm"].get<double>();
+    const double outer = s["outer_tolerance_mm"].get<double>();
+    const double most_left = s["scallop_mm"].get<double>() + outer;
     return fmt::format(
-        "    motion error  {}: gouge {}, remaining {}\n"
-        "    gouge         {} (limit {})\n"
-        "    scallop       {} (limit {} mm)\n",
-        length_of(s, "max_motion_error_mm"), length_of(s, "max_motion_gouge_mm"),
-        length_of(s, "max_motion_left_mm"), length_of(s, "max_gouge_mm"),
-        length_of(s, "inner_tolerance_mm"), length_of(s, "max_scallop_mm"),
-        shown(s["scallop_mm"].get<double>() + s["outer_tolerance_mm"].get<double>()));
+        "    along a pass  gouge {}, remaining {}\n"
+        "    whole part    gouge {} (limit {} mm)\n"
+        "                  remaining {} (limit {} mm: scallop height + outer "
+        "tolerance)\n",
+        length_against(s, "max_motion_gouge_mm", inner),
+        length_against(s, "max_motion_left_mm", outer),
+        length_against(s, "max_gouge_mm", inner), shown_limit(inner),
+        length_against(s, "max_scallop_mm", most_left), shown_limit(most_left));
 }
 
 std::string chord_error_text(const PlannedDirection& planned, const Json& s)
 {
-    return fmt::format("    chord error   {} (limit {}){}\n",
-                       length_of(s, "max_chord_error_mm"),
-                       length_of(s, "chord_tolerance_mm"),
+    const double limit = s["chord_tolerance_mm"].get<double>();
+    return fmt::format("    chord error   {} (limit {} mm){}\n",
+                       length_against(s, "max_chord_error_mm", limit), shown_limit(limit),
                        planned.missed.contains(PathLimit::Chord)
                            ? ": mode paper checks the start of each step only"
                            : "");
@@ -73,7 +85,7 @@ std::string_view limit_name(PathLimit limit)
         case PathLimit::Scallop:
             break;
     }
-    return "scallop";
+    return "remaining stock";
 }
 
 }  // namespace
@@ -95,8 +107,8 @@ std::string direction_text(const PlannedDirection& planned, const Json& s)
         text += "    not covered   " + counted(places, "place") + "\n";
     if (s.contains("time_min"))
         text += fmt::format("    time          {} min at {} mm/min\n",
-                            shown(s["time_min"].get<double>()),
-                            shown(s["feed_mm_per_min"].get<double>()));
+                            shown_time(s["time_min"].get<double>()),
+                            to_text(s["feed_mm_per_min"].get<double>()));
     return text;
 }
 
@@ -127,18 +139,52 @@ std::string comparison_text(const Json& both)
         100 * both["reduction_ncl"].get<double>());
 }
 
-FigureOptions figure_options(const Json& s)
+namespace {
+
+double diameter_of(const Json& s)
+{
+    constexpr std::string_view ball = "ball:";
+    return number_from_text(s["cutter"].get<std::string>().substr(ball.size()))
+        .value_or(0);
+}
+
+// The paper's symbols, as below its figures.
+std::string paper_caption(const Json& s)
 {
     const std::string direction = s["direction"];
-    FigureOptions figure;
-    figure.title = s["name"].get<std::string>() +
-                   ": contact points in cutting order, along " + direction;
-    figure.captions = {fmt::format(
+    return fmt::format(
         "TOL = {:g} mm   SCALLOP = {:g} mm   C.D. = {:g} mm   NCL,{} = {}   TCD,{} = "
         "{:.1f} mm",
         s["chord_tolerance_mm"].get<double>(), s["scallop_mm"].get<double>(),
-        number_from_text(s["cutter"].get<std::string>().substr(5)).value_or(0), direction,
-        s["ncl"].get<std::size_t>(), direction, s["tcd_mm"].get<double>())};
+        diameter_of(s), direction, s["ncl"].get<std::size_t>(), direction,
+        s["tcd_mm"].get<double>());
+}
+
+std::string plain_caption(const Json& s)
+{
+    const double inner = s["inner_tolerance_mm"].get<double>();
+    const double outer = s["outer_tolerance_mm"].get<double>();
+    const std::string tolerance =
+        inner == outer ? fmt::format("tolerance {:g} mm", inner)
+                       : fmt::format("inner tolerance {:g} mm, outer tolerance {:g} mm",
+                                     inner, outer);
+    return fmt::format(
+        "{}, scallop height {:g} mm, ball diameter {:g} mm, {} points, contact travel "
+        "{:.1f} mm along {}",
+        tolerance, s["scallop_mm"].get<double>(), diameter_of(s),
+        s["ncl"].get<std::size_t>(), s["tcd_mm"].get<double>(),
+        s["direction"].get<std::string>());
+}
+
+}  // namespace
+
+FigureOptions figure_options(const Json& s)
+{
+    FigureOptions figure;
+    figure.title = s["name"].get<std::string>() +
+                   ": contact points in cutting order, along " +
+                   s["direction"].get<std::string>();
+    figure.captions = {s["mode"] == "paper" ? paper_caption(s) : plain_caption(s)};
     return figure;
 }
 

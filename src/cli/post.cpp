@@ -80,7 +80,7 @@ void warn_of(const PostedPath& posted, const PostOptions& options)
         warn(options.common,
              fmt::format("coordinates are rounded by up to {} mm, with a tolerance of {} "
                          "mm; use more --decimals",
-                         shown(error), shown(*tolerance)));
+                         shown_bound(error), shown_limit(*tolerance)));
     if (posted.written.slanted_rapids > 0)
         warn(options.common,
              fmt::format("rapids that change height and position together: {}; not every "

@@ -78,12 +78,10 @@ std::string post_text(const Json& s)
 {
     return fmt::format(
         "{}: {} points in {} lines, {}\n"
-        "  tape          {} m\n"
         "  rounding      at most {} mm\n",
         s["name"].get<std::string>(), s["points"].get<std::size_t>(),
         s["lines"].get<std::size_t>(), feed_text(s),
-        shown(s["tape_length_m"].get<double>()),
-        shown(s["max_rounding_error_mm"].get<double>()));
+        shown_bound(s["max_rounding_error_mm"].get<double>()));
 }
 
 }  // namespace endmill

@@ -10,9 +10,8 @@ namespace endmill {
 
 /// Help text of --limits.
 inline constexpr const char* rotary_limits_help =
-    "limits phi=LO:HI,theta=LO:HI in degrees, rotations of the tool against the part; or "
-    "a, b, c: "
-    "positions of these axes (default: none)";
+    "phi=LO:HI,theta=LO:HI: limits of the tool's rotations against the part, in degrees; "
+    "or a=LO:HI, b=..., c=...: limits of the axis positions (default: none)";
 
 /// Parses the limits of a machine. The names are phi and theta for rotations of the
 /// tool against the part, or the letters of the axes for axis positions. The positions

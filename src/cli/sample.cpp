@@ -46,7 +46,7 @@ Sampling sampled_as_asked(const SampleOptions& options, std::span<const Surface>
 {
     const std::vector<double> sides = tool_side_signs(surfaces, options.axis);
     const auto most = static_cast<std::size_t>(
-        std::min(options.common.limits.max_memory_gib * 0x1p30 / bytes_per_triangle,
+        std::min(options.common.limits.max_memory_gib * one_gib / bytes_per_triangle,
                  double(most_possible_triangles)));
     if (options.lines)
         return {sampled_on_grid(surfaces, sides, *options.lines, most),
@@ -72,14 +72,16 @@ std::string summary_text(const Json& s, const OutputFolder& folder)
     const std::string how =
         is_grid ? fmt::format("grid of {0} x {0} points", s["grid"].get<int>())
                 : fmt::format("chord tolerance {} mm",
-                              shown(s["chord_tolerance_mm"].get<double>()));
+                              shown_limit(s["chord_tolerance_mm"].get<double>()));
     return fmt::format(
         "{}: {} triangles, {} points; {}\n"
         "  chord error   {}{} mm\n"
         "written to {}\n",
         s["name"].get<std::string>(), s["triangles"].get<std::size_t>(),
         s["vertices"].get<std::size_t>(), how, is_grid ? "" : "at most ",
-        shown(s["max_chord_error_mm"].get<double>()), printable(folder.path().string()));
+        is_grid ? shown(s["max_chord_error_mm"].get<double>())
+                : shown_bound(s["max_chord_error_mm"].get<double>()),
+        printable(folder.path().string()));
 }
 
 ExitCode run_sample(const SampleOptions& options)
@@ -97,7 +99,7 @@ ExitCode run_sample(const SampleOptions& options)
                  fmt::format(
                      "binary STL rounds these coordinates by up to {} mm; the other "
                      "formats do not",
-                     shown(stl_rounding)));
+                     shown_bound(stl_rounding)));
         sampling.found.max_chord_error_mm += stl_rounding;
     }
     const std::string name = "mesh" + std::string{mesh_extension(options.format)};

@@ -80,7 +80,7 @@ void require_map_memory(const SetupInput& input, const SetupCommandOptions& opti
     // centre and a solid angle.
     const double bytes_per_cell = static_cast<double>(facets) / 8 + sizeof(Triangle) +
                                   1.5 * sizeof(Vec3) + sizeof(double);
-    const double gib = static_cast<double>(cells) * bytes_per_cell / 0x1p30;
+    const double gib = static_cast<double>(cells) * bytes_per_cell / one_gib;
     if (gib > options.common.limits.max_memory_gib)
         throw LimitError{fmt::format(
             "the visibility of {} facets from {} directions needs about {:.2g} GiB; the "

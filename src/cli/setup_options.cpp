@@ -86,7 +86,8 @@ void add_setup_visibility(CLI::App& command, SetupCommandOptions& options)
     CLI::Option* incidence = add_number(
         command,
         {"--incidence-deg", "DEG",
-         "upper limit (excluded) of the angle between tool axis and facet normal",
+         "a facet is accessible only below this angle between tool axis and facet "
+         "normal",
          NumberDomain::above_zero_to(90)},
         options.incidence_deg);
     command
@@ -112,9 +113,8 @@ void add_setup_search(CLI::App& command, SetupCommandOptions& options)
     add_choice<SetupMode>(
         command, "--mode", options.mode, setup_modes,
         "paper (default): as published, misprints corrected; paper-literal: as printed; "
-        "corrected: exact if each cone is represented by its cell nearest to the tool "
-        "axis; set: minimise --objective over all cells of each cone, with a lower "
-        "bound");
+        "corrected: the exact optimum for tool axes at cell centres, with one cell for "
+        "each cone; set: minimises --objective over whole cones, with a lower bound");
     add_choice<SetupObjective>(command, "--objective", options.objective,
                                setup_objectives,
                                "quantity to minimise (default floored-area; --mode set "

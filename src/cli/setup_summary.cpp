@@ -206,13 +206,13 @@ std::string travel_text(const Json& s)
     std::string text = "  travel       beyond the limits of the linear axes; needed:";
     for (const char* axis : {"x", "y", "z"})
         text += fmt::format(" {} {} to {}", axis,
-                            shown(s["travel_mm"][axis][0].get<double>()),
-                            shown(s["travel_mm"][axis][1].get<double>()));
+                            shown_result(s["travel_mm"][axis][0].get<double>()),
+                            shown_result(s["travel_mm"][axis][1].get<double>()));
     const Json& clamp = s["clamp_centred_mm"];
     return text + fmt::format(" mm; --clamp {},{},{} centres the travel\n",
-                              shown(clamp[0].get<double>()),
-                              shown(clamp[1].get<double>()),
-                              shown(clamp[2].get<double>()));
+                              shown_result(clamp[0].get<double>()),
+                              shown_result(clamp[1].get<double>()),
+                              shown_result(clamp[2].get<double>()));
 }
 
 // The limitation of the mode, and a mode without it.

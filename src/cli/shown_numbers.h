@@ -10,11 +10,17 @@ namespace endmill {
 inline constexpr double limit_rounding = 1e-9;
 
 /// Numbers of reports, rounded to the digits that matter. Files and --json keep all
-/// digits.
+/// digits. Digits before the point are never rounded away, and at most six follow it.
 
-/// A length in mm, or any other quantity, to 5 significant digits: "0.66637", "137107".
-/// Below 5e-7 it is "0".
+/// A measured length in mm, or another measured quantity: 4 significant digits from 1 up,
+/// 3 below ("137107", "38.61", "0.666"). Below 5e-7 it is "0".
 std::string shown(double value);
+
+/// The result of a formula, to 5 significant digits: "0.036801".
+std::string shown_result(double value);
+
+/// A time in any unit, to 3 significant digits: "1.97".
+std::string shown_time(double value);
 
 /// A coordinate in mm to 0.001 mm: "-2.435".
 std::string shown_coordinate(double mm);
@@ -22,8 +28,15 @@ std::string shown_coordinate(double mm);
 /// An angle to 0.01 degrees: "12.35", "45".
 std::string shown_degrees(double degrees);
 
-/// An open upper limit in mm to 5 significant digits. It is rounded down, so that every
-/// value below the shown limit is below the limit itself.
+/// As `shown`, but with as many digits as it takes to see on which side of `limit` the
+/// value lies: with the limit 0.05, 0.05002 is "0.05002" and not "0.05".
+std::string shown_against(double value, double limit);
+
+/// An upper limit in mm to 5 significant digits. It is rounded down, so that every value
+/// below the shown limit is below the limit itself.
 std::string shown_limit(double mm);
+
+/// An error bound in mm to 5 significant digits, rounded up, so that it stays a bound.
+std::string shown_bound(double mm);
 
 }  // namespace endmill

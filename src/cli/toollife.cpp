@@ -77,7 +77,7 @@ void add_toollife_command(CLI::App& program, Action& action)
     add_common_options(*command, options->common);
     command->footer(
         "V (phi/pi T0)^alpha = C_b, V in m/min, T0 in min; costs in one currency.\n"
-        "Prints; with --output also writes DIR/summary.json.\n\n"
+        "Prints the result. With --output it also writes DIR/summary.json.\n\n"
         "Example:\n  endmill toollife datasets/materials/steel-cutting-speeds.csv "
         "--tool-change-min 40 --tool-cost 20000 --machine-cost-per-min 200");
     command->callback([options, &action] {

@@ -41,8 +41,8 @@ std::optional<std::string> fault_of(const TrimResult& result, const TrimOptions&
     std::string text = "method " + result.method + " with --mode " +
                        std::string{mode_word(options.mode)};
     if (gouge > options.tolerance)
-        text += " gouges the part " + shown(gouge) + " mm deep, beyond --tolerance " +
-                shown(options.tolerance) + " mm";
+        text += " gouges the part " + shown_against(gouge, options.tolerance) +
+                " mm deep, beyond --tolerance " + to_text(options.tolerance) + " mm";
     if (folds > 0)
         text += (gouge > options.tolerance ? ", and leaves " : " leaves ") +
                 counted(folds, "fold");

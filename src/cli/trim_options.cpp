@@ -118,7 +118,8 @@ void add_plane_options(CLI::App& command, TrimOptions& options)
                      [&options](int count) { options.grid = count; });
     add_choice<BoundaryContact>(
         command, "--boundary", options.boundary, boundaries,
-        "whether borders, corners and creases count as contacts (default contact: yes)");
+        "where the part is protected from the cutter. contact (default): on faces, "
+        "borders, corners and creases; none (default of --mode paper): on faces only");
     add_number(command,
                {"--allowance", "MM", "thickness of the stock to leave on the part",
                 NumberDomain::from_to(0, most_of_machine)},
@@ -143,7 +144,8 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
             [&options](const std::string& word) {
                 options.cutter = cutter_argument("--cutter", word);
             },
-            "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm")
+            "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm (required "
+            "with PART)")
         ->type_name("CUTTER");
     add_plane_options(command, options);
     add_method_options(command, options);

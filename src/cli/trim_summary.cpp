@@ -115,11 +115,12 @@ std::string trim_text(const Json& s)
         "  time       {} ms\n",
         s["method"].get<std::string>(), counted(s["loops"].get<std::size_t>(), "loop"),
         counted(s["planes"].get<std::size_t>(), "section"),
-        s["points"].get<std::size_t>(), shown(s["trim_ms"].get<double>()));
+        s["points"].get<std::size_t>(), shown_time(s["trim_ms"].get<double>()));
     if (!s["min_clearance_mm"].is_null())
         text += fmt::format("  clearance  {} mm (limit -{} mm)\n",
-                            shown(s["min_clearance_mm"].get<double>()),
-                            shown(s["tolerance_mm"].get<double>()));
+                            shown_against(s["min_clearance_mm"].get<double>(),
+                                          -s["tolerance_mm"].get<double>()),
+                            shown_limit(s["tolerance_mm"].get<double>()));
     if (const auto left = s["unresolved"].get<std::size_t>())
         text += fmt::format("  folds      {} left\n", left);
     return text;
@@ -133,7 +134,7 @@ std::string methods_text(const Json& methods)
                     "below envelope mm", "clearance mm");
     for (const auto& [name, s] : methods.items()) {
         const Json& clearance = s["min_clearance_mm"];
-        text += fmt::format(row, name, shown(s["trim_ms"].get<double>()),
+        text += fmt::format(row, name, shown_time(s["trim_ms"].get<double>()),
                             s["loops"].get<std::size_t>(), s["points"].get<std::size_t>(),
                             s["unresolved"].get<std::size_t>(),
                             s["wrong_sections"].get<std::size_t>(),

@@ -11,15 +11,10 @@
 #include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
-#include "endmill/planning/planner_options.h"
 #include "endmill/stock/mesh_stock.h"
 
 namespace endmill {
 namespace {
-
-// Limit of the scallop if neither the command line nor a summary has any. The limit of
-// the gouge is then the default tolerance of a verified plan.
-constexpr double default_scallop_mm = 0.1;
 
 // The word of --part for a verification without a part.
 constexpr std::string_view no_part = "none";
@@ -51,15 +46,17 @@ Tool tool_of(std::optional<Tool> given, const Program& program, const PathSummar
                       "cutter; expected --cutter or --tool"};
 }
 
+// The limits of the command line, or else of the summary, or else the default ones.
 DeviationLimits limits_of(const VerifyOptions& options, const PathSummary& known)
 {
+    constexpr DeviationLimits otherwise;
     const auto inner =
         known.inner_tolerance_mm ? known.inner_tolerance_mm : known.chord_tolerance_mm;
     const auto outer =
         known.outer_tolerance_mm ? known.outer_tolerance_mm : known.chord_tolerance_mm;
     const double scallop =
-        known.scallop_mm ? *known.scallop_mm + outer.value_or(0) : default_scallop_mm;
-    return {options.tolerance.value_or(inner.value_or(verified_tolerance)),
+        known.scallop_mm ? *known.scallop_mm + outer.value_or(0) : otherwise.scallop;
+    return {options.tolerance.value_or(inner.value_or(otherwise.tolerance)),
             options.scallop.value_or(scallop)};
 }
 

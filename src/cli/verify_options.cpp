@@ -5,6 +5,8 @@
 
 #include "cli/arguments.h"
 #include "cli/idle_options.h"
+#include "endmill/core/text.h"
+#include "endmill/deviation/deviation.h"
 
 namespace endmill {
 namespace {
@@ -20,15 +22,17 @@ void add_measure_options(CLI::App& command, VerifyOptions& options)
         {"--resolution", "MM",
          "cell size of the stock and distance of the initial measuring rays", length},
         options.resolution);
-    add_number(
-        command,
-        {"--tolerance", "MM",
-         "largest gouge depth (default: the path's inner tolerance, or 0.01)", length},
-        options.tolerance);
+    add_number(command,
+               {"--tolerance", "MM",
+                "largest gouge depth (default: the path's inner tolerance, or " +
+                    to_text(DeviationLimits{}.tolerance) + ")",
+                length},
+               options.tolerance);
     add_number(command,
                {"--scallop", "MM",
                 "largest remaining stock (default: the path's scallop height plus its "
-                "outer tolerance, or 0.1)",
+                "outer tolerance, or " +
+                    to_text(DeviationLimits{}.scallop) + ")",
                 length},
                options.scallop);
     add_whole_number(

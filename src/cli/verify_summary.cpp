@@ -125,6 +125,11 @@ std::string length_text(const Json& mm)
     return mm.is_null() ? "unknown" : shown(mm.get<double>()) + " mm";
 }
 
+std::string bound_length(const Json& mm)
+{
+    return mm.is_null() ? "unknown" : shown_bound(mm.get<double>()) + " mm";
+}
+
 // The place, and the point to which the move goes.
 std::string place_text(const Json& place)
 {
@@ -146,19 +151,22 @@ std::string place_text(const Json& place)
 std::string bound_text(const Json& greatest, const Json& over, const Json& is_refined)
 {
     if (!is_refined.get<bool>())
-        return "not bounded further, the verdict is settled";
+        return "bound not refined: it cannot change the verdict";
     if (greatest.is_null() || over.is_null())
         return "bound unknown";
-    return "bound " + shown(greatest.get<double>() + over.get<double>());
+    return "bound " + shown_bound(greatest.get<double>() + over.get<double>()) + " mm";
 }
 
 std::string extreme_text(const Json& s, const std::string& key, const char* limit_key)
 {
-    return fmt::format("{} (limit {}){}; {}\n", length_text(s["max_" + key + "_mm"]),
-                       shown(s[limit_key].get<double>()),
-                       place_text(s["max_" + key + "_at"]),
-                       bound_text(s["max_" + key + "_mm"], s[key + "_bound_mm"],
-                                  s[key + "_bound_refined"]));
+    const Json& greatest = s["max_" + key + "_mm"];
+    const double limit = s[limit_key].get<double>();
+    return fmt::format(
+        "{} (limit {} mm){}; {}\n",
+        greatest.is_null() ? "unknown"
+                           : shown_against(greatest.get<double>(), limit) + " mm",
+        shown_limit(limit), place_text(s["max_" + key + "_at"]),
+        bound_text(greatest, s[key + "_bound_mm"], s[key + "_bound_refined"]));
 }
 
 std::string deviation_text(const Json& s)
@@ -194,7 +202,7 @@ std::string earlier_text(const Json& s)
     return fmt::format(
         "  stock       gouged {} deep by earlier runs; at most {} deeper between its "
         "heights\n",
-        length_text(s["earlier_gouge_mm"]), length_text(s["earlier_gouge_bound_mm"]));
+        length_text(s["earlier_gouge_mm"]), bound_length(s["earlier_gouge_bound_mm"]));
 }
 
 // A hint for a verdict that is undecided or without material removal.
@@ -263,7 +271,7 @@ std::vector<std::string> broken_rules(const Verification& verification)
             fmt::format("shank or holder may enter the part by up to {} mm: no contact "
                         "was found, but "
                         "contacts are not excluded",
-                        shown(in_part.bound_mm)));
+                        shown_bound(in_part.bound_mm)));
     return rules;
 }
 

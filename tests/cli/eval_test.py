@@ -41,6 +41,12 @@ class Eval(ProgramTest):
         self.assertEqual(value, {"chord_mm": None, "projected_mm": None,
                                  "half_angle_rad": None, "status": "unlimited"})
 
+    def test_text_has_units_and_no_unknown_numbers(self):
+        straight = ("eval", "step-length", "--chord-tolerance", 0.5, "--curvature")
+        self.assertEqual(endmill(*straight, 0).stdout, "status = unlimited\n")
+        self.assertEqual(endmill(*straight, 0.01).stdout,
+                         "chord = 19.975 mm\nprojected = 19.875 mm\nhalf angle = 0.10004 rad\nstatus = ok\n")
+
     def test_step_depends_on_the_magnitude_of_curvature(self):
         for curvature in (0.01, -0.01):
             value = self.summary("eval", "step-length", "--curvature", curvature,

@@ -135,7 +135,9 @@ class Machine(ProgramTest):
     def test_answer_is_printed_and_written(self):
         done = endmill("machine", "W/caxyBz/T", "-o", "out", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("family = CA", done.stdout)
+        self.assertIn("family = CA\n", done.stdout)
+        self.assertIn("phi range = -180 to 180 degrees\n", done.stdout)
+        self.assertNotRegex(done.stdout, r"null|[\[\]{}\"]|true|contains")
         summary = json.loads((self.folder / "out/summary.json").read_text())
         self.assertEqual(summary, self.answer("W/caxyBz/T"))
         done = endmill("machine", "W/acxyBz/T", cwd=self.folder)

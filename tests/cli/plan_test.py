@@ -202,7 +202,7 @@ class BetterMode(ProgramTest):
         self.assertGreater(facts["max_scallop_mm"], facts["scallop_mm"] + facts["outer_tolerance_mm"] + 0.001)
         self.assertLess(max(facts["max_gouge_mm"], facts["max_motion_gouge_mm"]), facts["inner_tolerance_mm"])
         self.assertIn("--mode verified", line)
-        self.assertTrue(line.endswith("limits missed along u: chord error, scallop"), line)
+        self.assertTrue(line.endswith("limits missed along u: chord error, remaining stock"), line)
 
     @long_work
     def test_both_directions_have_one_line(self):
@@ -251,7 +251,7 @@ class PlanOnTheExample(ProgramTest):
     def test_defaults_are_sensible_and_reported(self):
         done = endmill("plan", NET, cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        for word in ("radius below 10.009 mm", "ball:20", "mode verified", "scallop height 0.01 mm", "motion error",
+        for word in ("radius below 10.009 mm", "ball:20", "mode verified", "scallop height 0.01 mm", "along a pass",
                      "recommended", "net_rot24_7D-plan"):
             self.assertIn(word, done.stdout)
         self.assertNotIn("chord error", done.stdout)
@@ -265,6 +265,8 @@ class PlanOnTheExample(ProgramTest):
         done = endmill("plan", NET, *COARSE, "--direction", "v", cwd=self.folder)
         for number in re.findall(r"-?\d+\.\d+", done.stdout):
             self.assertLessEqual(len(number.replace(".", "").lstrip("-0")), 6, number)
+        self.assertRegex(done.stdout, r"  whole part    gouge \S+ mm \(limit \S+ mm\)\n"
+                         r" {18}remaining \S+ mm \(limit \S+ mm: scallop height \+ outer tolerance\)\n")
         self.assertRegex((self.folder / "net_rot24_7D-plan/summary.json").read_text(), r"\d\.\d{12}")
 
     def test_second_run_needs_force(self):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The program as a whole: help, version, unknown words, cite."""
+import re
 import unittest
 
 from program import ROOT, ProgramTest, endmill, plane
@@ -40,6 +41,16 @@ class Program(ProgramTest):
             text = endmill(command, "--help").stdout
             self.assertRegex(text.splitlines()[0], r"^[a-z]+ ")
             self.assertNotRegex(text, r"; default")
+
+    def test_description_of_an_option_stands_apart_from_its_name(self):
+        for command in COMMANDS:
+            lines = endmill(command, "--help").stdout.splitlines()
+            column = next(line.index("Print this help") for line in lines if line.startswith("  -h,--help"))
+            for name, after in zip(lines, lines[1:]):
+                if re.match("  -", name):
+                    gap = name[column - 2:column] == "  " and len(name) > column
+                    alone = len(name) > column - 2 and after.startswith(" " * column) and after[column] != " "
+                    self.assertTrue(gap or alone, (command, name))
 
     def test_options_without_effect_are_refused(self):
         surface = self.file(plane())
@@ -124,6 +135,8 @@ class Program(ProgramTest):
             self.assertGreater(len(paper["title"]), 20)
             self.assertNotIn("=", paper["title"])
             self.assertNotIn("not yet", paper["methods"])
+            self.assertRegex(paper["author"], r"^[A-Z][A-Za-z,. -]+$")
+        self.assertIn("[JangKimJeong] Jang, B. J.; Kim, H. J. and Jeong, J. H.: Removal", endmill("cite").stdout)
 
     def test_cite_names_the_paper_of_every_command_that_follows_one(self):
         methods = {paper["key"]: paper["methods"] for paper in self.summary("cite")["papers"]}
