@@ -54,6 +54,20 @@ std::string bibliography_field(std::string_view key, std::string_view field)
     return value;
 }
 
+// The authors of a BibTeX field as "A; B and C". The field has "and" between all of them.
+std::string author_list(const std::string& authors)
+{
+    constexpr std::string_view separator = " and ";
+    const std::size_t last = authors.rfind(separator);
+    if (last == std::string::npos)
+        return authors;
+    std::string list = authors.substr(0, last);
+    for (auto at = list.find(separator); at != std::string::npos;
+         at = list.find(separator))
+        list.replace(at, separator.size(), "; ");
+    return list + authors.substr(last);
+}
+
 ExitCode run_cite(const CiteOptions& options)
 {
     if (options.common.json)
@@ -66,7 +80,8 @@ ExitCode run_cite(const CiteOptions& options)
         const std::string title = bibliography_field(key, "title");
         summary.push_back(
             {{"key", key}, {"author", author}, {"title", title}, {"methods", methods}});
-        text += fmt::format("[{}] {}: {}\n    {}\n", key, author, title, methods);
+        text += fmt::format("[{}] {}: {}\n    {}\n", key, author_list(author), title,
+                            methods);
     }
     if (options.bibtex)
         text = references;
@@ -89,7 +104,7 @@ void add_cite_command(CLI::App& program, Action& action)
     command->add_flag("--bibtex", options->bibtex, "print the bibliography as BibTeX");
     add_common_options(*command, options->common);
     command->footer(
-        "Prints; with --output also writes DIR/references.bib.\n\n"
+        "Prints the list. With --output it also writes DIR/references.bib.\n\n"
         "Example:\n  endmill cite --bibtex");
     command->callback(
         [options, &action] { action = [options] { return run_cite(*options); }; });
