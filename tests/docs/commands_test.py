@@ -76,6 +76,21 @@ def add_test(page):
 for each in PAGES:
     add_test(each)
 
+
+class Examples(unittest.TestCase):
+    """The guide shows the programs of docs/examples."""
+
+    def test_page_shows_its_example_without_the_licence_line(self):
+        for name in ("plan", "verify", "trim", "feed", "setup"):
+            with self.subTest(name=name):
+                page = (ROOT / f"docs/guide/{name}.md").read_text(encoding="utf-8")
+                example = (ROOT / f"docs/examples/{name}.cpp").read_text(encoding="utf-8")
+                licence, code = example.split("\n", 1)
+                self.assertIn("SPDX-License-Identifier", licence)
+                self.assertLessEqual(len(example.splitlines()), 40)
+                self.assertIn(f"\n```cpp\n{code}```\n", page)
+
+
 class OwnMethod(unittest.TestCase):
     """The trimming method of the guide and that of the example."""
 
