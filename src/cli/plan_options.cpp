@@ -80,7 +80,7 @@ void add_paper_options(CLI::App& command, IsoParametricOptions& planning)
                 NumberDomain::of_machine()},
                planning.cross_step);
     for (const char* name : paper_options)
-        command.get_option(name)->group("Policies of --mode paper");
+        command.get_option(name)->group("Options of --mode paper only");
 }
 
 void add_path_policies(CLI::App& command, PlanOptions& options)
@@ -108,7 +108,7 @@ void add_path_policies(CLI::App& command, PlanOptions& options)
                            "locations");
     for (const char* name :
          {"--stop-at-borders", "--order", "--safe-height", "--count-links", "--distance"})
-        command.get_option(name)->group("Policies");
+        command.get_option(name)->group("Options of the path");
 }
 
 void add_tolerances(CLI::App& command, PlanOptions& options)
