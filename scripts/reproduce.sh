@@ -19,7 +19,7 @@ expected.csv, draws the figures and writes a report. Builds only the drivers tha
 
   --quick        leaves out the benchmarks and every study of more than a minute, whose
                  params.json has "long": true (default)
-  --full         runs everything; on two cores that takes about 40 minutes
+  --full         runs everything; on two cores that takes about 30 minutes
   PAPER          only this folder of experiments/
   PAPER/ITEM     only this experiment, however long it takes
   --no-install   installs nothing and checks that every program and library is there
