@@ -5,11 +5,13 @@
 The script reports:
 
 * An #include uses a module that src/CMakeLists.txt does not declare for it, or is relative.
+* src/CMakeLists.txt declares an arrow that no #include of the module follows.
 * A module uses files. Only the program does; modules that compute or draw do not read files.
 * A folder under src/endmill is not a declared module, or a declared module has no folder.
 * A module folder has other folders than detail/.
 * A module has more than 14 public headers, or all modules together have more than 130.
 * The umbrella header of a module does not include exactly the module's public headers.
+* The names of two types, or of two files, in src differ only in the order of their words.
 * Units (a header with its source) include each other in a cycle.
 * A header in src includes a library that only .cpp files may include.
 * A public header includes a header of a detail/ folder, which is not installed.
@@ -28,6 +30,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 KEPT_INSIDE = re.compile(r"^(CGAL|OpenMesh|boost|embree\d*|tbb|oneapi)/")
 MOST_HEADERS_OF_A_MODULE = 14
 MOST_HEADERS = 130  # of all modules, umbrella headers included
+TYPE = re.compile(r"^[ ]*(?:enum class|enum struct|enum|class|struct|using)\s+([A-Z]\w*)(?!\w|::)", re.M)
+WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 SPDX = "SPDX-License-Identifier:"
 UNFINISHED = re.compile(r"\b(TO{1}DO|FIX{1}ME)\b")  # {1}: so that this line passes itself
 CHECKED_SUFFIXES = {".h", ".cpp", ".py", ".sh", ".cmake"}
@@ -85,6 +89,36 @@ def check_includes(root, arrows, bad):
                 bad.append(f"{file}: {module} -> {rest[0]}")
             if top in ("..", "cli"):
                 bad.append(f"{file}: includes {included}")
+
+
+def check_unused_arrows(root, arrows, bad):
+    used = {module: set() for module in arrows}
+    for file, _, includes in sources(root, "src/endmill"):
+        if len(file.parts) > 3:
+            used.setdefault(file.parts[2], set()).update(
+                included.split("/")[1] for included in includes if included.startswith("endmill/"))
+    for module, uses in arrows.items():
+        if (root / "src/endmill" / module).is_dir():
+            for unused in sorted(uses - used[module]):
+                bad.append(f"src/CMakeLists.txt: {module} declares {unused}"
+                           " and includes no header of it")
+
+
+def words_of(name):
+    """The words of a name such as TwoWords or two_words, sorted, in lower case."""
+    return tuple(sorted(word.lower() for word in WORD.findall(name)))
+
+
+def check_word_order(root, bad):
+    types, files = {}, {}
+    for file, text, _ in sources(root, "src"):
+        files.setdefault(words_of(file.stem), set()).add(file.stem)
+        for name in TYPE.findall(text):
+            types.setdefault(words_of(name), set()).add(name)
+    for kind, groups in (("types", types), ("files", files)):
+        for names in sorted(sorted(names) for names in groups.values() if len(names) > 1):
+            bad.append(f"src: names of {kind} differ only in the order of words: "
+                       + ", ".join(names))
 
 
 def check_headers(root, bad):
@@ -194,6 +228,8 @@ def main(root):
     arrows = declared_arrows((root / "src/CMakeLists.txt").read_text(encoding="utf-8"), bad)
     check_folders(root, arrows, bad)
     check_includes(root, arrows, bad)
+    check_unused_arrows(root, arrows, bad)
+    check_word_order(root, bad)
     check_headers(root, bad)
     check_detail(root, bad)
     check_public_headers(root, bad)

@@ -39,17 +39,17 @@ VerifiedPlan planned(const Surface& surface, const PlanToJudge& plan)
     return {plan_iso_parametric(surface, plan.ball, options).path};
 }
 
-Keeps keeps_limits(const JudgedPath& judged, const DeviationLimits& limits)
+Answer keeps_limits(const JudgedPath& judged, const DeviationLimits& limits)
 {
     // A motion may use the tolerance fully, so it gets the same slack as the verdict.
     const double most = limits.tolerance + verdict_slack;
     const double motion = judged.motion.greatest_mm();
     if (judged.verdict == Verdict::Gouged || judged.verdict == Verdict::Uncut ||
         motion > most)
-        return Keeps::No;
+        return Answer::No;
     const bool is_certain =
         judged.verdict == Verdict::Clean && motion + judged.motion.bound_mm <= most;
-    return is_certain ? Keeps::Yes : Keeps::Unknown;
+    return is_certain ? Answer::Yes : Answer::Undecided;
 }
 
 }  // namespace
@@ -59,14 +59,14 @@ DeviationLimits limits_of(const PlanToJudge& plan)
     return {plan.tolerance, 2 * plan.tolerance};
 }
 
-std::string_view keeps_name(Keeps keeps)
+std::string_view keeps_name(Answer keeps)
 {
     switch (keeps) {
-        case Keeps::Yes:
+        case Answer::Yes:
             return "yes";
-        case Keeps::No:
+        case Answer::No:
             return "no";
-        case Keeps::Unknown:
+        case Answer::Undecided:
             break;
     }
     return "unknown";

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "endmill/core/answer.h"
 #include "endmill/deviation/deviation.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/path_error.h"
@@ -23,15 +24,8 @@ struct PlanToJudge {
 /// height.
 DeviationLimits limits_of(const PlanToJudge& plan);
 
-/// Whether a path satisfies its request.
-enum class Keeps {
-    Yes,      ///< the error bounds prove it
-    No,       ///< a measured place disproves it
-    Unknown,  ///< the error bounds are too wide to decide
-};
-
-/// "yes", "no" or "unknown".
-std::string_view keeps_name(Keeps keeps);
+/// "yes", "no", or "unknown" for Undecided.
+std::string_view keeps_name(Answer keeps);
 
 /// A path with its measured errors and cost.
 struct JudgedPath {
@@ -43,7 +37,9 @@ struct JudgedPath {
     MotionError motion;
     Deviation left;
     Verdict verdict;
-    Keeps keeps;  ///< whether motion error and deviation are within `limits_of`
+    /// Whether motion error and deviation are within `limits_of`. Yes: the error bounds
+    /// prove it. No: a measured place disproves it. Undecided: the bounds are too wide.
+    Answer keeps;
 };
 
 /// Deviation of a block with the shape of `surface` after the ball has cut `path`, measured as the

@@ -30,7 +30,7 @@ std::vector<SetupAnswer> ranked_answers(const SetupInput& input,
                                         const SetupCommandOptions& options)
 {
     std::vector<SetupAnswer> answers;
-    for (const SetupMachine& machine : input.machines)
+    for (const SearchedMachine& machine : input.machines)
         answers.push_back(answer_for(machine, input, visibility, options));
     // The files of a folder are sorted by name, and setups of equal rank stay so.
     std::ranges::stable_sort(answers, {}, [&](const SetupAnswer& answer) {
@@ -52,7 +52,7 @@ ExitCode run_setup(const SetupCommandOptions& options)
     for (const std::string& file : {options.part.path, options.tool})
         if (!file.empty())
             folder.protect(file);
-    for (const SetupMachine& machine : input.machines)
+    for (const SearchedMachine& machine : input.machines)
         if (!machine.file.empty())
             folder.protect(machine.file);
     const SetupVisibility visibility = visibility_for(input, options);

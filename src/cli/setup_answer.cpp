@@ -58,7 +58,7 @@ std::string set_progress_text(const WholeConeSearchProgress& now,
     return text;
 }
 
-MachineSetup setup_on(const SetupMachine& machine, const SetupInput& input,
+MachineSetup setup_on(const SearchedMachine& machine, const SetupInput& input,
                       const SetupVisibility& visibility,
                       const SetupCommandOptions& options)
 {
@@ -72,7 +72,7 @@ MachineSetup setup_on(const SetupMachine& machine, const SetupInput& input,
         {.reach = {.arc_tolerance = Angle::degrees(options.arc_tolerance_deg)},
          .mode = options.mode,
          .whole_cones = {.objective = options.objective,
-                         .floor = Angle::degrees(options.floor_deg).radians(),
+                         .floor_rad = Angle::degrees(options.floor_deg).radians(),
                          .gap = options.gap,
                          .max_nodes = static_cast<std::size_t>(options.max_nodes),
                          .progress =
@@ -84,7 +84,7 @@ MachineSetup setup_on(const SetupMachine& machine, const SetupInput& input,
         clamping);
 }
 
-SetupCover several_setups(const SetupMachine& machine, const SetupInput& input,
+SetupCover several_setups(const SearchedMachine& machine, const SetupInput& input,
                           const VisibilityMap& map, const SetupCommandOptions& options)
 {
     ProgressLine progress{"choosing setups", options.common};
@@ -120,7 +120,7 @@ SetupVisibility visibility_for(const SetupInput& input,
     return found;
 }
 
-SetupAnswer answer_for(const SetupMachine& machine, const SetupInput& input,
+SetupAnswer answer_for(const SearchedMachine& machine, const SetupInput& input,
                        const SetupVisibility& visibility,
                        const SetupCommandOptions& options)
 {

@@ -27,8 +27,8 @@ struct SetupVisibility {
 
 /// The result for one machine.
 struct SetupAnswer {
-    const SetupMachine* machine;  ///< points into the input, which outlives the answer
-    MachineSetup setup;           ///< of the part on this machine
+    const SearchedMachine* machine;  ///< points into the input, which outlives the answer
+    MachineSetup setup;              ///< of the part on this machine
     std::optional<SetupCover> setups = {};  ///< with --max-setups above 1
     double seconds = 0;                     ///< wall time of the search
 
@@ -44,7 +44,7 @@ SetupVisibility visibility_for(const SetupInput& input,
                                const SetupCommandOptions& options);
 
 /// The best setup of the part on the machine.
-SetupAnswer answer_for(const SetupMachine& machine, const SetupInput& input,
+SetupAnswer answer_for(const SearchedMachine& machine, const SetupInput& input,
                        const SetupVisibility& visibility,
                        const SetupCommandOptions& options);
 

@@ -46,7 +46,7 @@ void refuse_idle_setup_options(const SetupCommandOptions& options)
                             "--machine: a family has no linear axes");
 }
 
-void refuse_options_idle_on(std::span<const SetupMachine> machines,
+void refuse_options_idle_on(std::span<const SearchedMachine> machines,
                             const SetupCommandOptions& options)
 {
     const MachineConfiguration& first = machines.front().machine.configuration;
@@ -65,7 +65,7 @@ void refuse_options_idle_on(std::span<const SetupMachine> machines,
                             "a machine with two rotary axes");
 }
 
-std::optional<SetupMode> effective_mode(std::span<const SetupMachine> machines,
+std::optional<SetupMode> effective_mode(std::span<const SearchedMachine> machines,
                                         const SetupCommandOptions& options)
 {
     const bool is_idle = machines.size() == 1 &&

@@ -17,12 +17,12 @@ void refuse_idle_setup_options(const SetupCommandOptions& options);
 /// several machines, or if the machine is not valid: the command then reports the
 /// reason.
 /// \throws DomainError as `refuse_idle_setup_options`.
-void refuse_options_idle_on(std::span<const SetupMachine> machines,
+void refuse_options_idle_on(std::span<const SearchedMachine> machines,
                             const SetupCommandOptions& options);
 
 /// The mode of the search. Nothing if it has no effect: on one valid machine of fewer
 /// than five axes all modes but `set` are the same, and `set` reports its objective.
-std::optional<SetupMode> effective_mode(std::span<const SetupMachine> machines,
+std::optional<SetupMode> effective_mode(std::span<const SearchedMachine> machines,
                                         const SetupCommandOptions& options);
 
 }  // namespace endmill

@@ -113,7 +113,7 @@ void take_visibility(SetupInput& input, const SetupCommandOptions& options)
 void remark_cut_limits(SetupInput& input)
 {
     constexpr double quarter = std::numbers::pi / 2;
-    for (const SetupMachine& machine : input.machines) {
+    for (const SearchedMachine& machine : input.machines) {
         const RotaryRange& theta = machine.machine.rotary.theta;
         const bool is_given = theta != RotaryRange{};
         if (machine.machine.configuration.family == RotaryFamily::AB && is_given &&

@@ -23,7 +23,7 @@ struct SetupInput {
     std::vector<std::string> remarks;  ///< further remarks, not printed yet
     SphereGrid grid;
     std::optional<StoredVisibility> known_visibility;  ///< of --from-visibility
-    std::vector<SetupMachine>
+    std::vector<SearchedMachine>
         machines;              ///< one machine, or all of a folder sorted by name
     std::optional<Tool> tool;  ///< its body must stay clear of the part
 };

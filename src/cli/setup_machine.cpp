@@ -14,20 +14,21 @@
 namespace endmill {
 namespace {
 
-SetupMachine family_machine(const SetupCommandOptions& options)
+SearchedMachine family_machine(const SetupCommandOptions& options)
 {
     const bool is_ca = *options.family == RotaryFamily::CA;
-    SetupMachine found{is_ca ? "CA" : "AB", {}, true, {}};
+    SearchedMachine found{is_ca ? "CA" : "AB", {}, true, {}};
     found.machine.configuration = configuration_of_family(*options.family);
     if (!options.limits.empty())
         found.machine.rotary = limits_for_family(options.limits, *options.family);
     return found;
 }
 
-SetupMachine one_machine(const std::string& text, const SetupCommandOptions& options)
+SearchedMachine one_machine(const std::string& text, const SetupCommandOptions& options)
 {
     const MachineArgument read = machine_argument(text, options.common.limits);
-    SetupMachine found{read.machine.configuration.word, read.file, false, read.machine};
+    SearchedMachine found{read.machine.configuration.word, read.file, false,
+                          read.machine};
     if (!options.limits.empty())
         found.machine.rotary = limits_for_machine(
             options.limits, found.machine.configuration, found.machine.rotary);
@@ -35,8 +36,8 @@ SetupMachine one_machine(const std::string& text, const SetupCommandOptions& opt
 }
 
 // All machine files of a folder, sorted by name.
-std::vector<SetupMachine> machines_of_folder(const std::filesystem::path& folder,
-                                             const SetupCommandOptions& options)
+std::vector<SearchedMachine> machines_of_folder(const std::filesystem::path& folder,
+                                                const SetupCommandOptions& options)
 {
     if (!options.limits.empty())
         throw DomainError{"--limits: found with several machines; expected one machine"};
@@ -51,7 +52,7 @@ std::vector<SetupMachine> machines_of_folder(const std::filesystem::path& folder
             "E_OPEN",
             {printable(folder.string()), "", "cannot open: " + failed.message(), ""}};
     std::ranges::sort(files);
-    std::vector<SetupMachine> machines;
+    std::vector<SearchedMachine> machines;
     machines.reserve(files.size());
     for (const std::string& file : files)
         machines.push_back(one_machine(file, options));
@@ -64,7 +65,7 @@ std::vector<SetupMachine> machines_of_folder(const std::filesystem::path& folder
 
 }  // namespace
 
-std::vector<SetupMachine> setup_machines(const SetupCommandOptions& options)
+std::vector<SearchedMachine> setup_machines(const SetupCommandOptions& options)
 {
     if (options.machine.empty() == !options.family)
         throw DomainError{

@@ -10,7 +10,7 @@
 namespace endmill {
 
 /// A machine, or a family of machines, for which a setup is searched.
-struct SetupMachine {
+struct SearchedMachine {
     std::string name;        ///< word, file as given, or family
     std::string file;        ///< the file that it was read from, or empty
     bool is_family = false;  ///< the machine stands for all machines of its family
@@ -20,6 +20,6 @@ struct SetupMachine {
 /// The machines of --machine or --family.
 /// \throws DomainError unless exactly one of the two is given; FormatError for a bad
 ///         file, or a folder without machine files.
-std::vector<SetupMachine> setup_machines(const SetupCommandOptions& options);
+std::vector<SearchedMachine> setup_machines(const SetupCommandOptions& options);
 
 }  // namespace endmill

@@ -13,14 +13,14 @@
 namespace endmill {
 namespace {
 
-SetupMachine machine_for_points(const SetupCommandOptions& options)
+SearchedMachine machine_for_points(const SetupCommandOptions& options)
 {
     if (options.mode == SetupMode::WholeCones)
         throw DomainError{
             "--mode set: found with --points; expected paper, paper-literal or "
             "corrected: "
             "single directions have no cones"};
-    const std::vector<SetupMachine> machines = setup_machines(options);
+    const std::vector<SearchedMachine> machines = setup_machines(options);
     const MachineConfiguration& configuration = machines.front().machine.configuration;
     const bool is_other_machine = configuration.is_valid() && !configuration.family;
     if (machines.size() > 1 || is_other_machine)
@@ -35,7 +35,7 @@ Json azimuth_deg(const Vec3& axis)
     return Angle::radians(std::atan2(axis.y(), axis.x())).written_degrees();
 }
 
-Json points_summary(const SetupMachine& machine, const PoseSearchResult& search,
+Json points_summary(const SearchedMachine& machine, const PoseSearchResult& search,
                     const SetupCommandOptions& options, std::size_t count)
 {
     const bool is_ca = machine.machine.configuration.family == RotaryFamily::CA;
@@ -71,7 +71,7 @@ Json points_summary(const SetupMachine& machine, const PoseSearchResult& search,
 
 ExitCode run_setup_points(const SetupCommandOptions& options)
 {
-    const SetupMachine machine = machine_for_points(options);
+    const SearchedMachine machine = machine_for_points(options);
     const MachineConfiguration& configuration = machine.machine.configuration;
     const std::vector<Vec3> directions =
         read_directions(options.points, options.common.limits);

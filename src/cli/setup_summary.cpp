@@ -248,7 +248,7 @@ std::string range_text(const Json& range)
 
 }  // namespace
 
-Json machine_json(const SetupMachine& machine)
+Json machine_json(const SearchedMachine& machine)
 {
     const MachineConfiguration& configuration = machine.machine.configuration;
     Json keys{{"machine", machine.file.empty() ? Json{} : Json(printable(machine.file))},

@@ -23,7 +23,7 @@ Json pose_json(const std::optional<FittedPose>& fit);
 
 /// The keys of a machine: `machine` (its file), `configuration`, `type`, and `reason`
 /// if the configuration is not valid.
-Json machine_json(const SetupMachine& machine);
+Json machine_json(const SearchedMachine& machine);
 
 /// The keys of the rotary limits: `limits_phi_deg`, `limits_theta_deg`.
 Json limits_json(const RotaryLimits& limits);

@@ -47,8 +47,8 @@ void add_deviation(Json& summary, const Deviation& d, const RefinedBounds& refin
     summary["gouge_bound_mm"] = finite_or_null(d.gouge_bound_mm);
     summary["scallop_bound_mm"] = finite_or_null(d.scallop_bound_mm);
     summary["bound_mm"] = finite_or_null(std::max(d.gouge_bound_mm, d.scallop_bound_mm));
-    summary["gouge_bound_refined"] = refined.gouge;
-    summary["scallop_bound_refined"] = refined.scallop;
+    summary["gouge_bound_refined"] = refined.gouge_is_refined;
+    summary["scallop_bound_refined"] = refined.scallop_is_refined;
     summary["rays"] = d.rays;
 }
 

@@ -204,10 +204,12 @@ TEST(RefinedBounds, AreThoseThatHalvingCellsMakesSmaller)
             deviation_of(plane_part(), path, Cutter::ball(5), options);
         options.max_refine = 8;
         const Deviation fine = deviation_of(plane_part(), path, Cutter::ball(5), options);
-        EXPECT_EQ(refined_bounds(fine, limits).gouge, refined.gouge);
-        EXPECT_EQ(refined_bounds(fine, limits).scallop, refined.scallop);
-        EXPECT_EQ(fine.gouge_bound_mm < coarse.gouge_bound_mm, refined.gouge);
-        if (refined.scallop) {
+        EXPECT_EQ(refined_bounds(fine, limits).gouge_is_refined,
+                  refined.gouge_is_refined);
+        EXPECT_EQ(refined_bounds(fine, limits).scallop_is_refined,
+                  refined.scallop_is_refined);
+        EXPECT_EQ(fine.gouge_bound_mm < coarse.gouge_bound_mm, refined.gouge_is_refined);
+        if (refined.scallop_is_refined) {
             EXPECT_LT(fine.scallop_bound_mm, coarse.scallop_bound_mm);
         }
     }

@@ -26,6 +26,9 @@ class Layers(FakeTree):
             self.write_umbrella(module, header)
         self.write("src/endmill/surface/patch.cpp",
                    SPDX + '#include "endmill/core/vec.h"\n#include <boost/math/roots.hpp>\n')
+        self.write("src/endmill/surface/net.cpp", SPDX + '#include "endmill/core/vec.h"\n')
+        self.write("src/endmill/files/csv.cpp", SPDX + '#include "endmill/core/vec.h"\n'
+                   '#include "endmill/surface/patch.h"\n')
         self.write("src/cli/plan.cpp", SPDX + '#include "endmill/files/csv.h"\n')
 
     def write_header(self, module, header, text=""):
@@ -53,6 +56,31 @@ class Layers(FakeTree):
         code, printed = self.check(check_layers.main, self.root)
         self.assertEqual(code, 1)
         self.assertIn("src/endmill/core/vec.cpp: core -> surface", printed)
+
+    def test_declared_arrow_that_no_include_follows_is_reported(self):
+        self.write("src/endmill/files/csv.cpp", SPDX + '#include "endmill/core/vec.h"\n')
+        self.assert_found("files declares surface and includes no header of it")
+
+    def test_types_that_differ_in_word_order_are_reported(self):
+        self.write("src/endmill/surface/net.cpp",
+                   SPDX + '#include "endmill/core/vec.h"\nstruct PatchBox {};\n')
+        self.write("src/cli/plan.cpp", SPDX + "class BoxPatch;\nenum class NURBSPatch {};\n")
+        self.assert_found("types", "BoxPatch, PatchBox")
+
+    def test_nested_types_that_differ_in_word_order_are_reported(self):
+        self.write("src/cli/plan.cpp",
+                   SPDX + "using OneTwo = int;\nstruct Plan {\n    enum TwoOne {};\n};\n")
+        self.assert_found("types", "OneTwo, TwoOne")
+
+    def test_files_that_differ_in_word_order_are_reported(self):
+        self.write("src/cli/plan_patch.cpp", SPDX)
+        self.write("src/endmill/surface/patch_plan.cpp", SPDX)
+        self.assert_found("files", "patch_plan, plan_patch")
+
+    def test_members_of_a_type_are_no_types(self):
+        self.write("src/cli/plan.cpp", SPDX + "struct Plan {};\nstruct Plan::Detail {};\n"
+                   "void Plan::TwoOne() {}\nstruct OneTwo {};\n")
+        self.test_correct_tree_passes()
 
     def test_umbrella_header_in_the_library_is_reported(self):
         self.write("src/endmill/surface/patch.cpp", SPDX + '#include "endmill/core.h"\n')

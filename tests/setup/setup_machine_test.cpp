@@ -26,7 +26,7 @@ struct TwoFacets {
             if (grid.centres[cell].z() > std::cos(Angle::degrees(25).radians()))
                 visibility.map.column(cell)[0] = 0b11;
     }
-    SetupPart part() const { return {mesh, grid, visibility}; }
+    PartWithCones part() const { return {mesh, grid, visibility}; }
 };
 
 Machine machine_of(const char* word)

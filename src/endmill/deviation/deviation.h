@@ -107,8 +107,8 @@ Verdict verdict(const Deviation& deviation, const DeviationLimits& limits);
 /// whether the part is uncut. The bounds that cannot change the verdict any more keep the
 /// values of the first rays.
 struct RefinedBounds {
-    bool gouge;    ///< whether gouge_bound_mm was refined
-    bool scallop;  ///< whether scallop_bound_mm was refined
+    bool gouge_is_refined;    ///< whether gouge_bound_mm was refined
+    bool scallop_is_refined;  ///< whether scallop_bound_mm was refined
 };
 
 /// Returns which bounds of `deviation` were refined.

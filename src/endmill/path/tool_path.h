@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "endmill/core/vec.h"
 #include "endmill/cutter/cutter.h"
 
 namespace endmill {

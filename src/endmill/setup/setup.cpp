@@ -2,6 +2,8 @@
 #include "endmill/setup/setup.h"
 
 #include <limits>
+#include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -94,7 +96,7 @@ PartSetup best_over_whole_cones(const SphereGrid& grid, const VisibilityMap& map
     const std::vector<SetupPose> starts = starting_poses(grid, map, request);
     WholeConeSearchOptions options{.family = request.reach.configuration.family.value(),
                                    .objective = request.whole_cones.objective,
-                                   .floor_rad = request.whole_cones.floor,
+                                   .floor_rad = request.whole_cones.floor_rad,
                                    .gap = request.whole_cones.gap,
                                    .max_nodes = request.whole_cones.max_nodes,
                                    .limits = {},
@@ -133,7 +135,7 @@ double objective_of(const FittedPose& pose, const SetupRequest& request)
         return pose.area;
     const RotaryFamily family = family_of(request.reach.configuration);
     return PoseMeasure{family, request.whole_cones.objective,
-                       request.whole_cones.floor}(pose_ranges(family, pose));
+                       request.whole_cones.floor_rad}(pose_ranges(family, pose));
 }
 
 PartSetup four_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
@@ -197,8 +199,8 @@ PartSetup setup_for_reachable_facets(const SphereGrid& grid,
 }
 
 // Examines the linear axes at the feasible pose of `setup`.
-void add_travel(MachineSetup& setup, const SetupPart& part, const RotaryLimits& limits,
-                const Clamping& clamping)
+void add_travel(MachineSetup& setup, const PartWithCones& part,
+                const RotaryLimits& limits, const Clamping& clamping)
 {
     const Machine& machine = setup.machine;
     const std::optional<ReachedPoints> reached = reached_points(
@@ -252,14 +254,23 @@ std::optional<double> floored_area_deg2(const PartSetup& setup,
            (Angle::radians(ranges.height()).degrees() + floor_deg);
 }
 
+std::partial_ordering operator<=>(const SetupRank& a, const SetupRank& b)
+{
+    const auto key = [](const SetupRank& rank) {
+        const int place = rank.machinable == Answer::Yes         ? 0
+                          : rank.machinable == Answer::Undecided ? 1
+                                                                 : 2;
+        return std::tuple{place, rank.area_deg2, std::string_view{rank.word}};
+    };
+    return key(a) <=> key(b);
+}
+
 SetupRank setup_rank(const PartSetup& setup, const MachineConfiguration& configuration,
                      double floor_deg)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const int group = setup.machinable == Answer::Yes  ? 0
-                      : setup.machinable == Answer::No ? 2
-                                                       : 1;
-    return {group, floored_area_deg2(setup, configuration, floor_deg).value_or(infinity),
+    return {setup.machinable,
+            floored_area_deg2(setup, configuration, floor_deg).value_or(infinity),
             configuration.word};
 }
 
@@ -269,7 +280,7 @@ bool MachineSetup::is_machinable() const
            !(has_linear_limits() && within_travel == Answer::No);
 }
 
-MachineSetup machine_setup(const SetupPart& part, const Machine& machine,
+MachineSetup machine_setup(const PartWithCones& part, const Machine& machine,
                            SetupRequest request, const std::optional<Clamping>& clamping)
 {
     request.reach.configuration = machine.configuration;

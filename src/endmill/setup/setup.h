@@ -26,7 +26,7 @@ namespace endmill {
 /// Objective and effort of the mode `WholeCones`. All other modes minimise the area.
 struct WholeConeCriteria {
     SetupObjective objective = SetupObjective::FlooredArea;  ///< what becomes least
-    double floor = 5.9 * std::numbers::pi / 180;  ///< rad, of FlooredArea, above 0
+    double floor_rad = 5.9 * std::numbers::pi / 180;         ///< of FlooredArea, above 0
     double gap = 0.05;                ///< relative gap at which the search stops, above 0
     std::size_t max_nodes = 200'000;  ///< number of nodes at which the search stops
 
@@ -108,8 +108,9 @@ PartSetup five_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
                           const SetupRequest& request);
 
 /// The floored area (w + floor)(h + floor) of the pose that a setup shows, in square
-/// degrees. It serves to compare setups on different machines. h is 0 with four axes; w
-/// and h are 0 with three.
+/// degrees. It serves to compare setups on different machines. w and h are the width and
+/// the height of its `PoseRanges`, the ranges of the two rotary axes. h is 0 with four
+/// axes; w and h are 0 with three.
 /// \param setup found on a machine of this configuration.
 /// \param configuration the machine. \param floor_deg degrees.
 /// \return nothing if the setup shows no pose.
@@ -119,12 +120,15 @@ std::optional<double> floored_area_deg2(const PartSetup& setup,
 
 /// The rank of a machine for a part; the least rank is the best machine.
 struct SetupRank {
-    int group;         ///< 0: machinable, 1: undecided, 2: not machinable
-    double area_deg2;  ///< floored area of the setup, infinite without a pose
-    std::string word;  ///< of the configuration
+    Answer machinable;  ///< whether one setup on the machine reaches the whole part
+    double area_deg2;   ///< floored area of the setup, infinite without a pose
+    std::string word;   ///< of the configuration
 
-    /// Compares lexicographically.
-    friend auto operator<=>(const SetupRank&, const SetupRank&) = default;
+    /// Compares by `machinable` in the order Yes, Undecided, No; then by `area_deg2`; then
+    /// by `word`.
+    friend std::partial_ordering operator<=>(const SetupRank& a, const SetupRank& b);
+    /// Whether all members are equal.
+    friend bool operator==(const SetupRank&, const SetupRank&) = default;
 };
 
 /// Ranks a setup: machinable machines first, then undecided, then not machinable ones;
@@ -136,7 +140,7 @@ SetupRank setup_rank(const PartSetup& setup, const MachineConfiguration& configu
                      double floor_deg);
 
 /// A part to set up: its facets and the directions from which each is accessible.
-struct SetupPart {
+struct PartWithCones {
     const TriangleMesh& mesh;          ///< coordinates in mm
     const SphereGrid& grid;            ///< cells of the sphere of directions
     const PartVisibility& visibility;  ///< cones of the facets of `mesh` over these cells
@@ -160,9 +164,9 @@ struct MachineSetup {
     /// computed, and nothing if a facet is out of reach (`within_travel` is then No).
     std::optional<SetupTravel> travel = {};
 
-    /// Whether the linear axes reach all facets. No, too, if at this pose a facet has no
-    /// cell within the rotary limits. Undecided if there is nothing to examine: no pose
-    /// within the rotary limits, or no clamping.
+    /// Yes: the linear axes reach all facets. No: they do not, or at this pose a facet has
+    /// no cell within the rotary limits. Undecided: there is no pose within the rotary
+    /// limits, or no clamping.
     Answer within_travel = Answer::Undecided;
 
     /// Whether any linear axis has a limit. Otherwise `within_travel` decides nothing.
@@ -175,13 +179,13 @@ struct MachineSetup {
 
 /// Finds the best setup of a part on a machine and the travel of its linear axes.
 /// \param part facets and their cones.
-/// \param machine any. A machine that is not valid has no setup.
-/// \param request mode and objective. Of its reach only the arc tolerance counts; the
-///        axes and their limits are those of `machine`.
-/// \param clamping nothing if the linear axes are unknown, as those of a family of
-///        machines. The travel is then not computed.
+/// \param machine the machine. If it is not valid, the result has no pose.
+/// \param request mode and objective. Of `request.reach` only the arc tolerance is used;
+///        the axes and their limits are those of `machine`.
+/// \param clamping nothing if the linear axes are unknown, as for a family of machines.
+///        The travel is then not computed.
 /// \throws DomainError as `find_setup`.
-MachineSetup machine_setup(const SetupPart& part, const Machine& machine,
+MachineSetup machine_setup(const PartWithCones& part, const Machine& machine,
                            SetupRequest request, const std::optional<Clamping>& clamping);
 
 /// The floored area of the pose that a setup shows, in square degrees.

@@ -69,7 +69,8 @@ void CoverageTable::fill(const AxisView& view, const std::array<double, 2>& reac
 /// ANDs of all ends (tail_) and of the growing beginning (sum_) give each run by one AND,
 /// as in the algorithm of van Herk for running minima.
 template <std::size_t W>
-bool CoverageTable::find_runs(const LevelLimits& limits, std::size_t run, bool all)
+bool CoverageTable::find_runs(const LevelLimits& limits, std::size_t run,
+                              RunSearch search)
 {
     const MissingWords<W> words{cones_->words()};
     const std::size_t stride = words.count();
@@ -102,7 +103,7 @@ bool CoverageTable::find_runs(const LevelLimits& limits, std::size_t run, bool a
         words.copy(sum_.data(), cones_->everything());
         for (std::size_t k = 0; k < run; ++k) {
             if (words.complete(tail_.data() + k * stride, sum_.data())) {
-                if (!all)
+                if (search == RunSearch::AnyRun)
                     return true;
                 is_found = true;
                 is_start_[(block + k) % azimuth_bins] = 1;
@@ -124,15 +125,16 @@ std::size_t CoverageTable::bins_of(double width) const
 bool CoverageTable::may_fit(const LevelLimits& limits, double width)
 {
     return with_words(cones_->words(), [&](auto w) {
-        return find_runs<decltype(w)::value>(limits, bins_of(width), false);
+        return find_runs<decltype(w)::value>(limits, bins_of(width), RunSearch::AnyRun);
     });
 }
 
 std::span<const SweptRange> CoverageTable::places(const LevelLimits& limits, double width)
 {
     const std::size_t run = bins_of(width);
-    with_words(cones_->words(),
-               [&](auto w) { find_runs<decltype(w)::value>(limits, run, true); });
+    with_words(cones_->words(), [&](auto w) {
+        find_runs<decltype(w)::value>(limits, run, RunSearch::EveryRun);
+    });
     places_.clear();
     std::size_t open = 0;  // number of bins that the last run still covers
     for (std::size_t k = 0; k < azimuth_bins; ++k)

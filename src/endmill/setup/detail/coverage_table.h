@@ -42,8 +42,13 @@ public:
 private:
     template <std::size_t W>
     void fill_bins(const AxisView& view);
+    // How many runs to find.
+    enum class RunSearch { AnyRun, EveryRun };
+    // Looks for runs of `run` azimuth bins in which every cone is met. Marks the first
+    // bins of all runs in `is_start_` if the search is EveryRun; stops at a run if it is
+    // AnyRun. Returns whether it found one.
     template <std::size_t W>
-    bool find_runs(const LevelLimits& limits, std::size_t run, bool all);
+    bool find_runs(const LevelLimits& limits, std::size_t run, RunSearch search);
     std::size_t level_bin(int side, double level) const;
     std::size_t bins_of(double width) const;
 

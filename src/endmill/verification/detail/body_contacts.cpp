@@ -28,12 +28,12 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t block_size = 8;
 constexpr std::size_t blocks_at_a_time = 2048;
 // Accuracy of the deepest contact, as a share of its depth.
-constexpr double sharp_share = 0.01;
-// Accuracy of a bound near the slack, as a share of the slack.
-constexpr double sharp_slack = 0.125;
+constexpr double error_share_of_depth = 0.01;
+// Accuracy of a bound near `part_contact_slack`, as a share of that slack.
+constexpr double error_share_of_slack = 0.125;
 // Accuracy below this share of the chord error is useless, because the part itself is not
 // known better.
-constexpr double blurred_share = 0.5;
+constexpr double least_share_of_chord_error = 0.5;
 // Limit of the pieces of a triangle per move. The upper bounds of the remaining pieces
 // are kept.
 constexpr int most_pieces = 20'000;
@@ -85,8 +85,8 @@ public:
             const double most = greatest(piece, middle, at);
             // The accuracy that this piece needs.
             const double sharp =
-                std::max({sharpness, blurred_share * task_.chord_error,
-                          found_.is_in() ? sharp_share * found_.depth : 0});
+                std::max({sharpness, least_share_of_chord_error * task_.chord_error,
+                          found_.is_in() ? error_share_of_depth * found_.depth : 0});
             const double known = found_.is_in() ? found_.depth + sharp : 0;
             if (most + task_.chord_error <= std::max(negligible, known))
                 continue;
@@ -209,13 +209,15 @@ double BodyMoves::negligible(std::size_t number) const
 
 double BodyMoves::sharpness(std::size_t number) const
 {
-    return open(number).is_in() ? depth_sharpness() : sharp_slack * part_contact_slack;
+    return open(number).is_in() ? depth_sharpness()
+                                : error_share_of_slack * part_contact_slack;
 }
 
 // Accuracy of the greatest depth, mm.
 double BodyMoves::depth_sharpness() const
 {
-    return std::max(sharp_slack * part_contact_slack, sharp_share * deepest_);
+    return std::max(error_share_of_slack * part_contact_slack,
+                    error_share_of_depth * deepest_);
 }
 
 void BodyMoves::take(std::size_t number, const BodyMove& found)
