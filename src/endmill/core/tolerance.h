@@ -8,9 +8,20 @@ namespace endmill {
 /// tolerance that only one file uses is defined in that file. None of them is an option:
 /// options of the program have defaults of their own.
 
-/// Largest difference from 1 of the length of a vector that was normalised in doubles.
-/// Rounding gives about 1e-16; the margin allows for one or two rotations.
+/// Largest difference from 1 of the length of a vector that was normalised in doubles,
+/// and largest difference of two such vectors that count as equal. Rounding gives about
+/// 1e-16; the margin allows for one or two rotations.
 inline constexpr double unit_vector_rounding = 1e-12;
+
+/// Length of the difference between a tool axis and +z, about the tilt in rad, up to
+/// which material is removed along a path. Such a tilt moves a point 1 m above the tip by
+/// 1e-6 mm, far below all other errors of the removal.
+inline constexpr double removal_axis_tolerance = 1e-9;
+
+/// Length of the difference between a tool axis and +z, about the tilt in rad, up to
+/// which the cutting model accepts a path. It allows for components that a file rounds to
+/// six decimals, and changes the slopes of the cuts by 1e-6 rad only.
+inline constexpr double cutting_axis_tolerance = 1e-6;
 
 /// Largest difference from 1 of the length of a tool axis in a file. Components rounded
 /// to four decimals leave up to 8.7e-5.

@@ -28,7 +28,7 @@ struct DeviationOptions {
     double pitch = 0.1;           ///< distance of the first rays along the part, mm
     int max_refine = 8;           ///< largest number of halvings of a cell, 0 to 20
     std::size_t most_cells = 100'000'000;  ///< limit of the first cells
-    /// If set, it is called now and then with the finished share, 0 to 1.
+    /// If set, it is called with the finished share, 0 to 1.
     std::function<void(double share)> progress = {};
 };
 

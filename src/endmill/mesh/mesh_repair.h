@@ -17,8 +17,8 @@ struct CleanedMesh {
 /// Removes triangles whose corners are collinear, decided exactly by `are_collinear`, and
 /// triangles that have the same three corners, in any order, as an earlier one.
 ///
-/// If the corners of a removed triangle without area were three different points, it may
-/// leave a slit of width 0: one edge on one side of the slit, two edges on the other.
+/// If the corners of a removed triangle without area were three different points, its
+/// removal may leave a T-junction: one edge that faces two collinear edges.
 CleanedMesh without_degenerate_or_duplicate(const TriangleMesh& mesh);
 
 /// A mesh in which the orientation of triangles was reversed.

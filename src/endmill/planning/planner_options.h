@@ -90,7 +90,7 @@ struct IsoParametricOptions {
     double cross_step = 0.5;  ///< epsilon of eq. (7), mm; for CrossCurvature::Chord
     LinkOptions link = {};    ///< order of the passes, tool axis, safe height
     std::size_t most_points = 40'000'000;  ///< a longer path throws LimitError
-    /// If set, called after each pass with the share of the work that is done.
+    /// If set, it is called after each pass with the finished share, 0 to 1.
     std::function<void(double share)> progress = {};
 };
 
@@ -113,7 +113,7 @@ struct VerifiedOptions {
     PatchBorders patch_borders = PatchBorders::Cross;  ///< steps at borders of patches
     LinkOptions link = {};  ///< order of the passes, tool axis, safe height
     std::size_t most_points = 40'000'000;  ///< a longer path throws LimitError
-    /// If set, called from time to time with the share of the work that is done.
+    /// If set, it is called with the finished share, 0 to 1.
     std::function<void(double share)> progress = {};
 };
 

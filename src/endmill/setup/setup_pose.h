@@ -172,7 +172,7 @@ struct PoseFitOptions {
 
     RotaryOrder order = RotaryOrder::AFirst;  ///< of the family A,B
 
-    /// Called twice for each tool axis, after its quick bound and after its fit, with the
+    /// If set, it is called twice for each tool axis, after its quick bound and after its fit, with the
     /// number of calls so far. Any thread may call, one at a time. An exception ends the
     /// search.
     std::function<void(std::size_t done)> progress = {};

@@ -50,8 +50,8 @@ struct SetupCoverProgress {
 /// docs/mathematics/five-axis-setup.md, section 10.
 /// \param map cones of the facets. \param centres unit, one for each cell.
 /// \param reach the machine. \param most largest number of setups, at least 1.
-/// \param progress called from time to time by the calling thread. An exception ends the
-///         search.
+/// \param progress if set, it is called with the state of the search, by the calling
+///         thread. An exception ends the search.
 /// \throws DomainError if there is not one centre for each cell, if the configuration is
 ///         not valid, or unless 1 <= most.
 SetupCover greedy_setups(

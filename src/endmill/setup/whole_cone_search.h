@@ -40,7 +40,8 @@ struct WholeConeSearchOptions {
     RotaryLimits limits;                ///< of the rotations, for words with R2 = C x R1
     std::span<const SetupPose> starts;  ///< poses whose axes are tried first
 
-    /// Called from time to time by the calling thread. An exception ends the search.
+    /// If set, it is called with the state of the search, by the calling thread. An
+    /// exception ends the search.
     std::function<void(const WholeConeSearchProgress&)> progress = {};
 };
 

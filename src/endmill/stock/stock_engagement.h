@@ -55,7 +55,7 @@ struct BallFrontTask {
     int rows = 96;  ///< cells across the feed; even
     /// Number of cells about the axis across the feed, and of azimuths of the shank.
     int columns = 128;
-    /// If set, it is called now and then with the finished share, 0 to 1.
+    /// If set, it is called with the finished share, 0 to 1.
     std::function<void(double share)> progress = {};
 };
 

@@ -13,14 +13,13 @@ namespace endmill {
 /// were trimmed.
 struct TrimmingQuality {
     double step_back_mm = 0;  ///< longest step back in s between neighbouring points
-    /// Largest depth of a point below the envelope, measured across the point's segment:
-    /// (envelope(s) - z) |ds| / length, at both ends and at the midpoint of every
-    /// segment. At the end of a segment, the limit of the envelope from inside the
-    /// segment counts. A segment that begins at the foot of a step of the envelope
-    /// therefore has depth 0 there.
+    /// Largest depth of a point below the envelope, measured normal to the point's
+    /// segment: (envelope(s) - z) |ds| / length, at both ends and at the midpoint of every
+    /// segment. At a step of the envelope, its one-sided limit from inside the segment is
+    /// used. A segment that begins at the foot of a step therefore has depth 0 there.
     double gouge_mm = 0;
-    /// Share of the s between the two ends of each open curve, over all curves together,
-    /// that the result does not cover. Only tails run outside these intervals, and a
+    /// Uncovered length in s, as a share (0 to 1) of the length in s that the open curves
+    /// cover together between their ends. Only tails run outside these intervals, and a
     /// method may cut tails off.
     double uncovered = 0;
 };

@@ -52,7 +52,7 @@ enum class LimitProof {
 struct PathDeviationOptions {
     DeviationLimits limits = {};          ///< cells are refined until these are decided
     LimitProof proof = LimitProof::None;  ///< with a proof fewer cells are refined
-    /// If set, it is called now and then with the finished share, 0 to 1.
+    /// If set, it is called with the finished share, 0 to 1.
     std::function<void(double share)> progress = {};
 };
 
@@ -75,8 +75,7 @@ struct JudgedPart {
     const Part* part;             ///< not null; must outlive this object
     DeviationLimits limits = {};  ///< of the verdict
     int max_refine = 8;           ///< largest number of halvings of a cell, 0 to 20
-    /// If set, it is called now and then with the finished share of the measurement, 0 to
-    /// 1.
+    /// If set, it is called with the finished share of the measurement, 0 to 1.
     std::function<void(double share)> progress = {};
 };
 

@@ -82,8 +82,8 @@ struct VisibilityOptions {
     Angle incidence = Angle::degrees(90);
     VisibilityKind kind = VisibilityKind::Global;  ///< with or without occlusion
 
-    /// Called after each direction with the number of directions done. Any thread may
-    /// call, one at a time. An exception ends the work.
+    /// If set, it is called after each direction with the number of finished directions.
+    /// Any thread may call, one at a time. An exception ends the work.
     std::function<void(std::size_t done)> progress = {};
 };
 

@@ -4,21 +4,19 @@
 #include "endmill/core/angle.h"
 #include "endmill/cutter/cutter.h"
 
-namespace endmill {
+/// \file
+/// The stock that a cutter leaves on the path of a ball of the same radius R, which would
+/// touch the part everywhere. Results are in mm along the normal: positive for remaining
+/// stock, negative for the depth of a gouge.
+///
+/// At a slope a, the exact value is (R - r) (1 - sin a) if the reference points follow the
+/// ball's centre, and -(R - r) (sin a + cos a - 1) if the tips follow its tip. Sampling at
+/// n intervals adds at most, to first order, R^2 / (2 r n^2 cos^2 a) on a plane (0 for a
+/// flat end mill), and (V - R) pi^2 / (8 n^2) more in a valley of radius V. It never
+/// subtracts more than rounding.
+/// Source: [JangKimJeong, fig. 2].
 
-// The stock that a cutter leaves when it follows the offset of a ball of the same radius
-// R. The ball would touch the part everywhere. With the reference point on the ball's
-// centre, a cutter with a flat bottom leaves stock; with the tip on the ball's tip it
-// gouges. Positive results are remaining stock, negative ones the depth of a gouge, in mm
-// along the normal.
-//
-// The outline of the cutter and the circle are sampled at n intervals. At a slope a, the
-// exact values are (R - r) (1 - sin a) for the reference points and -(R - r) (sin a + cos
-// a - 1) for the tips, on a plane and in a valley. The results are never below them by
-// more than rounding. On a plane the excess is below R^2 / (2 r n^2 cos^2 a), to first
-// order, and 0 for a flat end mill. In a valley of radius V, (V - R) pi^2 / (8 n^2) is
-// added to that.
-// Source: [JangKimJeong, fig. 2].
+namespace endmill {
 
 /// The stock on a plane: the lowest outline of the cutter over one point of the plane,
 /// over all positions of the cutter on the ball's path.

@@ -19,6 +19,7 @@ namespace endmill {
 /// A bounding volume hierarchy for the nearest place on surfaces. The surfaces are
 /// approximated by triangles with corners on them.
 ///
+/// It is separate from `TriangleTree`, which needs all triangles when it is built.
 /// The triangles are made piece by piece, when a query comes near: most queries ask about
 /// few places, and sampling the whole part finely would take longer than all queries. The
 /// tree refers to the surfaces, which must outlive it. Queries may run on any number of

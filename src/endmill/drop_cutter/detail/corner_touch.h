@@ -19,13 +19,13 @@ inline double value_of(double number)
     return number;
 }
 
-/// The same for a pair of doubles.
+/// A DoubleDouble rounded to a double.
 inline double value_of(const DoubleDouble& number)
 {
     return number.value();
 }
 
-/// The value, or 0 if it is negative.
+/// The larger of `value` and 0.
 template <typename Real>
 Real positive(const Real& value)
 {
@@ -35,11 +35,9 @@ Real positive(const Real& value)
 /// The radii of a cutter with all digits of Real; see Cutter.
 template <typename Real>
 struct CutterShape {
-    /// mm
-    Real R;
-    /// Corner radius, mm.
-    Real r;
-    Real c;  ///< R - r, mm
+    Real R;  ///< cutter radius, mm
+    Real r;  ///< corner radius, mm
+    Real c;  ///< R - r, radius of the flat bottom, mm
 };
 
 /// A line that rises beside a cutter's axis.

@@ -6,6 +6,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/core/tolerance.h"
 
 namespace endmill {
 namespace {
@@ -14,14 +15,11 @@ namespace {
 // feed.
 constexpr double least_horizontal_share = 1e-6;
 
-// Largest deviation of an axis from +z: the rounding of a unit vector in a file.
-constexpr double axis_tolerance = 1e-6;
-
 void require_upright(const ToolPath& path)
 {
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         const Vec3& axis = path.points[i].location.axis;
-        if (!((axis - Vec3::UnitZ()).norm() <= axis_tolerance))
+        if (!((axis - Vec3::UnitZ()).norm() <= cutting_axis_tolerance))
             throw GeometryError{
                 "the axis of point " + std::to_string(i) + " is " + to_text(axis.x()) +
                 "," + to_text(axis.y()) + "," + to_text(axis.z()) +

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 
 namespace endmill {
 namespace {
@@ -11,8 +12,6 @@ namespace {
 // Differences of coordinates up to this size are still accurate to a thousandth of a
 // millimetre.
 constexpr double largest_coordinate = 1e9;  // mm
-// Rounding error that a unit vector along +z may have.
-constexpr double axis_slack = 1e-9;
 
 }  // namespace
 
@@ -22,7 +21,7 @@ void require_removable(const ToolPath& path)
         const Vec3& tip = point.location.tip;
         require(tip.allFinite() && tip.cwiseAbs().maxCoeff() <= largest_coordinate,
                 "removal along a path: a tip is not within 1e9 mm");
-        if (!((point.location.axis - Vec3::UnitZ()).norm() <= axis_slack))
+        if (!((point.location.axis - Vec3::UnitZ()).norm() <= removal_axis_tolerance))
             throw GeometryError{
                 "the tool axis of pass " + std::to_string(point.pass) + ", point " +
                 std::to_string(point.point) +

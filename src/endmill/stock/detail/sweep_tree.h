@@ -18,6 +18,9 @@ namespace endmill {
 /// clear material near a place. There is one tree per cutter; its boxes hold pieces of
 /// moves. The tree takes about 60 bytes per move and refers to the sweeps, which must
 /// outlive it.
+///
+/// It is separate from `TriangleTree` because its boxes hold moves and are open above, and
+/// because the caller rejects boxes by a bound of its own.
 class SweepTree {
 public:
     /// \throws DomainError for 2^31 sweeps or more.
