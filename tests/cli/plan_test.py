@@ -176,6 +176,7 @@ class KnownGouge(ProgramTest):
         facts = json.loads((self.folder / "net_rot24_7D-plan/summary.json").read_text())
         self.assertGreater(facts["max_motion_gouge_mm"], facts["inner_tolerance_mm"])
 
+    @long_work
     def test_gouge_is_reported_with_quiet_and_as_json(self):
         done = endmill("plan", NET, *BALL, "--direction", "u", "--quiet", "--json-errors", cwd=self.folder)
         self.assertEqual((done.returncode, done.stdout), (1, ""))
@@ -195,6 +196,7 @@ class BetterMode(ProgramTest):
         self.assertLessEqual(len(lines), 1)
         return lines[0] if lines else ""
 
+    @long_work
     def test_paper_run_names_the_limits_that_it_misses_and_mode_verified(self):
         line = self.line(SURFACES / "saddle.json", *PAPER, "--direction", "u", "-o", "out")
         facts = json.loads((self.folder / "out/summary.json").read_text())
@@ -216,6 +218,7 @@ class BetterMode(ProgramTest):
         self.assertIn("--mode verified", line)
         self.assertNotIn("missed", line)
 
+    @long_work
     def test_verified_run_has_no_better_mode(self):
         self.assertEqual(self.line(self.file(plane(size=(60, 30)))), "")
 
@@ -261,6 +264,7 @@ class PlanOnTheExample(ProgramTest):
             self.assertLessEqual(facts[direction]["max_motion_error_mm"], 0.01 * (1 + 1e-9))
             self.assertLessEqual(facts[direction]["max_gouge_mm"], 0.011)
 
+    @long_work
     def test_text_is_rounded_and_files_are_not(self):
         done = endmill("plan", NET, *COARSE, "--direction", "v", cwd=self.folder)
         for number in re.findall(r"-?\d+\.\d+", done.stdout):
@@ -292,6 +296,7 @@ class PlanOnTheExample(ProgramTest):
             twin = self.folder / "one-by-one" / path.relative_to(self.folder / "together")
             self.assertEqual(path.read_bytes(), twin.read_bytes(), path)
 
+    @long_work
     def test_files_are_well_formed_and_finite(self):
         self.summary("plan", NET, *COARSE, "--direction", "v", "-o", "out")
         ElementTree.parse(self.folder / "out/toolpath.svg")

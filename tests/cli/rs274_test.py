@@ -92,6 +92,7 @@ class Interpreter(ProgramTest):
         self.summary("post", plan, "--feed", "10", "--decimals", "0", "-o", "out")
         self.assertEqual(self.interpret(self.folder / "out/p.ngc").returncode, 0)
 
+    @long_work
     def test_paths_on_other_surfaces_are_accepted(self):
         self.judge([*FINE, "--cutter", "ball:6"], surface="torus")
         self.judge([*FINE, "--cutter", "ball:6", "--order", "one-way"], ["--comments", "no"], surface="valley")

@@ -288,6 +288,7 @@ class Setup(ProgramTest):
         self.assertEqual([whole[key] for key in keys], [fitted[key] for key in keys])
         self.assertEqual((whole["machine"], whole["type"]), (fitted["machine"], fitted["type"]))
 
+    @long_work
     def test_options_without_effect_are_refused(self):
         five, four, three = (("--machine", f"W/{axes}/T") for axes in ("caxyBz", "axyBz", "xyBz"))
         search = (("--gap", 0.1), ("--max-nodes", 9), ("--objective", "tilt"))

@@ -166,6 +166,7 @@ class Trim(ProgramTest):
                           for row in table(self.folder / method / "trimmed.csv")])
         self.assertEqual(paths[0], paths[1])
 
+    @long_work
     def test_removed_loops_end_at_trimmed_points(self):
         for number, words in enumerate(((), ("--refine",), ("--method", "3r", "--direction-deg", "-15"))):
             out = self.folder / str(number)
@@ -192,6 +193,7 @@ class Trim(ProgramTest):
         self.assertEqual(list(facts["methods"]), ["envelope"])
         self.assertEqual(facts["not_run"][:5], ["1", "2", "3", "3r", "winding"])
 
+    @long_work
     def test_files_do_not_depend_on_the_number_of_threads(self):
         texts = []
         for threads in ("1", "2", "3"):

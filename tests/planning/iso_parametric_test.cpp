@@ -63,6 +63,26 @@ TEST(IsoParametric, OnAPlaneHasThePathOfTheClosedForm)
     EXPECT_NEAR(economy.cut.tip_mm, 21 * 200, 1e-9);
 }
 
+// Enough contacts for several blocks of memory.
+TEST(IsoParametric, OfTwelveThousandPointsOnAPlaneHasThePathOfTheClosedForm)
+{
+    const double h = 1e-5;
+    const double interval = 2 * std::sqrt(2 * 5 * h - h * h);
+    const Surface plane = test::plane(200, 120, {3, 2});
+    const ToolPath path =
+        plan_iso_parametric(plane, BallCutter{5}, tolerances(0.5, h)).path;
+    const auto whole = static_cast<std::size_t>(120 / interval);
+    ASSERT_EQ(path.points.size(), 2 * (whole + 2)) << "and a pass on the border";
+    for (std::size_t k = 0; k < path.points.size(); ++k) {
+        const bool at_far_end = k % 4 == 1 || k % 4 == 2;  // zigzag
+        const double y = std::min(120.0, interval * static_cast<double>(k / 2));
+        const Vec3 expected{at_far_end ? 200.0 : 0.0, y, 0};
+        EXPECT_LT((contact_point(path.points[k]) - expected).norm(), 1e-8) << k;
+        EXPECT_EQ(path.points[k].pass, static_cast<int>(k / 2));
+        EXPECT_EQ(path.points[k].point, static_cast<int>(k % 2));
+    }
+}
+
 TEST(IsoParametric, AlongVOnAPlaneHasOnePassMoreThanWholeIntervals)
 {
     const PathEconomy economy =

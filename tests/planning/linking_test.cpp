@@ -2,6 +2,7 @@
 #include "endmill/planning/linking.h"
 
 #include <cmath>
+#include <span>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -49,6 +50,21 @@ TEST(Linking, ZigZagTurnsEveryOtherPassAndLinksThem)
         const int i = point.pass == 1 ? 2 - k % 3 : k % 3;
         EXPECT_EQ(point.contact()->u, passes[k / 3][i].u);
         EXPECT_EQ(test::contact_point(point), passes[k / 3][i].contact.point);
+    }
+}
+
+TEST(Linking, NeedsOnePassAtATime)
+{
+    const BallCutter ball{radius};
+    for (const PassOrder order : {PassOrder::ZigZag, PassOrder::OneWay}) {
+        const LinkOptions options{order, Vec3::UnitZ(), 40};
+        Pass current;  // overwritten by each call
+        const auto next = [&current, number = 0]() mutable {
+            current = slope_passes()[number++];
+            return std::span<const SurfaceContact>{current};
+        };
+        const ToolPath path = link_passes_one_by_one({3, 9, next}, ball, options);
+        EXPECT_TRUE(test::are_equal(path, link_passes(slope_passes(), ball, options)));
     }
 }
 

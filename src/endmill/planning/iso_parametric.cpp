@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "endmill/core/error.h"
 #include "endmill/core/tolerance.h"
@@ -79,9 +82,70 @@ void require_sound(const BallCutter& cutter, const IsoParametricOptions& options
             "plan_iso_parametric: the axis must be a unit vector");
 }
 
-// All passes of a surface, with parameters of the marched surface.
+// Passes in few large blocks of memory. They are linked from first to last, and each
+// block is freed as soon as the path holds its contacts. So contacts and path are never
+// whole in memory at the same time.
+class StoredPasses {
+public:
+    void add(const Pass& pass)
+    {
+        if (blocks_.empty() || !fits(blocks_.back().contacts, pass.size())) {
+            const std::size_t usual =
+                contacts_ < few_contacts ? few_contacts : contacts_per_block;
+            blocks_.emplace_back().contacts.reserve(std::max(pass.size(), usual));
+        }
+        Block& block = blocks_.back();
+        block.contacts.insert(block.contacts.end(), pass.begin(), pass.end());
+        block.lengths.push_back(pass.size());
+        ++passes_;
+        contacts_ += pass.size();
+    }
+
+    std::size_t passes() const { return passes_; }
+
+    // The path along all passes, which are removed.
+    ToolPath linked(const BallCutter& cutter, const LinkOptions& options)
+    {
+        std::size_t block = 0;
+        std::size_t pass = 0;   // in this block
+        std::size_t first = 0;  // contact of this pass
+        const auto next = [&]() -> std::span<const SurfaceContact> {
+            if (pass == blocks_[block].lengths.size()) {
+                blocks_[block] = {};
+                ++block;
+                pass = first = 0;
+            }
+            const std::size_t length = blocks_[block].lengths[pass++];
+            first += length;
+            return {blocks_[block].contacts.data() + first - length, length};
+        };
+        return link_passes_one_by_one({passes_, contacts_, next}, cutter, options);
+    }
+
+private:
+    struct Block {
+        std::vector<SurfaceContact> contacts;
+        std::vector<std::size_t> lengths;  // of its passes
+    };
+
+    static bool fits(const std::vector<SurfaceContact>& contacts, std::size_t more)
+    {
+        return contacts.capacity() - contacts.size() >= more;
+    }
+
+    // A block of 32 MiB: the C library returns it to the system when it is freed.
+    static constexpr std::size_t contacts_per_block =
+        (std::size_t{32} << 20) / sizeof(SurfaceContact);
+    static constexpr std::size_t few_contacts = 4096;  // smaller blocks cost less time
+
+    std::vector<Block> blocks_;
+    std::size_t passes_ = 0;
+    std::size_t contacts_ = 0;
+};
+
+// All passes of a surface.
 struct MarchedPasses {
-    std::vector<Pass> passes;
+    StoredPasses passes;
     std::vector<std::optional<GoverningPoint>> governing;
 };
 
@@ -106,7 +170,7 @@ public:
         std::optional<double> v = low;
         while (v) {
             const PassRole role = *v == end ? PassRole::Last : PassRole::Followed;
-            MarchedPass pass = march(*v, role, result.passes.size());
+            MarchedPass pass = march(*v, role, result.passes.passes());
             points += pass.contacts.size();
             if (points > options_.most_points)
                 throw LimitError{"the path has more than " +
@@ -114,7 +178,7 @@ public:
                                  " points, the limit"};
             const std::optional<NextPass> next = pass.next;
             result.governing.push_back(governing_point(next));
-            result.passes.push_back(std::move(pass.contacts));
+            result.passes.add(with_surface_parameters(std::move(pass.contacts)));
             if (options_.progress)
                 options_.progress((*v - low) / (end - low));
             v = next ? following(*v, next->v) : std::nullopt;
@@ -146,12 +210,23 @@ private:
         return next_pass(forward_.surface, v, candidate, options_.last_path);
     }
 
-    static std::optional<GoverningPoint> governing_point(
-        const std::optional<NextPass>& next)
+    // With the parameters of the surface itself, as all results.
+    std::optional<GoverningPoint> governing_point(
+        const std::optional<NextPass>& next) const
     {
         if (!next || !next->governing)
             return std::nullopt;
-        return GoverningPoint{next->governing->at, next->governing->partner};
+        const PassCandidate& governing = *next->governing;
+        return GoverningPoint{in_surface_order(governing.at, options_.direction),
+                              in_surface_order(governing.partner, options_.direction)};
+    }
+
+    Pass with_surface_parameters(Pass pass) const
+    {
+        if (options_.direction == Parameter::V)
+            for (SurfaceContact& contact : pass)
+                std::swap(contact.u, contact.v);
+        return pass;
     }
 
     MarchedSurface forward_;
@@ -159,19 +234,6 @@ private:
     const BallCutter& cutter_;
     const IsoParametricOptions& options_;
 };
-
-// Exchanges u and v of all contacts and governing points.
-void exchange_parameters(MarchedPasses& marched)
-{
-    for (Pass& pass : marched.passes)
-        for (SurfaceContact& contact : pass)
-            std::swap(contact.u, contact.v);
-    for (auto& governing : marched.governing)
-        if (governing) {
-            std::swap(governing->at.u, governing->at.v);
-            std::swap(governing->partner.u, governing->partner.v);
-        }
-}
 
 // An eighth of a patch in one parameter.
 struct ParameterCell {
@@ -202,10 +264,7 @@ IsoParametricPlan plan_iso_parametric(const Surface& surface, const BallCutter& 
     require_reachable(surface, options.link.axis, side);
     MarchedSurface marched = marched_surface(surface, side, options.direction);
     MarchedPasses result = SurfacePlanner{std::move(marched), cutter, options}.plan();
-    if (options.direction == Parameter::V)
-        exchange_parameters(result);
-    return {link_passes(result.passes, cutter, options.link),
-            std::move(result.governing)};
+    return {result.passes.linked(cutter, options.link), std::move(result.governing)};
 }
 
 IsoParametricPlan plan_iso_parametric(std::span<const Surface> surfaces,

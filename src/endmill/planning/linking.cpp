@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "endmill/core/detail/large_pages.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
@@ -29,7 +30,7 @@ public:
         : cutter_{cutter},
           options_{options}
     {
-        path_.points.reserve(points);
+        reserve_in_large_pages(path_.points, points);
     }
 
     void start_pass() { point_ = 0, ++pass_; }
@@ -128,16 +129,26 @@ private:
 ToolPath link_passes(std::span<const Pass> passes, const BallCutter& cutter,
                      const LinkOptions& options)
 {
-    const bool one_way = options.order == PassOrder::OneWay;
-    std::size_t points = one_way ? 2 * passes.size() : 0;
+    std::size_t contacts = 0;
     for (const Pass& pass : passes)
-        points += pass.size();
-    PathBuilder builder{cutter, options, points};
-    for (std::size_t number = 0; number < passes.size(); ++number) {
-        const Pass& pass = passes[number];
+        contacts += pass.size();
+    const auto next = [at = passes.begin()]() mutable {
+        return std::span<const SurfaceContact>{*at++};
+    };
+    return link_passes_one_by_one({passes.size(), contacts, next}, cutter, options);
+}
+
+ToolPath link_passes_one_by_one(const PassSource& source, const BallCutter& cutter,
+                                const LinkOptions& options)
+{
+    const bool one_way = options.order == PassOrder::OneWay;
+    const std::size_t lifts = one_way ? 2 * source.passes : 0;
+    PathBuilder builder{cutter, options, source.contacts + lifts};
+    for (std::size_t number = 0; number < source.passes; ++number) {
+        const std::span<const SurfaceContact> pass = source.next();
         const bool backwards = !one_way && number % 2 == 1;
         const auto contact = [&](std::size_t k) -> const SurfaceContact& {
-            return backwards ? pass[pass.size() - 1 - k] : pass[k];
+            return pass[backwards ? pass.size() - 1 - k : k];
         };
         builder.start_pass();
         const bool lift = one_way && number > 0;

@@ -44,6 +44,19 @@ struct LinkOptions {
 ToolPath link_passes(std::span<const Pass> passes, const BallCutter& cutter,
                      const LinkOptions& options);
 
+/// Passes that are handed over one by one.
+struct PassSource {
+    std::size_t passes;    ///< number of passes
+    std::size_t contacts;  ///< number of all their contacts
+    /// Returns the next pass. It is called once for each pass, and the pass before may be
+    /// freed then.
+    std::function<std::span<const SurfaceContact>()> next;
+};
+
+/// Joins the passes of `source` to one path, as `link_passes`.
+ToolPath link_passes_one_by_one(const PassSource& source, const BallCutter& cutter,
+                                const LinkOptions& options);
+
 /// Contacts of a pass that are cut without interruption, in the order of cutting.
 struct PassPiece {
     int pass;       ///< number of the pass, from 0, rising from piece to piece

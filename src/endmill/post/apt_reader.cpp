@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "endmill/core/detail/large_pages.h"
 #include "endmill/core/text.h"
 #include "endmill/post/detail/feed_move.h"
 #include "endmill/post/detail/plain_number.h"
@@ -88,6 +89,9 @@ constexpr std::array<std::string_view, 3> ignored_words{"LOADTL", "COOLNT", "STO
 constexpr std::array<std::string_view, 7> read_words{
     "UNITS", "CUTTER", "SPINDL", "FEDRAT", "RAPID", "GOTO", "FINI"};
 
+// A typical statement GOTO has about this length.
+constexpr std::size_t likely_bytes_per_statement = 32;
+
 // Runs the statements and stores what is in force: feed and speed until they change,
 // RAPID until the next GOTO.
 class AptReader {
@@ -97,6 +101,9 @@ public:
         : lines_{text, {file, "E_APT"}},
           options_{options}
     {
+        const std::size_t likely_points = text.size() / likely_bytes_per_statement;
+        reserve_in_large_pages(program_.path.points,
+                               std::min(likely_points, options.most_points));
     }
 
     Program read_all()

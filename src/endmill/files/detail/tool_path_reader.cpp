@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "endmill/core/detail/large_pages.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 #include "endmill/files/detail/csv_lines.h"
@@ -266,6 +267,7 @@ private:
         require_memory(file_, static_cast<double>(rows) * sizeof(PathPoint), limits_);
         if (rows > std::numeric_limits<int>::max())
             throw LimitError{file_ + ": more than 2147483647 points"};
+        reserve_in_large_pages(program_.path.points, rows);
         program_.path.points.resize(rows);
     }
 

@@ -6,15 +6,24 @@
 #include <set>
 #include <utility>
 
+#include "endmill/core/detail/large_pages.h"
 #include "endmill/post/detail/feed_move.h"
 
 namespace endmill {
+namespace {
+
+// A block that moves all three axes has about this length.
+constexpr std::size_t likely_bytes_per_block = 30;
+
+}  // namespace
 
 ProgramBuilder::ProgramBuilder(const TextLines& lines, const GcodeReadOptions& options)
     : lines_{lines},
       options_{options}
 {
     require_sound(options);
+    const std::size_t likely_points = lines.rest().size() / likely_bytes_per_block;
+    reserve_in_large_pages(path_.points, std::min(likely_points, options.most_points));
 }
 
 // The move to the first point starts at an unknown position and cuts nothing, so it is a
