@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "endmill/core/detail/large_pages.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
@@ -30,7 +29,7 @@ public:
         : cutter_{cutter},
           options_{options}
     {
-        reserve_in_large_pages(path_.points, points);
+        path_.points.reserve(points);
     }
 
     void start_pass() { point_ = 0, ++pass_; }
