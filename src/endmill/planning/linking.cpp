@@ -94,7 +94,7 @@ private:
     // The tip for a reference point, which lies one corner radius above it.
     Vec3 tip_of(const SectionPoint& at, double across) const
     {
-        const Vec3 tip = frame_.point(at.x(), across, at.y() - corner_radius_);
+        Vec3 tip = frame_.point(at.x(), across, at.y() - corner_radius_);
         if (tip.z() > safe_height_)
             throw GeometryError{"the safe height " + to_text(safe_height_) +
                                 " mm lies below the path, which reaches " +
