@@ -108,6 +108,7 @@ void add_force(Json& summary, const CuttingForce& force)
 std::string profile_text(const MillingCut& cut)
 {
     std::vector<double> angles;
+    angles.reserve(profile_angles);
     for (int k = 0; k < profile_angles; ++k)
         angles.push_back(2 * std::numbers::pi * k / profile_angles);
     return force_profile_csv(angles, force_profile(cut, angles));
