@@ -83,8 +83,8 @@ void require_sound(const BallCutter& cutter, const IsoParametricOptions& options
 }
 
 // Passes in few large blocks of memory. They are linked from first to last, and each
-// block is freed as soon as the path holds its contacts. So contacts and path are never
-// whole in memory at the same time.
+// block is freed when the path holds its contacts. A long path therefore needs memory for
+// itself and for one block only.
 class StoredPasses {
 public:
     void add(const Pass& pass)
