@@ -179,8 +179,8 @@ TEST(DeviationMap, NamesVerdictAndExtremesWhereTheyAre)
     const std::string svg = deviation_svg(charts, deviation, figure);
     const auto texts = texts_of(svg);
     EXPECT_TRUE(holds(texts, "gouged: gouge 0.02 mm"));
-    EXPECT_TRUE(holds(texts, "gouge 0.02"));
-    EXPECT_TRUE(holds(texts, "remaining 0.08"));
+    EXPECT_TRUE(holds(texts, "gouge 0.02 mm"));
+    EXPECT_TRUE(holds(texts, "remaining 0.08 mm"));
     EXPECT_TRUE(holds(texts, "A <part>"));
     EXPECT_TRUE(holds(texts, "ball:10 & more"));
 
@@ -190,6 +190,28 @@ TEST(DeviationMap, NamesVerdictAndExtremesWhereTheyAre)
     EXPECT_TRUE(holds(clean, "clean: gouge 0 mm"));
     EXPECT_TRUE(std::ranges::none_of(
         clean, [](const std::string& text) { return text.starts_with("gouge "); }));
+}
+
+// A letter is about 8 px wide, and the picture 900 px.
+TEST(DeviationMap, BreaksLongCaptionsAtBlanksAndCutsALongTitle)
+{
+    const Part part = std::vector<Surface>{test::plane(40, 20)};
+    const PartCharts charts = part_charts(part);
+    const Deviation deviation =
+        made_deviation(charts, 1, [](const Vec3&) { return 0.0; });
+    DeviationFigure figure;
+    figure.title = std::string(300, 'T');
+    std::string whole;
+    for (int number = 100; number < 135; ++number)
+        whole += (whole.empty() ? "" : " ") + std::to_string(number);
+    figure.captions = {whole};
+    std::string joined;
+    for (const std::string& text : texts_of(deviation_svg(charts, deviation, figure))) {
+        EXPECT_LE(text.size(), 110U);
+        if (text.starts_with("1"))
+            joined += (joined.empty() ? "" : " ") + text;
+    }
+    EXPECT_EQ(joined.substr(0, whole.size()), whole);
 }
 
 TEST(DeviationMap, StaysSmallForEveryPart)

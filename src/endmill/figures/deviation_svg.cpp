@@ -7,6 +7,10 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -25,11 +29,13 @@ namespace {
 constexpr double margin_px = 24;
 constexpr double title_px = 20;
 constexpr double caption_px = 13;
-constexpr double line_px = 20;            // distance between captions
-constexpr double legend_px = 130;         // width of the scale to the right of the map
-constexpr int swatch_px = 22;             // height of a colour on the scale
-constexpr std::size_t shown_title = 100;  // largest number of characters
-constexpr std::size_t shown_caption = 150;
+constexpr double line_px = 20;              // distance between captions
+constexpr double legend_px = 130;           // width of the scale to the right of the map
+constexpr int swatch_px = 22;               // height of a colour on the scale
+constexpr std::size_t shown_caption = 150;  // largest number of characters
+// Mean width of a letter of wide fonts, as a share of the font size.
+constexpr double letter_width = 0.62;
+constexpr double bold_letter_width = 0.72;
 constexpr LineStyle frame_style{"#9aa2ab", 1, ""};
 constexpr LineStyle mark_style{"#000000", 1.5, ""};
 constexpr double mark_radius_px = 7;
@@ -77,18 +83,43 @@ std::string shown(double mm)
     return {digits.data(), end.ptr};
 }
 
-// The first line is the verdict with both maxima and their limits.
+// Number of letters of this width (px) that fit between the margins.
+std::size_t letters_in(double picture_px, double letter_px)
+{
+    return static_cast<std::size_t>((picture_px - 2 * margin_px) / letter_px);
+}
+
+// Appends `text` to `lines`, broken at blanks into lines of at most `most` letters. A
+// longer word is cut.
+void add_wrapped(std::vector<std::string>& lines, const std::string& text,
+                 std::size_t most)
+{
+    std::string line;
+    std::istringstream words{text};
+    for (std::string word; words >> word;) {
+        if (!line.empty() && line.size() + 1 + word.size() > most)
+            lines.push_back(printable(std::exchange(line, ""), most));
+        line += (line.empty() ? "" : " ") + word;
+    }
+    lines.push_back(printable(line, most));
+}
+
+// The first caption is the verdict with both maxima and their limits.
 std::vector<std::string> caption_lines(const Deviation& deviation,
                                        const DeviationFigure& figure)
 {
     const DeviationLimits& limits = figure.limits;
-    std::vector<std::string> lines{
-        std::string{verdict_name(verdict(deviation, limits))} + ": gouge " +
-        shown(deviation.max_gouge_mm) + " mm (tolerance " + shown(limits.tolerance) +
-        "), remaining stock " + shown(deviation.max_scallop_mm) + " mm (limit " +
-        shown(limits.scallop) + ")"};
+    const std::size_t most = letters_in(figure.width_px, letter_width * caption_px);
+    std::vector<std::string> lines;
+    add_wrapped(lines,
+                std::string{verdict_name(verdict(deviation, limits))} + ": gouge " +
+                    shown(deviation.max_gouge_mm) + " mm (tolerance " +
+                    shown(limits.tolerance) + " mm), remaining stock " +
+                    shown(deviation.max_scallop_mm) + " mm (limit " +
+                    shown(limits.scallop) + " mm)",
+                most);
     for (const std::string& caption : figure.captions)
-        lines.push_back(printable(caption, shown_caption));
+        add_wrapped(lines, printable(caption, shown_caption), most);
     return lines;
 }
 
@@ -153,7 +184,8 @@ private:
     void add_heading()
     {
         double y = margin_px + title_px / 2;
-        picture_.add_text({margin_px, y}, printable(figure_.title, shown_title),
+        const std::size_t most = letters_in(layout_.width, bold_letter_width * title_px);
+        picture_.add_text({margin_px, y}, printable(figure_.title, most),
                           {title_px, "#222222", true, false});
         for (const std::string& line : captions_)
             picture_.add_text({margin_px, y += line_px}, line,
@@ -220,7 +252,7 @@ private:
     void add_scale()
     {
         const int x = layout_.scale_left;
-        picture_.add_text({x + 0.0, layout_.top + caption_px}, "remaining stock, mm",
+        picture_.add_text({x + 0.0, layout_.top + caption_px}, "deviation, mm",
                           {caption_px, "#222222", true, false});
         const auto edges = class_edges(figure_.limits);
         for (std::size_t k = 0; k < colours.size(); ++k) {
@@ -262,13 +294,13 @@ private:
         }
         picture_.add_polygon(ring, "none", mark_style);
         add_label(at + PixelPoint{0, shift_px},
-                  std::string{name} + shown(std::abs(place.left)));
+                  std::string{name} + shown(std::abs(place.left)) + " mm");
     }
 
     // Draws a label on a white plate beside its mark, on the side that has room.
     void add_label(const PixelPoint& at, const std::string& label)
     {
-        constexpr double letter_px = 0.62 * caption_px;
+        constexpr double letter_px = letter_width * caption_px;
         const double width = letter_px * static_cast<double>(label.size());
         const double gap = mark_radius_px + 3;
         const bool is_left = at.x() > layout_.left + layout_.map_width / 2.0 &&
