@@ -9,7 +9,7 @@ set(ENDMILL_TEST_BATCH 8 CACHE STRING "Test files that are compiled together; 1:
 function(endmill_test_options target)
   target_link_libraries(${target} PRIVATE endmill_test_support endmill_warnings GTest::gtest_main
                         GTest::gmock)
-  target_compile_options(${target} PRIVATE -O0)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Asan>:-O0>)
 endfunction()
 
 # endmill_precompile_tests(): declares endmill_tests and the owner of the shared header.
