@@ -7,14 +7,14 @@ from datetime import datetime, timezone
 from itertools import groupby
 from pathlib import Path
 
-from . import machine, report
+from . import claims, machine, report
 from .accept import accept
 from .experiments import find_experiments, long_ones, select
 from .fault import Fault
 from .figures import draw_all
 from .outcome import gather, read_run
 from .run import run_all, write_whole
-from .verdicts import as_text
+from .verdicts import SHOWN, as_text
 
 ROOT = Path(__file__).resolve().parents[2]
 START = time.monotonic()
@@ -57,10 +57,12 @@ def show(outcome):
     """Prints one outcome: published beside computed numbers, then the faults."""
     say(f"\n{outcome.experiment.name}: regression {outcome.regression}")
     if outcome.lines:
-        say(as_text(outcome.lines))
-    for line in outcome.lines:
-        if line.warning:
-            say(f"warning: row {line.row!r}, column {line.column!r}: {line.warning}")
+        say(as_text(SHOWN, outcome.lines, numeric=range(2, 6)))
+    if outcome.claims:
+        say(as_text(claims.SHOWN, outcome.claims, numeric=[2]))
+    for judged in [*outcome.lines, *outcome.claims]:
+        if judged.warning:
+            say(f"warning: row {judged.row!r}, column {judged.column!r}: {judged.warning}")
     for fault in outcome.faults:
         say(f"error: {fault}")
     if outcome.run["exit"] != 0:

@@ -3,6 +3,7 @@
 import json
 from dataclasses import dataclass, field
 
+from .claims import judge_claims
 from .compare import compare
 from .experiments import Experiment
 from .fault import Fault
@@ -21,6 +22,7 @@ class Outcome:
     faults: list  # texts, such as on a crash or a malformed file
     result: Table = Table([], [])  # result.csv
     lines: list = field(default_factory=list)  # verdicts.Line
+    claims: list = field(default_factory=list)  # claims.Claim
     broken: list = field(default_factory=list)  # compare.Broken
     has_expected: bool = False
     figures: list = field(default_factory=list)  # the figures of params.json whose files exist
@@ -34,6 +36,11 @@ class Outcome:
             return "no expected.csv"
         count = len(self.broken)
         return f"broken: {count} cell{'' if count == 1 else 's'}" if count else "ok"
+
+    @property
+    def verdicts(self):
+        """The verdicts of all published numbers and claims."""
+        return [judged.verdict for judged in [*self.lines, *self.claims]]
 
     @property
     def good(self):
@@ -73,6 +80,9 @@ def examine(outcome):
     published = experiment.folder / "published.csv"
     if published.exists():
         outcome.lines = judge(read_table(published), result)
+    claims = experiment.folder / "claims.csv"
+    if claims.exists():
+        outcome.claims = judge_claims(read_table(claims), result)
     expected = experiment.folder / "expected.csv"
     outcome.has_expected = expected.exists()
     if outcome.has_expected:

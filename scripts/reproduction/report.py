@@ -7,7 +7,7 @@ from itertools import groupby
 from pathlib import Path
 from urllib.parse import quote
 
-from . import prose
+from . import claims, prose
 from .tables import number
 from .verdicts import INPUT, SHOWN, VERDICTS
 
@@ -16,13 +16,17 @@ LONGEST_TABLE = 60  # rows; a longer result is a link to its CSV file
 POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
 # The class of a verdict or a state in report.css.
 COLOUR = {
-    "reproduced": "good", "ok": "good", "calibrated": "fitted", "differs": "bad", "failed": "bad",
+    "reproduced": "good", "ok": "good", "print agrees": "print", "calibrated": "fitted",
+    "differs": "bad", "print disagrees": "bad", "failed": "bad",
     "not recoverable": "open", "not in the paper": "open", INPUT: "quiet",
     "no expected.csv": "quiet",
 }
 MEANING = {
     "reproduced": "computed without this number or anything fitted to it,"
                   " and equal within the print's rounding",
+    "print agrees": "arithmetic on printed numbers alone gives the printed number;"
+                    " it says nothing about the method",
+    "print disagrees": "arithmetic on printed numbers alone gives another number",
     "calibrated": "an input was fitted to this number or to others of its table:"
                   " agreement is no evidence",
     "differs": "computed independently, and not equal",
@@ -63,6 +67,16 @@ def published_table(outcome):
     rows = [[escape(text) for text in line.shown()[:-1]] + [word(line.shown_verdict, line.verdict)]
             for line in outcome.lines]
     return table(SHOWN, rows, numeric=range(2, 6), label="published and computed")
+
+
+def claims_table(outcome):
+    """The claims in words, each with what was measured and what decides it."""
+    if not outcome.claims:
+        return ""
+    rows = [[escape(claim.text), escape(claim.quantity), escape(rounded(claim.measured)),
+             escape(claim.condition), word(claim.shown_verdict, claim.verdict)]
+            for claim in outcome.claims]
+    return table(claims.SHOWN, rows, numeric=[2], label="claims and measurements")
 
 
 def rounded(text):
@@ -145,6 +159,7 @@ def section(outcome):
         f"<p class=claim>{readme.claim}</p>" if readme.claim else "",
         troubles(outcome),
         published_table(outcome),
+        claims_table(outcome),
         result_table(outcome),
         *[figure(outcome, description) for description in outcome.figures],
         f"<div class=about>{readme.body}</div>",
@@ -160,7 +175,7 @@ def contents(papers):
         html.append(f'<li><a href="#{anchor(paper)}">{escape(title)}</a><ul>')
         for outcome in outcomes:
             experiment = outcome.experiment
-            counts = Counter(line.verdict for line in outcome.lines)
+            counts = Counter(outcome.verdicts)
             said = [f" · {counts[v]} {v}" for v in VERDICTS if counts[v] and v != INPUT]
             html.append(f'<li><a href="#{anchor(experiment.paper, experiment.item)}">'
                         f"{escape(readme_of(experiment).title)}</a>"
@@ -174,7 +189,7 @@ def counts_table(papers):
     """The number of cells of each paper for each verdict."""
     rows, total = [], Counter()
     for paper, title, outcomes in papers:
-        counts = Counter(line.verdict for outcome in outcomes for line in outcome.lines)
+        counts = Counter(verdict for outcome in outcomes for verdict in outcome.verdicts)
         total += counts
         link = f'<a href="#{anchor(paper)}">{escape(title)}</a>'
         rows.append([link] + [str(counts[v]) for v in VERDICTS])

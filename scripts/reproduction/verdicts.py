@@ -7,7 +7,8 @@ from .tables import number
 
 COLUMNS = ["row", "column", "published", "digits", "verdict"]
 INPUT = "–"
-VERDICTS = ["reproduced", "calibrated", "differs", "not recoverable", "not in the paper", INPUT]
+VERDICTS = ["reproduced", "print agrees", "print disagrees", "calibrated", "differs", "not recoverable",
+            "not in the paper", INPUT]
 WITHOUT_NUMBER = {"not recoverable", "not in the paper", INPUT}  # may have no computed cell
 READING = 1e-9  # relative; decimal and binary numbers rarely agree exactly
 
@@ -44,12 +45,15 @@ def equals_print(published, computed, digits):
     return abs(computed - published) <= 0.5 * 10.0**-digits + READING * abs(published)
 
 
+REFUTED = {"reproduced": "differs", "print agrees": "print disagrees"}
+
+
 def honest(declared, equal):
     """The verdict and remark to show for a `declared` one, given whether the numbers are equal."""
-    if declared == "reproduced" and not equal:
-        return "differs", ""
-    if declared == "differs" and equal:
-        return "differs", "equal within rounding"
+    if declared in REFUTED and not equal:
+        return REFUTED[declared], ""
+    if declared in REFUTED.values() and equal:
+        return declared, "equal within rounding"
     return declared, ""
 
 
@@ -81,7 +85,7 @@ def judge_text(row, column, printed, computed, declared):
     elif declared in WITHOUT_NUMBER:
         verdict, remark = declared, ""
     else:
-        verdict, _ = honest(declared, equal=False)
+        verdict = REFUTED.get(declared, declared)
         remark = "nothing to compare"
     return Line(row, column, printed, computed, "", "",
                 verdict, remark, warn(declared, verdict, remark))
@@ -108,11 +112,10 @@ def judge(published, result):
     return [judge_line(row, cells) for row in published.rows]
 
 
-def as_text(lines):
-    """The lines as an aligned table for a terminal."""
-    table = [SHOWN] + [line.shown() for line in lines]
-    widths = [max(len(row[i]) for row in table) for i in range(len(SHOWN))]
-    numeric = range(2, 6)
+def as_text(head, judged, numeric):
+    """The lines or claims as an aligned table for a terminal. `numeric` columns are aligned to the right."""
+    table = [head] + [one.shown() for one in judged]
+    widths = [max(len(row[i]) for row in table) for i in range(len(head))]
     return "\n".join(
         "  ".join(
             text.rjust(width) if i in numeric else text.ljust(width)

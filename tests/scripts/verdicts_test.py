@@ -5,7 +5,7 @@ import unittest
 import fake_tree  # noqa: F401 (finds the scripts)
 from reproduction.fault import Fault
 from reproduction.tables import Table
-from reproduction.verdicts import COLUMNS, VERDICTS, as_text, equals_print, judge
+from reproduction.verdicts import COLUMNS, SHOWN, VERDICTS, as_text, equals_print, judge
 
 
 def judged(published, computed, digits, verdict):
@@ -38,6 +38,15 @@ class Verdicts(unittest.TestCase):
         line = judged("820", "820.2", "0", "differs")
         self.assertEqual(line.shown_verdict, "differs (equal within rounding)")
         self.assertTrue(line.warning)
+
+    def test_arithmetic_on_printed_numbers_agrees_or_disagrees(self):
+        for declared in ("print agrees", "print disagrees"):
+            equal = judged("60.7", "60.72", "1", declared)
+            other = judged("60.7", "60.78", "1", declared)
+            self.assertEqual(equal.verdict, declared)
+            self.assertEqual(other.verdict, "print disagrees")
+            self.assertEqual((bool(equal.warning), bool(other.warning)),
+                             (declared == "print disagrees", declared == "print agrees"))
 
     def test_calibrated_is_kept_for_equal_numbers(self):
         for computed in ("1061", "1066"):
@@ -76,7 +85,7 @@ class Verdicts(unittest.TestCase):
             judge(Table(["row", "column"], []), None)
 
     def test_text_has_one_line_for_each_number(self):
-        text = as_text([judged("25", "25.08", "0", "reproduced")])
+        text = as_text(SHOWN, [judged("25", "25.08", "0", "reproduced")], numeric=range(2, 6))
         self.assertEqual(len(text.splitlines()), 2)
         self.assertRegex(text, r"a +x +25 +25\.08 +\+0\.08 +\+0\.32 +reproduced")
 

@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Claims in words: each is decided by a measured quantity and a threshold."""
+import re
+from dataclasses import dataclass
+
+from .fault import Fault
+from .tables import number
+from .verdicts import VERDICTS, WITHOUT_NUMBER, honest, warn
+
+COLUMNS = ["claim", "row", "column", "quantity", "holds_if", "verdict"]
+SHOWN = ["claim", "measured quantity", "measured", "holds if", "verdict"]
+CONDITION = re.compile(r"(<=|>=|<|>|=)\s*(\S.*)")
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One claim, with its measured cell and the verdict that this cell supports."""
+
+    text: str
+    row: str
+    column: str
+    quantity: str  # what the cell of result.csv is
+    measured: str  # the cell, empty if there is none
+    condition: str  # when the claim holds, such as `<= 0.05`
+    verdict: str  # one of VERDICTS
+    remark: str  # shown after the verdict
+    warning: str  # empty if the declared verdict is supported
+
+    @property
+    def shown_verdict(self):
+        return f"{self.verdict} ({self.remark})" if self.remark else self.verdict
+
+    def shown(self):
+        """The texts of the columns SHOWN."""
+        return [self.text, self.quantity, self.measured, self.condition, self.shown_verdict]
+
+
+def holds(measured, condition):
+    """Whether the text `measured` meets `condition`: <, <=, > or >= and a number, or = and a text or number.
+
+    Raises Fault if the condition has another form, or needs a number and the cell has none.
+    """
+    match = CONDITION.fullmatch(condition)
+    if not match:
+        raise Fault(f"holds_if {condition!r}, expected <, <=, >, >= or = and a value")
+    sign, text = match.groups()
+    limit, value = number(text), number(measured)
+    if sign == "=":
+        return measured == text if limit is None or value is None else value == limit
+    if limit is None or value is None:
+        raise Fault(f"holds_if {condition!r} needs two numbers, found {measured!r}")
+    return {"<": value < limit, "<=": value <= limit, ">": value > limit, ">=": value >= limit}[sign]
+
+
+def judge_claim(row, cells):
+    """The Claim of one row of claims.csv."""
+    text, label, column, quantity, condition, declared = row
+    measured = cells.get((label, column), "")
+    if measured:
+        verdict, remark = honest(declared, holds(measured, condition))
+    elif declared in WITHOUT_NUMBER:
+        verdict, remark = declared, ""
+    else:
+        raise Fault(f"result.csv has no cell in row {label!r}, column {column!r}")
+    return Claim(text, label, column, quantity, measured, condition, verdict, remark,
+                 warn(declared, verdict, remark))
+
+
+def judge_claims(table, result):
+    """The Claims of claims.csv, decided by the table result.csv."""
+    if table.header != COLUMNS:
+        raise Fault(f"claims.csv: the header must be {','.join(COLUMNS)}")
+    cells = result.cells()
+    found = []
+    for row in table.rows:
+        where = f"claims.csv, claim {row[0]!r}"
+        if row[-1] not in VERDICTS:
+            raise Fault(f"{where}: verdict {row[-1]!r}, expected one of {', '.join(VERDICTS)}")
+        try:
+            found.append(judge_claim(row, cells))
+        except Fault as fault:
+            raise Fault(f"{where}: {fault}") from None
+    return found
