@@ -6,7 +6,7 @@ A source has one of these forms, and several sources may follow each other:
 
 * `[Key, eq. (4)]`, `[Key, section 2.1]`, `[Key, fig. 3]`, `[Key, theorem 1]` and so on: Key is an entry of
   paper/references.bib, and the number gives the place in the work;
-* `docs/mathematics/removal.md, section 4` or `paper/notes/swept-cutter.md, section 2`: a file of the
+* `docs/methods/removal.md, section 4` or `paper/notes/swept-cutter.md, section 2`: a file of the
   repository and a heading in it that begins with this number.
 
 The text of a source ends with its paragraph. No comment, and no docstring of a Python file, may refer to

@@ -11,7 +11,7 @@ namespace endmill {
 
 /// The calibrated data set for "steel" or "aluminium": the file of the material, the tool
 /// that both share, and the machine as set for the material.
-/// Source: docs/mathematics/ball-end-milling.md, section 8.
+/// Source: docs/methods/ball-end-milling.md, section 8.
 MillingJob reference_job(const std::string& material);
 
 /// The same job with a right-hand cutter under M03. In down milling the frame of

@@ -5,9 +5,8 @@ from dataclasses import dataclass
 
 from .fault import Fault
 from .tables import number
-from .verdicts import VERDICTS, WITHOUT_NUMBER, honest, warn
+from .verdicts import WITHOUT_NUMBER, checked_rows, honest, is_claim, warn
 
-COLUMNS = ["claim", "row", "column", "quantity", "holds_if", "verdict"]
 SHOWN = ["claim", "measured quantity", "measured", "holds if", "verdict"]
 CONDITION = re.compile(r"(<=|>=|<|>|=)\s*(\S.*)")
 
@@ -53,8 +52,11 @@ def holds(measured, condition):
 
 
 def judge_claim(row, cells):
-    """The Claim of one row of claims.csv."""
-    text, label, column, quantity, condition, declared = row
+    """The Claim of one row of published.csv, whose column `published` is the condition.
+
+    Raises Fault if the condition cannot be decided.
+    """
+    label, column, condition, _, declared, text, quantity = row
     measured = cells.get((label, column), "")
     if measured:
         verdict, remark = honest(declared, holds(measured, condition))
@@ -66,18 +68,13 @@ def judge_claim(row, cells):
                  warn(declared, verdict, remark))
 
 
-def judge_claims(table, result):
-    """The Claims of claims.csv, decided by the table result.csv."""
-    if table.header != COLUMNS:
-        raise Fault(f"claims.csv: the header must be {','.join(COLUMNS)}")
-    cells = result.cells()
+def judge_claims(published, result):
+    """The Claims of published.csv, decided by the table result.csv. Raises Fault if one cannot be decided."""
     found = []
-    for row in table.rows:
-        where = f"claims.csv, claim {row[0]!r}"
-        if row[-1] not in VERDICTS:
-            raise Fault(f"{where}: verdict {row[-1]!r}, expected one of {', '.join(VERDICTS)}")
+    for row in checked_rows(published):
         try:
-            found.append(judge_claim(row, cells))
+            if is_claim(row):
+                found.append(judge_claim(row, result.cells()))
         except Fault as fault:
-            raise Fault(f"{where}: {fault}") from None
+            raise Fault(f"published.csv, claim {row[5]!r}: {fault}") from None
     return found

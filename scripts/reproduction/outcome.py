@@ -79,10 +79,9 @@ def examine(outcome):
     result = outcome.result = read_table(experiment.results / "result.csv", labelled=True)
     published = experiment.folder / "published.csv"
     if published.exists():
-        outcome.lines = judge(read_table(published), result)
-    claims = experiment.folder / "claims.csv"
-    if claims.exists():
-        outcome.claims = judge_claims(read_table(claims), result)
+        table = read_table(published)
+        outcome.lines = judge(table, result)
+        outcome.claims = judge_claims(table, result)
     expected = experiment.folder / "expected.csv"
     outcome.has_expected = expected.exists()
     if outcome.has_expected:

@@ -6,6 +6,7 @@ from .fault import Fault
 from .tables import number
 
 COLUMNS = ["row", "column", "published", "digits", "verdict"]
+CLAIM_COLUMNS = COLUMNS + ["claim", "quantity"]  # a row with a claim holds its condition in `published`
 INPUT = "–"
 VERDICTS = ["reproduced", "print agrees", "print disagrees", "calibrated", "differs", "not recoverable",
             "not in the paper", INPUT]
@@ -99,17 +100,36 @@ def warn(declared, verdict, remark):
 
 
 def judge(published, result):
-    """The Lines of published.csv beside the table result.csv (None: the experiment has none)."""
-    if published.header != COLUMNS:
-        raise Fault(f"published.csv: the header must be {','.join(COLUMNS)}")
-    for row, column, text, digits, verdict in published.rows:
-        where = f"published.csv, row {row!r}, column {column!r}"
+    """The Lines of the rows of published.csv that are numbers, beside the table result.csv.
+
+    Raises Fault if a row is malformed or stands twice.
+    """
+    return [judge_line(row[:len(COLUMNS)], result.cells())
+            for row in checked_rows(published) if not is_claim(row)]
+
+
+def is_claim(row):
+    """Whether a row of published.csv is a claim in words."""
+    return len(row) > len(COLUMNS) and row[len(COLUMNS)] != ""
+
+
+def checked_rows(published):
+    """The rows of published.csv. Raises Fault if a row is malformed or stands twice."""
+    if published.header not in (COLUMNS, CLAIM_COLUMNS):
+        raise Fault(f"published.csv: the header must be {','.join(COLUMNS)}, with or without claim,quantity")
+    seen = set()
+    for row in published.rows:
+        label, column, text, digits, verdict = row[:len(COLUMNS)]
+        where = f"published.csv, row {label!r}, column {column!r}"
+        key = (label, column, *row[len(COLUMNS):][:1])  # a cell may decide several claims
+        if key in seen:
+            raise Fault(f"{where}: stands twice")
+        seen.add(key)
         if verdict not in VERDICTS:
             raise Fault(f"{where}: verdict {verdict!r}, expected one of {', '.join(VERDICTS)}")
-        if number(text) is not None and not digits.lstrip("-").isdecimal():
+        if not is_claim(row) and number(text) is not None and not digits.lstrip("-").isdecimal():
             raise Fault(f"{where}: digits {digits!r}, expected the count of decimals printed")
-    cells = result.cells() if result else {}
-    return [judge_line(row, cells) for row in published.rows]
+    return published.rows
 
 
 def as_text(head, judged, numeric):

@@ -15,7 +15,7 @@ def engagement(mu=0.0, slope=0.0, pick=0.5, depth=1.0):
             "--depth-ratio", depth]
 
 
-# docs/mathematics/ball-end-milling.md, section 9: (mu, lambda, R_p, R_l), chip, I1 to I8.
+# docs/methods/ball-end-milling.md, section 9: (mu, lambda, R_p, R_l), chip, I1 to I8.
 VECTORS = [
     ((0, 0, .5, 2), "paper", [.1235246716864, .1301029447756, .2777270912488, .1945774798852, .1945774798852,
                               .3739361126434, .1583180609274, .3155540626321]),
@@ -100,7 +100,7 @@ class Coefficients(ProgramTest):
             return json.loads(done.stdout)["peak_factor"], done.stderr
         down, said = run("--helix-deg", 30)
         self.assertIn("--helix-deg -30", said)
-        self.assertAlmostEqual(down, 4.35746842, delta=1e-5)  # docs/mathematics/ball-end-milling.md, section 4
+        self.assertAlmostEqual(down, 4.35746842, delta=1e-5)  # docs/methods/ball-end-milling.md, section 4
         right_hand, said = run("--helix-deg", -30)
         self.assertEqual(said, "")
         self.assertLess(right_hand, 0.9 * down)

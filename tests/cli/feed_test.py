@@ -14,7 +14,7 @@ TOOL = ROOT / "datasets/tools/ball-10-steel-and-aluminium.json"
 HEADER = ("pass,point,length_mm,mu_deg,lambda_deg,pick_feed_mm,pick_feed_horizontal_mm,depth_mm,"
           "engaged_angle_deg,feed_per_tooth_mm,peak_factor,limit,speed_limit,cutting_force_n,thrust_n,"
           "torque_n_m,power_w")
-# docs/mathematics/ball-end-milling.md, section 9, A14: one straight horizontal slot.
+# docs/methods/ball-end-milling.md, section 9, A14: one straight horizontal slot.
 SLOT = {"format": "endmill-material/1", "specific_resistance_n_per_mm2": 2000, "edge_thickness_mm": 0.016,
         "r1": 0.4, "r2": 0.4, "r3": 0.2, "r4": 0.6, "alpha": 0.368, "v1_m_per_min": 28.4313}
 TWO_FLUTES = ["--cutter", "ball:10", "--flutes", "2"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill machine: words, feasible directions and positions of docs/mathematics/five-axis-setup.md,
+"""endmill machine: words, feasible directions and positions of docs/methods/five-axis-setup.md,
 section 9, and refused input."""
 import json
 import math

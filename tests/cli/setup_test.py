@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""endmill setup: directions and teapot of docs/mathematics/five-axis-setup.md, section 9, convex parts,
+"""endmill setup: directions and teapot of docs/methods/five-axis-setup.md, section 9, convex parts,
 machines of every kind, and refused input."""
 import json
 import math

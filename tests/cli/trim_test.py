@@ -9,7 +9,7 @@ import unittest
 from program import ROOT, ProgramTest, endmill, long_work, plane
 
 VALLEY = ROOT / "datasets/surfaces/valley.json"
-# docs/mathematics/interference.md, section 11, T1: one symmetric loop that crosses itself at (0, 0).
+# docs/methods/interference.md, section 11, T1: one symmetric loop that crosses itself at (0, 0).
 LOOP = "s_mm,z_mm\n-6,6\n2,-2\n0,-1\n-2,-2\n6,6\n"
 
 # A cube of 10 mm that faces outwards.
@@ -74,7 +74,7 @@ class Trim(ProgramTest):
             self.assertLess(facts["methods"][name]["max_below_envelope_mm"], 1e-9, name)
 
     def test_fold_that_is_left_is_reported(self):
-        # docs/mathematics/interference.md, section 11, T5: nested loops with two steps back in s. The guarded
+        # docs/methods/interference.md, section 11, T5: nested loops with two steps back in s. The guarded
         # methods keep them.
         wide = "s_mm,z_mm\n-10,10\n4,-4\n-2,-3\n0,-3.6\n2,-3.1\n-4,-4\n10,10\n"
         done = endmill("trim", "--polyline", self.file(wide, "w.csv"), "--method", "3", "--json", "-o", "out",
@@ -206,7 +206,7 @@ class Trim(ProgramTest):
 
     @long_work
     def test_contacts_on_the_border_prevent_gouges(self):
-        # docs/mathematics/interference.md, section 11, A10. The grid of 100 lines has four times the chord
+        # docs/methods/interference.md, section 11, A10. The grid of 100 lines has four times the chord
         # error of the 200 lines there.
         words = ("trim", VALLEY, "--cutter", "ball:20", "--grid", "100", "--direction-deg", "-15")
         for method in ("envelope", "winding"):

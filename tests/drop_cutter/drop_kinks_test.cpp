@@ -33,7 +33,7 @@ TEST(DropKinks, IsTheCrossingOfTheInclinedTrough)
     const std::vector<Surface> part{test::graph(height, {{-20, 21}, {-15, 16}}, {3, 2})};
     const SmoothDrop drop{part, Cutter::ball(radius)};
     const DriveLine line{along_x, 0};
-    // Closed form A3 of docs/mathematics/interference.md, section 11.
+    // Closed form A3 of docs/methods/interference.md, section 11.
     const double expected =
         radius * radius / (2 * p) + p / (2 * std::cos(beta) * std::cos(beta));
     for (const double beside : {0.01, 1.0, 6.0}) {

@@ -49,7 +49,7 @@ Vec3 random_direction(test::Random& random)
             std::sqrt(1 - z * z) * std::sin(azimuth), z};
 }
 
-// Source: docs/mathematics/five-axis-setup.md, section 9 (9.3).
+// Source: docs/methods/five-axis-setup.md, section 9 (9.3).
 TEST(FeasibleDirections, OfCBAreTwoSectors)
 {
     const FeasibleDirections set =
@@ -88,7 +88,7 @@ TEST(FeasibleDirections, HaveTheSolidAnglesOfTheTable)
             2 * (pi / 3) * (1 - std::cos(rad(30))), 1e-14);
 }
 
-// Closed forms at random limits. Source: docs/mathematics/five-axis-setup.md, section 3.
+// Closed forms at random limits. Source: docs/methods/five-axis-setup.md, section 3.
 TEST(FeasibleDirections, HaveTheSolidAngleInClosedForm)
 {
     test::Random random{5};

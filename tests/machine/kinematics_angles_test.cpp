@@ -47,7 +47,7 @@ Vec3 turned(const RotaryFrame& frame, const RotaryAngles& angles)
     return first * (second * frame.tool_axis);
 }
 
-// Source: docs/mathematics/five-axis-setup.md, section 9 (9.2).
+// Source: docs/methods/five-axis-setup.md, section 9 (9.2).
 TEST(RotaryAngles, GiveTheDirectionsOfTheTable)
 {
     const double s = std::sin(rad(30));

@@ -41,7 +41,7 @@ std::vector<Machine> valid_machines()
     return valid;
 }
 
-// Positions of three machines. Source: docs/mathematics/five-axis-setup.md, section 9
+// Positions of three machines. Source: docs/methods/five-axis-setup.md, section 9
 // (9.2).
 struct PrintedPosition {
     const char* word;

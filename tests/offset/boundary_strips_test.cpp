@@ -155,7 +155,7 @@ double depth_over_corner(const Cutter& cutter, const std::vector<Surface>& part)
 // Where the normal passes the axis, the bottom circle turns about it at once.
 TEST(BoundaryStrips, KeepToTheirChordErrorOverCorners)
 {
-    // mm, see docs/mathematics/interference.md, section 2.5
+    // mm, see docs/methods/interference.md, section 2.5
     constexpr double chord_error = 1e-3;
     for (const Cutter& cutter : {Cutter::ball(10), Cutter::flat(10), Cutter{10, 3},
                                  Cutter{10, 0.5}, Cutter{10, 8}}) {

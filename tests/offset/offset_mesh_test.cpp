@@ -75,7 +75,7 @@ TEST(OffsetMesh, OfAMirroredSurfaceIsTurnedToTheTool)
     EXPECT_EQ(test::rims(offset), 1);
 }
 
-// The counts of docs/mathematics/interference.md, section 3: the offset of the valley for
+// The counts of docs/methods/interference.md, section 3: the offset of the valley for
 // a ball of radius 10, with 200 by 200 points and 100 planes. They count whole cells; the
 // slicer visits fewer triangles.
 class OffsetOfTheValley : public testing::TestWithParam<double> {

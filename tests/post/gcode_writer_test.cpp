@@ -52,7 +52,7 @@ TEST(Gcode, IsSafeAboveMovesAtFeedAndNotBelowItsRapids)
     EXPECT_EQ(height(-9, -2), -2 + default_clearance_mm);
 }
 
-// Written by hand from docs/mathematics/removal.md, section 6, start and end of a
+// Written by hand from docs/methods/removal.md, section 6, start and end of a
 // program.
 TEST(Gcode, WritesASmallPathAsByHand)
 {

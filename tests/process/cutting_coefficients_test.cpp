@@ -94,7 +94,7 @@ TEST(CuttingCoefficients, OnLevelGroundAreClosed)
 }
 
 // Closed forms of a slot on a slope, with complete elliptic integrals. Source:
-// docs/mathematics/ball-end-milling.md, section 9, A7.
+// docs/methods/ball-end-milling.md, section 9, A7.
 TEST(CuttingCoefficients, OfASlopingSlotAreClosed)
 {
     for (const double lambda : {-1.4, -0.7, -0.1, -1e-4, 1e-4, 0.2, 0.9, 1.5}) {
@@ -156,7 +156,7 @@ TEST(CuttingCoefficients, AreThoseOfTheDataSet)
 }
 
 // [ParkMaeng, figure 3]: I1 at a depth of the radius and a pick feed of half of it. The
-// values come from integration by slices (docs/mathematics/ball-end-milling.md, section
+// values come from integration by slices (docs/methods/ball-end-milling.md, section
 // 3.5).
 TEST(CuttingCoefficients, DrawTheThirdFigure)
 {

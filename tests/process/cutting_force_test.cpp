@@ -16,7 +16,7 @@ const CuttingMaterial material{2000, 0.016, 0.4, 0.5, 0.2, 0.6, 0.37, 28};
 const MillingTool mill{5, 2, 0.5};
 
 // A slot on level ground has I = 0, 1/4, 0, 1/pi, 1/pi, 1/2, 1/4, pi/8
-// (docs/mathematics/ball-end-milling.md, section 9, A1).
+// (docs/methods/ball-end-milling.md, section 9, A1).
 TEST(MeanForce, OfASlotIsClosed)
 {
     const CuttingCoefficients slot =

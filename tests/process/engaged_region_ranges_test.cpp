@@ -84,7 +84,7 @@ TEST(EngagedRanges, OnLevelGroundAreClosed)
         }
 }
 
-// For lambda = 0 the ends are closed (docs/mathematics/ball-end-milling.md, section 3.3),
+// For lambda = 0 the ends are closed (docs/methods/ball-end-milling.md, section 3.3),
 // with h = cos(latitude) - b.
 TEST(EngagedRanges, OfALevelFeedAreClosed)
 {

@@ -20,7 +20,7 @@ namespace {
 using test::relative_error;
 using Points = std::vector<Vec3>;
 
-// docs/mathematics/ball-end-milling.md, section 11.
+// docs/methods/ball-end-milling.md, section 11.
 constexpr FeedAcceleration motion{.acceleration_mm_per_s2 = 1000,
                                   .corner_tolerance_mm = 0.01};
 

@@ -110,7 +110,7 @@ TEST(CuttingLoad, FormsAgreeWhereR2IsR1)
     }
 }
 
-// docs/mathematics/ball-end-milling.md, section 8: where the force limit binds,
+// docs/methods/ball-end-milling.md, section 8: where the force limit binds,
 // F_z = r3 F/S + (r4 - r3) R_m m r0 K h* I6.
 TEST(CuttingLoad, ThrustAtTheForceLimitFollowsFromTheEdgeAlone)
 {

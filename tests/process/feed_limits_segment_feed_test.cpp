@@ -41,7 +41,7 @@ SegmentLoad slot(double length, const FeedRules& rules)
             .peak_factor = 1.8};
 }
 
-// docs/mathematics/ball-end-milling.md, section 9, A14.
+// docs/methods/ball-end-milling.md, section 9, A14.
 TEST(SegmentFeed, OfASlotIsClosed)
 {
     const FeedRules slack = rules({.cutting_force_n = 1200});

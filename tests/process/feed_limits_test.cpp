@@ -79,7 +79,7 @@ TEST(ToothFeed, NeedsABound)
     EXPECT_THROW(tooth_feed({}, {.most_mm = 1, .least_mm = 0}), DomainError);
 }
 
-// docs/mathematics/ball-end-milling.md, section 9, A14: the other limits do not bind.
+// docs/methods/ball-end-milling.md, section 9, A14: the other limits do not bind.
 TEST(TableFeed, OfASlotAtTheEconomicSpeed)
 {
     MoveDemand slot = long_slot;

@@ -59,7 +59,7 @@ double share(const FeedPlan& plan, SpeedLimit limit)
     return plan.totals.speed_limit_shares[static_cast<std::size_t>(limit)];
 }
 
-// docs/mathematics/ball-end-milling.md, section 9, A14.
+// docs/methods/ball-end-milling.md, section 9, A14.
 TEST(FeedPlan, OfASlotIsClosed)
 {
     MillingJob job = steel_job();
@@ -79,7 +79,7 @@ TEST(FeedPlan, OfASlotIsClosed)
     EXPECT_EQ(share(plan, SpeedLimit::EconomicSpeed), 1);
 }
 
-// docs/mathematics/ball-end-milling.md, section 7: facts of the path REF.
+// docs/methods/ball-end-milling.md, section 7: facts of the path REF.
 TEST(ReferencePath, HasTheStatedLengthAndRanges)
 {
     const std::vector<double> passes = test::reference_passes();
@@ -110,7 +110,7 @@ TEST(ReferencePath, HasTheStatedLengthAndRanges)
     EXPECT_NEAR(Angle::radians(up.lambda).degrees(), 49.5217, 5e-5);
 }
 
-// docs/mathematics/ball-end-milling.md, sections 8 and 9, A12. The constants were
+// docs/methods/ball-end-milling.md, sections 8 and 9, A12. The constants were
 // calibrated to the printed 54.8 min, so this is a regression test.
 TEST(FeedPlan, OfTheReferencePathInSteel)
 {
@@ -146,7 +146,7 @@ TEST(FeedPlan, OfTheReferencePathInAluminium)
     EXPECT_NEAR(plan.totals.max_power_w, 1290, 6);
 }
 
-// docs/mathematics/ball-end-milling.md, section 8: thrust governs where the cut is deep
+// docs/methods/ball-end-milling.md, section 8: thrust governs where the cut is deep
 // and goes downhill.
 TEST(FeedPlan, IsBoundByThrustAsInThePaper)
 {
@@ -169,7 +169,7 @@ TEST(FeedPlan, IsBoundByThrustAsInThePaper)
     EXPECT_NEAR(Angle::radians(mu / count).degrees(), -10.2, 0.05);
 }
 
-// docs/mathematics/ball-end-milling.md, section 8: dependence of the total on the least
+// docs/methods/ball-end-milling.md, section 8: dependence of the total on the least
 // feed.
 TEST(FeedPlan, DependsOnTheLeastFeed)
 {
@@ -185,7 +185,7 @@ TEST(FeedPlan, DependsOnTheLeastFeed)
     EXPECT_NEAR(exact.totals.cut_min + 12.47, 52.30, 0.0055);
 }
 
-// docs/mathematics/ball-end-milling.md, section 8: the same path with the torque of
+// docs/methods/ball-end-milling.md, section 8: the same path with the torque of
 // helical flutes.
 TEST(FeedPlan, DependsOnTheRuleOfThePeak)
 {
@@ -207,7 +207,7 @@ TEST(FeedPlan, DependsOnTheRuleOfThePeak)
     EXPECT_NEAR(factors.back(), 6.84, 0.01);
 }
 
-// docs/mathematics/ball-end-milling.md, section 4: equivalent radius over the radius of
+// docs/methods/ball-end-milling.md, section 4: equivalent radius over the radius of
 // the ball.
 TEST(FeedPlan, PutsTheForceNearTheBallsRadius)
 {
@@ -235,7 +235,7 @@ TEST(FeedPlan, PutsTheForceNearTheBallsRadius)
     EXPECT_NEAR(part(0.95), 0.98, 0.01);
 }
 
-// docs/mathematics/ball-end-milling.md, section 9, A13.
+// docs/methods/ball-end-milling.md, section 9, A13.
 TEST(FeedPlan, KeepsCapAndBlockTimeOnEveryMove)
 {
     const std::vector<SegmentCut> cuts = test::reference_cuts();

@@ -57,7 +57,7 @@ void expect_near(const FeedBounds& found, const FeedBounds& expected, double rel
     EXPECT_NEAR(*found.torque / *expected.torque, 1, relative);
 }
 
-// Values of docs/mathematics/ball-end-milling.md, section 4, sampled with refinement to
+// Values of docs/methods/ball-end-milling.md, section 4, sampled with refinement to
 // 1e-5.
 TEST(ForcePattern, HasThePeaksOfTheVectors)
 {

@@ -6,7 +6,7 @@
 // Materials, tools and machines for several tests of the module.
 namespace endmill::test {
 
-/// The steel of docs/mathematics/ball-end-milling.md, section 8, in N; 1 kgf = 9.80665 N.
+/// The steel of docs/methods/ball-end-milling.md, section 8, in N; 1 kgf = 9.80665 N.
 inline CuttingMaterial steel()
 {
     return {.specific_resistance_n_per_mm2 = 204 * 9.80665,

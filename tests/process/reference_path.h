@@ -11,7 +11,7 @@
 #include "endmill/core/vec.h"
 #include "endmill/process/feed_plan.h"
 
-// The path REF of docs/mathematics/ball-end-milling.md, section 7, built from the formula
+// The path REF of docs/methods/ball-end-milling.md, section 7, built from the formula
 // of the test surface alone, without the planners and surfaces of the library.
 namespace endmill::test {
 

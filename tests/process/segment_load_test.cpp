@@ -27,7 +27,7 @@ SegmentCut cut_of(double mu, double lambda, double pick_feed_ratio, double depth
             .depth_mm = 5 * depth_ratio};
 }
 
-// docs/mathematics/ball-end-milling.md, section 4: K = 2000 N/mm^2, limits 1200 N, 450 N
+// docs/methods/ball-end-milling.md, section 4: K = 2000 N/mm^2, limits 1200 N, 450 N
 // and 20 N m.
 MillingJob job_of_the_vectors()
 {

@@ -10,7 +10,7 @@
 #include "endmill/process/cutting_coefficients.h"
 
 // The coefficients by a second route: slices of the engaged region across the pick feed
-// (docs/mathematics/ball-end-milling.md, section 3.1).
+// (docs/methods/ball-end-milling.md, section 3.1).
 //
 // In the slice at y a point of the ball is (rho cos chi, y, rho sin chi), rho^2 = 1 -
 // y^2. The engaged part is one interval of chi with closed ends, and the integrals over

@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-// 2 pi I6 of a slot is pi - 2 lambda (docs/mathematics/ball-end-milling.md, section 9,
+// 2 pi I6 of a slot is pi - 2 lambda (docs/methods/ball-end-milling.md, section 9,
 // A7): the top contributes pi and the front -2 lambda.
 TEST(TopIntegrals, OfASlotAddUpToItsArea)
 {

@@ -21,7 +21,7 @@ ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("ENDMILL_BUILD", ROOT / "build/release")).resolve()
 TABLE = "src/endmill/trimming/trimming_methods.cpp"
 PICTURE = ROOT / "docs/images/extend.svg"
-# docs/mathematics/interference.md, section 11, T1: one symmetric loop that crosses itself at (0, 0).
+# docs/methods/interference.md, section 11, T1: one symmetric loop that crosses itself at (0, 0).
 LOOP = "s_mm,z_mm\n-6,6\n2,-2\n0,-1\n-2,-2\n6,6\n"
 
 

@@ -11,7 +11,7 @@ class Sources(FakeTree):
     def setUp(self):
         super().setUp()
         self.write("paper/references.bib", "@misc{KimChoi,\n  title = {x}\n}\n")
-        self.write("docs/mathematics/removal.md", "# Removal\n\n## 4. Vectors\n\n### 4.1 Ramps\n")
+        self.write("docs/methods/removal.md", "# Removal\n\n## 4. Vectors\n\n### 4.1 Ramps\n")
 
     def check_comment(self, *lines):
         text = "".join(f"/// {line}\n" for line in lines)
@@ -31,10 +31,10 @@ class Sources(FakeTree):
         self.assert_good("Area.", "Source: [KimChoi, eq. (4), (15)].")
 
     def test_section_of_a_page_is_accepted(self):
-        self.assert_good("Source: docs/mathematics/removal.md, section 4.1.")
+        self.assert_good("Source: docs/methods/removal.md, section 4.1.")
 
     def test_source_over_two_lines_is_accepted(self):
-        self.assert_good("Source: the ramp of", "docs/mathematics/removal.md, section 4.")
+        self.assert_good("Source: the ramp of", "docs/methods/removal.md, section 4.")
 
     def test_key_outside_the_bibliography_is_reported(self):
         self.assert_found("[Nobody] is not in", "Source: [Nobody, eq. (4)].")
@@ -43,10 +43,10 @@ class Sources(FakeTree):
         self.assert_found("has no number", "Source: [KimChoi].")
 
     def test_missing_page_is_reported(self):
-        self.assert_found("does not exist", "Source: docs/mathematics/forces.md, section 1.")
+        self.assert_found("does not exist", "Source: docs/methods/forces.md, section 1.")
 
     def test_missing_section_is_reported(self):
-        self.assert_found("has no section 5", "Source: docs/mathematics/removal.md, section 5.")
+        self.assert_found("has no section 5", "Source: docs/methods/removal.md, section 5.")
 
     def test_source_without_a_target_is_reported(self):
         self.assert_found("names neither", "Source: a well-known formula.")

@@ -3,15 +3,16 @@
 import unittest
 
 import fake_tree  # noqa: F401 (finds the scripts)
-from reproduction.claims import COLUMNS, holds, judge_claims
+from reproduction.claims import holds, judge_claims
 from reproduction.fault import Fault
 from reproduction.tables import Table
+from reproduction.verdicts import CLAIM_COLUMNS, judge
 
 
 def judged(measured, condition, verdict):
     """The claim of one measured cell, or without a cell."""
     cells = [] if measured is None else [["a", measured]]
-    table = Table(COLUMNS, [["It is small.", "a", "x", "its size", condition, verdict]])
+    table = Table(CLAIM_COLUMNS, [["a", "x", condition, "", verdict, "It is small.", "its size"]])
     return judge_claims(table, Table(["row", "x"], cells))[0]
 
 
@@ -47,6 +48,17 @@ class Claims(unittest.TestCase):
                 judged(measured, condition, verdict)
         with self.assertRaises(Fault):
             judge_claims(Table(["claim"], []), Table(["row"], []))
+
+    def test_numbers_and_claims_stand_in_one_table(self):
+        rows = [["a", "x", "1.5", "1", "reproduced", "", ""], ["a", "y", "> 1", "", "reproduced", "It is large.", "its size"]]
+        table, result = Table(CLAIM_COLUMNS, rows), Table(["row", "x", "y"], [["a", "1.52", "3"]])
+        self.assertEqual([line.column for line in judge(table, result)], ["x"])
+        self.assertEqual([claim.column for claim in judge_claims(table, result)], ["y"])
+
+    def test_row_that_stands_twice_is_refused(self):
+        rows = [["a", "x", limit, "", "reproduced", "It is large.", "its size"] for limit in ("> 1", "> 2")]
+        with self.assertRaisesRegex(Fault, "stands twice"):
+            judge(Table(CLAIM_COLUMNS, rows), Table(["row", "x"], [["a", "1"]]))
 
 
 if __name__ == "__main__":

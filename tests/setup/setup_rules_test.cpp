@@ -6,7 +6,7 @@
 namespace endmill {
 namespace {
 
-// The table of modes in docs/mathematics/five-axis-setup.md: `paper` corrects one misprint
+// The table of modes in docs/methods/five-axis-setup.md: `paper` corrects one misprint
 // of `paper-literal`, and `corrected` drops every other restriction of the paper.
 TEST(SetupRules, AreThoseOfTheTableOfModes)
 {

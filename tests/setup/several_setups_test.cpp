@@ -41,7 +41,7 @@ void expect_partition(const SetupCover& cover, std::size_t facets)
     EXPECT_EQ(seen.size() + cover.uncovered.size(), facets);
 }
 
-// Source: docs/mathematics/five-axis-setup.md, section 9 (9.18).
+// Source: docs/methods/five-axis-setup.md, section 9 (9.18).
 TEST(SeveralSetups, ReachTheTeapotFromFourFiveAndSevenDirections)
 {
     const SphereGrid grid = sphere_grid("hex:10");

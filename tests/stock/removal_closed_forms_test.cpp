@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closed forms of the removed volume and the remaining heights, on grids of decreasing
 // pitch. Expected values without a source of their own are those of
-// docs/mathematics/removal.md, section 4.
+// docs/methods/removal.md, section 4.
 
 #include <cmath>
 #include <numbers>
@@ -181,7 +181,7 @@ TEST(ParallelPasses, TakeTheSectionOfTheirUnion)
 
 // Two passes at equal angles on both sides of the top of a cylinder about x, and of the
 // bottom of a hollow cylinder.
-// Source: docs/mathematics/removal.md, section 4.
+// Source: docs/methods/removal.md, section 4.
 TEST(ParallelPasses, OnACylinderLeaveItsScallop)
 {
     const auto outside = [](double degrees) {

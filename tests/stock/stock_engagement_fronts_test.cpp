@@ -19,7 +19,7 @@ namespace {
 using std::numbers::pi;
 
 // The eight means over the front, summed cell by cell from their definition.
-// Source: docs/mathematics/ball-end-milling.md, section 2.
+// Source: docs/methods/ball-end-milling.md, section 2.
 std::array<double, 8> coefficients(const BallFront& front)
 {
     std::array<double, 8> sums{};
@@ -83,7 +83,7 @@ struct Printed {
     std::array<double, 8> values;
 };
 
-// Source: docs/mathematics/ball-end-milling.md, section 9, A5, at mu = lambda = 0.
+// Source: docs/methods/ball-end-milling.md, section 9, A5, at mu = lambda = 0.
 const std::array printed{
     Printed{0.5,
             1,
@@ -151,7 +151,7 @@ TEST(StockFronts, HaveTheAngleOfTheirRim)
 
 TEST(StockFronts, OfAnUphillSlotHaveItsClosedCoefficients)
 {
-    // Source: docs/mathematics/ball-end-milling.md, section 9, A7, in the middle of a
+    // Source: docs/methods/ball-end-milling.md, section 9, A7, in the middle of a
     // long slope; lambda = -0.3 is downhill.
     const double lambda = -0.3;
     HeightStock stock = block_stock({{-30, -12, -30}, {30, 12, 5}}, 0.1);

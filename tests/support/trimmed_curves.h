@@ -31,7 +31,7 @@ inline Trimmed trim(std::string_view name, const SectionCurve& curve,
     return trimming_method(name).trim({&curve, 1}, options);
 }
 
-/// The scan lines of method 1 as in docs/mathematics/interference.md, section 1: a
+/// The scan lines of method 1 as in docs/methods/interference.md, section 1: a
 /// thousandth of the z-extent apart.
 inline TrimmingOptions options_for(const SectionCurve& curve, FoldDetection detection)
 {

@@ -36,7 +36,7 @@ TEST(OffsetCurve, KeepsItsDistance)
 
 // The offset of z = x^2 / (2 p) crosses itself in (0, p / 2 + R^2 / (2 p)). The crossing
 // of its chords has an error proportional to the square of the step, within the numbers
-// of docs/mathematics/interference.md, section 11.
+// of docs/methods/interference.md, section 11.
 TEST(OffsetCurve, ConvergesToTheCrossingOfTheParabola)
 {
     struct Sampling {

@@ -41,7 +41,7 @@ struct Trough {
 
 TEST(RefinedSections, PutTheCrossingWhereTheClosedFormHasIt)
 {
-    // Closed form (docs/mathematics/interference.md, section 11): the crossing is q = (0, p / 2 + R^2 / (2 p)), here with p = 4 and R =
+    // Closed form (docs/methods/interference.md, section 11): the crossing is q = (0, p / 2 + R^2 / (2 p)), here with p = 4 and R =
     // 7.
     const Trough trough;
     const RefinedCurves result = trough.refine(trough.curves);

@@ -58,7 +58,7 @@ Sections trough(int grid_lines)
 
 TEST(RefinedPlanes, FindTheCrossingOfTheInclinedTroughOnEveryGrid)
 {
-    // Closed form A3 of docs/mathematics/interference.md, section 11. On these grids the sampled
+    // Closed form A3 of docs/methods/interference.md, section 11. On these grids the sampled
     // crossing is off by 5e-3 and 2e-3 mm.
     const double crossing =
         radius * radius / (2 * p) + p / (2 * std::cos(beta) * std::cos(beta));

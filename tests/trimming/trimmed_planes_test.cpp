@@ -12,7 +12,7 @@
 namespace endmill {
 namespace {
 
-// Vector T1 of docs/mathematics/interference.md, section 11: one symmetric loop that is
+// Vector T1 of docs/methods/interference.md, section 11: one symmetric loop that is
 // cut at (0, 0).
 PlaneSection looped()
 {

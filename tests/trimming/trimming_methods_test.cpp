@@ -39,7 +39,7 @@ const ExpectedTrim& expected_trim(const TrimmingVector& vector, std::string_view
 }
 
 // The error bound of method 1 for the crossing of two segments.
-// Source: docs/mathematics/interference.md, section 5.1.
+// Source: docs/methods/interference.md, section 5.1.
 SectionPoint distance_bound(const TrimmingVector& vector,
                             const test::ExpectedCrossing& at, double threshold)
 {

@@ -28,7 +28,7 @@ std::vector<std::string> time_columns();
 /// constant feeds, non-cutting time from each feed and the length, totals at these feeds
 /// with `noncut_min`, savings and cutting times; each with the range that the rounding of
 /// the times allows. Fills the columns length_mm to greatest of `time_columns`.
-/// Source: docs/mathematics/ball-end-milling.md, section 8.
+/// Source: docs/methods/ball-end-milling.md, section 8.
 void add_accounts(CsvTable& table, const PrintedTimes& printed, double noncut_min);
 
 }  // namespace endmill

@@ -26,7 +26,7 @@ public:
         double reach = 0;
         for (const Vec3& point : part.points())
             reach = std::max(reach, point.norm());
-        offset_ = 2e-5 * reach;  // docs/mathematics/five-axis-setup.md, section 1
+        offset_ = 2e-5 * reach;  // docs/methods/five-axis-setup.md, section 1
         const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_TRIANGLE);
         auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(
             geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float),

@@ -10,7 +10,7 @@
 namespace endmill {
 
 /// The counts of each family, and below them the reference counts of
-/// docs/mathematics/interference.md, section 9, which params.json lists.
+/// docs/methods/interference.md, section 9, which params.json lists.
 class FamilyTable {
 public:
     explicit FamilyTable(Experiment& run);

@@ -9,7 +9,7 @@ namespace endmill {
 namespace {
 
 // Tolerances of a right result, and the step and threshold of method 1.
-// Source: docs/mathematics/interference.md, section 9.
+// Source: docs/methods/interference.md, section 9.
 constexpr double scan_threshold_in_steps = 8;
 
 TrimmingTrial planar_trial(SectionCurve curve)

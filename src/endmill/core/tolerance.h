@@ -78,7 +78,7 @@ inline constexpr double touching_depth = 1e-9;
 
 /// Slack in mm that is added to both limits of the deviation before a verdict. Otherwise a
 /// path that is planned exactly to a limit would stay undecided.
-/// Source: docs/mathematics/removal.md, section 3.
+/// Source: docs/methods/removal.md, section 3.
 inline constexpr double verdict_slack = 0.001;
 
 /// Depth in mm up to which a contact of shank or holder with the part is treated as
@@ -98,7 +98,7 @@ inline constexpr double rest_gouge = 2e-6;
 /// Distance, in widths of a patch, within which a point is moved to the end of its pass,
 /// and a pass to the border. Without it, an interval that divides the width exactly would
 /// need one more pass because of rounding.
-/// Source: docs/mathematics/economic-cl-data.md, section 6.
+/// Source: docs/methods/economic-cl-data.md, section 6.
 inline constexpr double end_width = 1e-6;
 
 /// Accuracy of the search for the smallest rectangle of poses: its area exceeds the least

@@ -36,7 +36,7 @@ public:
     /// Height in mm of the cutter's surface above the tip, at `distance` mm from the
     /// axis: 0 up to R - r, then r - sqrt(r^2 - (distance - R + r)^2), and infinity
     /// beyond R. The relative error is below 1e-15, also where the height is small.
-    /// Source: docs/mathematics/removal.md, section 1.
+    /// Source: docs/methods/removal.md, section 1.
     /// \pre distance >= 0.
     double profile(double distance) const;
 

@@ -99,7 +99,7 @@ std::string_view verdict_name(Verdict verdict);
 ///    `Undecided`.
 ///
 /// A finer grid can therefore change no verdict except `Undecided`.
-/// Source: docs/mathematics/removal.md, section 3.
+/// Source: docs/methods/removal.md, section 3.
 Verdict verdict(const Deviation& deviation, const DeviationLimits& limits);
 
 /// Which error bounds were refined until the verdict was certain. A measured gouge beyond

@@ -29,7 +29,7 @@ inline constexpr double gap_resolution = 1e-5;
 /// points give bounds, and pieces are halved where a bound is not sufficient. The result
 /// exceeds the exact gap by at most `resolution` and is below it by rounding errors only.
 /// Runs on all threads; the result does not depend on their number.
-/// Source: docs/mathematics/interference.md, section 1 (min_clearance_mm).
+/// Source: docs/methods/interference.md, section 1 (min_clearance_mm).
 ///
 /// \param surfaces the part.
 /// \param cutter the cutter.

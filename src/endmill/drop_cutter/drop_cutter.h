@@ -30,7 +30,7 @@ struct DropContact {
 /// where h is the profile of the cutter. Facets of either orientation count, and so do
 /// their sides and corners. No point of the mesh is therefore inside the cutter. The
 /// reference point is r higher than the tip.
-/// Source: docs/mathematics/interference.md, section 6 (R3).
+/// Source: docs/methods/interference.md, section 6 (R3).
 ///
 /// Accuracy: 1e-9 mm for coordinates within 1e4 mm and radii within 1e3 mm. A result
 /// depends on mesh, cutter and position only, not on hints, on the order of calls or on

@@ -62,7 +62,7 @@ std::string border_name(BorderKind kind, PreviousPass previous)
 }
 
 // Directions of the move in the frame of BallEngagement.
-// Source: docs/mathematics/ball-end-milling.md, section 3.
+// Source: docs/methods/ball-end-milling.md, section 3.
 struct MoveDirections {
     explicit MoveDirections(const BallEngagement& engagement)
         : feed{std::cos(engagement.lambda), 0, std::sin(engagement.lambda)},

@@ -20,7 +20,7 @@ namespace endmill {
 /// The position of the frame of BallEngagement in a figure. In the figure, x is the feed
 /// seen from above, y points to the left of it and z upwards. Y of the frame is to the
 /// left of the feed in up milling and to the right of it in down milling.
-/// Source: docs/mathematics/ball-end-milling.md, section 1.
+/// Source: docs/methods/ball-end-milling.md, section 1.
 struct BallFrame {
     Milling milling = Milling::Down;  ///< selects the side of Y
     double radius_mm = 1;             ///< radius of the ball, in mm

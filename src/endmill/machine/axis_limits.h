@@ -20,7 +20,7 @@
 /// tool), by the same rule. Turn and position are equal on the tool's side of the bed,
 /// and have opposite signs on the part's side. The library computes with turns; machine
 /// files and controllers use positions.
-/// Source: docs/mathematics/five-axis-setup.md, section 2.
+/// Source: docs/methods/five-axis-setup.md, section 2.
 
 namespace endmill {
 

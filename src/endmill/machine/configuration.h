@@ -15,7 +15,7 @@
 /// y, z are linear axes, a, b, c are rotary axes about +X, +Y, +Z, and B is the bed. Axes
 /// before B move the part, axes after B move the tool. Upper and lower case differ: b is
 /// an axis.
-/// Source: [KangSuh, section 3]; docs/mathematics/five-axis-setup.md, section 2.
+/// Source: [KangSuh, section 3]; docs/methods/five-axis-setup.md, section 2.
 
 namespace endmill {
 
@@ -46,7 +46,7 @@ struct RotaryAxis {
 /// The tool axis is +Z if all axes are at zero. The possible directions do not depend on
 /// linear axes or on the place of the bed.
 /// Source: [KangSuh, section 3]; its list of words is corrected in
-/// docs/mathematics/five-axis-setup.md, section 2.
+/// docs/methods/five-axis-setup.md, section 2.
 struct MachineConfiguration {
     std::string word = "W/xyBz/T";  ///< the word that `configuration_from_word` read
     std::vector<RotaryAxis> rotary = {};  ///< R1, the axis nearest to the part, then R2
@@ -87,7 +87,7 @@ std::string why_not_valid(const MachineConfiguration& configuration);
 /// axes. They are ordered by the pair of axes (ab, ba, ca, cb, ac, bc), and within a pair
 /// by the place of the bed: last, middle, first.
 /// Source: [KangSuh, section 3]. The paper lists caB twice and lacks cbB; see
-/// docs/mathematics/five-axis-setup.md, section 7.
+/// docs/methods/five-axis-setup.md, section 7.
 std::vector<std::string> rotary_words();
 
 /// Completes a rotary word with linear axes on the tool's side: "caB" becomes

@@ -22,7 +22,7 @@ using DirectionCurve = std::vector<Vec3>;
 /// R1 and parallels about R1, and further patches behind R1 if R2 turns beyond 90
 /// degrees. The set is an arc of a great circle if one axis is at rest, and the pole
 /// alone if both are.
-/// Source: [KangSuh, section 3]; docs/mathematics/five-axis-setup.md, section 3.
+/// Source: [KangSuh, section 3]; docs/methods/five-axis-setup.md, section 3.
 class FeasibleDirections {
 public:
     /// \param frame axes at zero.

@@ -15,7 +15,7 @@
 /// Two layers: `RotaryFrame` and `RotaryAngles` relate tool directions to the two turns
 /// phi and theta, in any coordinate frame. `Machine` and `AxisPositions` add offsets,
 /// sides and travel, and give the positions of all axes.
-/// Source: docs/mathematics/five-axis-setup.md, section 2.
+/// Source: docs/methods/five-axis-setup.md, section 2.
 
 namespace endmill {
 
@@ -50,7 +50,7 @@ Vec3 turned_tool_axis(const RotaryFrame& frame, const RotaryAngles& angles);
 /// effect; it is 0 or a result of rounding. The absolute error is below 1e-14 for phi of
 /// C,A and theta of A,B, and below 1e-14 / `distance_from_singular` for the other angle.
 /// Source: [KangSuh, eq. (5), (17), (18)], in the closed form of
-/// docs/mathematics/five-axis-setup.md, section 2.
+/// docs/methods/five-axis-setup.md, section 2.
 /// \param frame axes at zero.
 /// \param direction unit.
 RotaryAngles rotary_angles(const RotaryFrame& frame, const Vec3& direction);

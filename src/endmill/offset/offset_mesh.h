@@ -37,7 +37,7 @@ struct OffsetOptions {
     /// corner of the part the error is up to (1 + 1/N_z)^2 times as large, with N_z of
     /// the corner's own normal; the factor is 4 if this normal is vertical. In z the
     /// error is 1/N_z times as large, with N_z of the contact.
-    /// Source: docs/mathematics/interference.md, section 2.5.
+    /// Source: docs/methods/interference.md, section 2.5.
     double arc_tolerance = 1.25e-4;
     /// Upper limit of the number of vertices of all grids.
     std::size_t most_vertices = 100'000'000;
@@ -80,7 +80,7 @@ struct OffsetMesh {
 /// grid lines. Unmatched sides count as borders; their strips cover small gaps. At smooth
 /// joints, vertices within that distance are merged.
 /// Source: [JangKimJeong, eq. (3) to (5)]; strips and vertical normals:
-/// docs/mathematics/interference.md, section 2.4 and section 2.5.
+/// docs/methods/interference.md, section 2.4 and section 2.5.
 /// \param surfaces the part.
 /// \param cutter the cutter.
 /// \param options sampling, contacts on the boundary, allowance and limits.

@@ -49,7 +49,7 @@ struct SliceOptions {
 /// The section by a plane does not depend on the other planes or on the number of
 /// threads. Each triangle is visited only by the planes within its range of t;
 /// classifying the vertices takes about one visit of each.
-/// Source: [JangKimJeong, fig. 7 to 9]; linking: docs/mathematics/interference.md,
+/// Source: [JangKimJeong, fig. 7 to 9]; linking: docs/methods/interference.md,
 /// section 3.
 /// \param mesh any triangles; coordinates within 1e100 mm.
 /// \param planes positions in ascending order.

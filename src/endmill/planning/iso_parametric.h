@@ -38,7 +38,7 @@ struct IsoParametricPlan {
 /// accuracy of this approximation; the planner does not check the result. Use the
 /// functions of `path_error.h` to measure the error, or plan with `plan_verified`.
 /// Source: [KimChoi, section 4, section 5]: eq. (1) to (3) along a pass, eq. (4) to (10)
-/// across; docs/mathematics/economic-cl-data.md, section 10.
+/// across; docs/methods/economic-cl-data.md, section 10.
 ///
 /// \param surface to machine. On a collapsed edge a pass is a single point if the normal
 ///        has a limit there.

@@ -101,7 +101,7 @@ struct PlaneCurves {
 /// With `ZigZag`, the curves of every second plane are cut backwards, the last curve
 /// first. Passes are numbered from 0; the lift that leads to a pass has the number of
 /// that pass. A curve of one point becomes a plunge without a cut.
-/// Source: docs/mathematics/interference.md, section 1.
+/// Source: docs/methods/interference.md, section 1.
 /// \param planes  in the order in which they are cut.
 /// \param frame   position of the drive planes in space.
 /// \param cutter  its corner radius leads from reference points to tips.

@@ -72,7 +72,7 @@ enum class CrossCurvature {
 };
 
 /// Options of plan_iso_parametric. The paper leaves some choices open; each of them is an
-/// enum here. Source: docs/mathematics/economic-cl-data.md, section 7, with the reasons
+/// enum here. Source: docs/methods/economic-cl-data.md, section 7, with the reasons
 /// for the defaults.
 struct IsoParametricOptions {
     Parameter direction = Parameter::U;     ///< the parameter that varies along a pass

@@ -33,7 +33,7 @@ struct StepLength {
 /// (1 - k delta). Beyond a half angle of 45 degrees, D decreases as delta grows. A longer
 /// step is therefore clamped to L = sqrt(2)/k, D = 1/k.
 /// Source: [KimChoi, eq. (1), (2)], written in curvature; the clamp is an addition, see
-/// docs/mathematics/economic-cl-data.md, section 4.
+/// docs/methods/economic-cl-data.md, section 4.
 ///
 /// \param curvature       k in 1/mm; its sign does not matter; 0 gives Unlimited.
 /// \param chord_tolerance delta in mm.

@@ -43,7 +43,7 @@ bool is_apt(std::string_view text);
 ///         if there is no GOTO. E_RANGE for a coordinate beyond the limit, E_LIMIT for a
 ///         line over 1 MiB, E_EMPTY for an empty text.
 /// \throws LimitError for more points than the limit.
-/// Source: docs/mathematics/removal.md, section 7.
+/// Source: docs/methods/removal.md, section 7.
 Program parse_apt(std::string_view text, const std::string& file,
                   const AptReadOptions& options = {});
 
@@ -66,7 +66,7 @@ struct AptOptions {
 /// \throws DomainError for a path without points; for decimals outside 0 to 9; if a move
 ///         at feed has no feed; for a feed or spindle speed that is not above 0 after
 ///         rounding; for a negative tool number; for a number that is not finite.
-/// Source: docs/mathematics/removal.md, section 7.
+/// Source: docs/methods/removal.md, section 7.
 WrittenProgram apt(const ToolPath& path, const AptOptions& options = {});
 
 }  // namespace endmill

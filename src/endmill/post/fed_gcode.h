@@ -31,7 +31,7 @@ namespace endmill {
 /// \throws DomainError if the path has another number of points, or for a feed or speed
 ///         that is not above 0 after rounding to four decimals (six for feeds in inches
 ///         and under G93).
-/// Source: docs/mathematics/ball-end-milling.md, section 13; [KramerProctorMessina,
+/// Source: docs/methods/ball-end-milling.md, section 13; [KramerProctorMessina,
 /// section 3].
 std::string fed_gcode(std::string_view text, const std::string& file,
                       const GcodeReadOptions& options, const ToolPath& path);

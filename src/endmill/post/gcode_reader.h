@@ -39,7 +39,7 @@ namespace endmill {
 ///         of white space.
 /// \throws LimitError if the path would have more points than the options allow.
 /// \throws DomainError unless the options are sound.
-/// Source: docs/mathematics/removal.md, section 5; [KramerProctorMessina, section 3].
+/// Source: docs/methods/removal.md, section 5; [KramerProctorMessina, section 3].
 Program parse_gcode(std::string_view text, const std::string& file,
                     const GcodeReadOptions& options = {});
 
@@ -61,7 +61,7 @@ bool is_canonical(std::string_view text);
 ///         unsupported motion, rotary axes, a move under an offset or a rotation, or a
 ///         move without a feed; E_RANGE, E_LIMIT and E_EMPTY as `parse_gcode`.
 /// \throws LimitError, DomainError as `parse_gcode`.
-/// Source: docs/mathematics/removal.md, sections 5 and 6.
+/// Source: docs/methods/removal.md, sections 5 and 6.
 Program parse_canonical(std::string_view text, const std::string& file,
                         const GcodeReadOptions& options = {});
 

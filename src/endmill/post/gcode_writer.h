@@ -54,7 +54,7 @@ struct GcodeOptions {
 ///         if the tolerance is not above 0; for a number that is not finite.
 /// \throws GeometryError unless the axis of every point is +z: three axes cannot turn the
 ///          tool.
-/// Source: docs/mathematics/removal.md, section 6.
+/// Source: docs/methods/removal.md, section 6.
 WrittenProgram gcode(const ToolPath& path, const GcodeOptions& options = {});
 
 }  // namespace endmill

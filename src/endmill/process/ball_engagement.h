@@ -34,7 +34,7 @@ enum class ChipModel {
 /// the spindle axis and points up, Y is horizontal and points towards the uncut stock.
 /// Source: [ParkMaeng, section 2.2]. The paper does not state its frame and signs; they
 /// are derived in paper/notes/ball-engagement.md and
-/// docs/mathematics/ball-end-milling.md, section 1.
+/// docs/methods/ball-end-milling.md, section 1.
 struct BallEngagement {
     /// Slope of the pick feed in rad: its rise towards the stock, turned about the feed.
     /// |mu| < pi/2.

@@ -31,7 +31,7 @@ namespace endmill {
 /// the feed per tooth. With ChipModel::Exact the exact chip area replaces sin t xi dz in
 /// them.
 /// Source: [ParkMaeng, eq. (2), appendices A and B], with misprints corrected as in
-/// docs/mathematics/ball-end-milling.md, section 2.
+/// docs/methods/ball-end-milling.md, section 2.
 struct CuttingCoefficients {
     double I1;  ///< tangential force of the chip, component along the feed
     double I2;  ///< tangential force of the chip, component across the feed
@@ -51,7 +51,7 @@ CuttingCoefficients sum(const CuttingCoefficients& first,
 /// during a spindle revolution. The point is at the height of the stock's top or, in
 /// deeper stock, where the shank begins.
 /// Source: [ParkMaeng, eq. (4)]. The paper does not say at which height phi is taken; the
-/// choice is explained in docs/mathematics/ball-end-milling.md, section 5.
+/// choice is explained in docs/methods/ball-end-milling.md, section 5.
 /// \throws DomainError unless `engagement` is sound.
 double engaged_angle(const BallEngagement& engagement);
 
@@ -107,7 +107,7 @@ struct CoefficientTableOptions {
 /// equidistant numbers, because the coefficients grow like square roots near 0. The
 /// default table takes 1.2 MB.
 /// Source: [ParkMaeng, section 2.2], the precomputed database;
-/// docs/mathematics/ball-end-milling.md, section 3.5.
+/// docs/methods/ball-end-milling.md, section 3.5.
 ///
 /// Error of the worst coefficient over the range of the default table: root mean square
 /// below 3e-3, at most 2.5e-2. The coefficients themselves are 0.05 to 0.3 on average.

@@ -19,7 +19,7 @@ namespace endmill {
 ///
 /// The horizontal components act on the work. The axial component is the thrust on the
 /// cutter.
-/// Source: docs/mathematics/ball-end-milling.md, section 1.
+/// Source: docs/methods/ball-end-milling.md, section 1.
 struct CuttingForce {
     double x_n;         ///< N, on the work
     double y_n;         ///< N, on the work
@@ -36,7 +36,7 @@ struct CuttingForce {
 ///
 /// with s = 1 when milling up and s = -1 when milling down.
 /// Source: [ParkMaeng, eq. (1), appendices A and B], with misprints corrected as in
-/// docs/mathematics/ball-end-milling.md, section 2.
+/// docs/methods/ball-end-milling.md, section 2.
 /// \param coefficients of the engagement, from `cutting_coefficients`.
 /// \param material K, h, r1 to r4.
 /// \param tool m and r0.
@@ -79,7 +79,7 @@ struct MillingCut {
 /// negative, the flute does not touch the work and bears no force. If every chip is
 /// positive, the mean over a revolution equals `mean_force` for any helix.
 /// Source: [ParkMaeng, appendices A and B], with misprints corrected; the runout model is
-/// described in docs/mathematics/ball-end-milling.md, section 10.
+/// described in docs/methods/ball-end-milling.md, section 10.
 ///
 /// \param cut the cut.
 /// \param turns azimuths of the tip of flute 0, in rad, any values.
@@ -93,7 +93,7 @@ std::vector<CuttingForce> force_profile(const MillingCut& cut,
 /// Peak factor R_m: the largest torque of the chip in a spindle revolution divided by its
 /// mean, for all flutes of a helical ball-end mill together. It is 1 if nothing is cut.
 /// Relative error below 1e-6.
-/// Source: docs/mathematics/ball-end-milling.md, section 4.
+/// Source: docs/methods/ball-end-milling.md, section 4.
 /// \throws DomainError unless `engagement` and `tool` are sound, or if the flutes wind
 ///         more than 1000 times about the axis below the stock's top.
 double peak_factor(const BallEngagement& engagement, ChipModel chip,

@@ -24,7 +24,7 @@ namespace endmill {
 /// `rows`. Other moves keep their feed, or get `plunge_feed_mm_per_min` if they have
 /// none; rapids have no feed. Their spindle speed is that of the next planned move, or of
 /// the last one if no planned move follows.
-/// Source: docs/mathematics/ball-end-milling.md, sections 12 and 13.
+/// Source: docs/methods/ball-end-milling.md, sections 12 and 13.
 /// \param path the path.
 /// \param points indices of the end points of the planned moves, ascending.
 /// \param rows the planned feeds, one per entry of `points`.
@@ -66,7 +66,7 @@ struct TimeParts {
 };
 
 /// The times of a path.
-/// Source: [ParkMaeng, section 5]; docs/mathematics/ball-end-milling.md, section 8.
+/// Source: [ParkMaeng, section 5]; docs/methods/ball-end-milling.md, section 8.
 /// \throws DomainError if a part is outside its range or not finite.
 FeedTimes feed_times(const TimeParts& parts);
 
@@ -89,7 +89,7 @@ struct RunParts {
 /// Length and noncutting time that follow from two runs of the same path at different
 /// feeds. An error e of the total times causes an error of 2 e / |1/feed - 1/feed'| in
 /// the length.
-/// Source: docs/mathematics/ball-end-milling.md, section 8.
+/// Source: docs/methods/ball-end-milling.md, section 8.
 /// \throws DomainError unless feeds and times are above 0 and the feeds differ.
 RunParts parts_of_runs(const ConstantFeedRun& one, const ConstantFeedRun& other);
 
@@ -114,7 +114,7 @@ struct PlannedRun {
 /// With the cosine c and the sine s of half the angle of turning, the radius of the
 /// circle is min(tolerance c (1 + c) / s^2, c / (2 s) least length), and speed^2 = a
 /// radius.
-/// Source: docs/mathematics/ball-end-milling.md, section 11.
+/// Source: docs/methods/ball-end-milling.md, section 11.
 /// \param before the move to the corner, mm, not 0.
 /// \param after the move from the corner, mm, not 0.
 /// \param motion acceleration and tolerance.
@@ -126,7 +126,7 @@ double corner_speed(const Vec3& before, const Vec3& after,
 /// a segment nor the speed of a corner. The rate of change of the speed does not exceed
 /// the acceleration. Each vertex speed is the largest that both neighbours allow.
 /// Therefore no motion within these bounds is faster.
-/// Source: docs/mathematics/ball-end-milling.md, section 11.
+/// Source: docs/methods/ball-end-milling.md, section 11.
 ///
 /// \param points mm, at least two.
 /// \param feeds mm/s, one per segment, above 0.

@@ -23,7 +23,7 @@
 namespace endmill {
 
 /// Sums over the engaged edges of all flutes, without material and size. They are A, B,
-/// A_T and B_T of docs/mathematics/ball-end-milling.md, section 4, or m R_m times I5, I6,
+/// A_T and B_T of docs/methods/ball-end-milling.md, section 4, or m R_m times I5, I6,
 /// I7, I8. None is negative.
 struct EdgeSums {
     double chip = 0;         ///< chip term of the tangential force, over K f_t r0
@@ -69,14 +69,14 @@ struct FeedBounds {
 
 /// Loads at a feed per tooth.
 /// Source: [ParkMaeng, eq. (15) to (17)], corrected as in
-/// docs/mathematics/ball-end-milling.md, sections 2 and 6.
+/// docs/methods/ball-end-milling.md, sections 2 and 6.
 /// \pre The model is sound, and the sums and the feed are not negative; not checked.
 /// Relative error below 1e-15.
 CuttingLoads cutting_loads(const LoadModel& model, const EdgeSums& sums,
                            double feed_per_tooth_mm);
 
 /// Feeds per tooth at which `cutting_loads` reaches `limits`, in closed form.
-/// Source: docs/mathematics/ball-end-milling.md, sections 4 and 6.
+/// Source: docs/methods/ball-end-milling.md, sections 4 and 6.
 /// \pre As `cutting_loads`, and the limits are above 0; not checked.
 /// Relative error below 1e-13 where the edge force is less than 99 % of a limit.
 FeedBounds feed_bounds(const LoadModel& model, const EdgeSums& sums,
@@ -89,7 +89,7 @@ double cutting_power_w(LimitForm form, double torque_n_m, double spindle_rpm);
 
 /// Equivalent radius r0* in mm, at which the tangential force has the given torque:
 /// r0 (f_t I7 + h* I8) / (f_t I5 + h* I6). std::nullopt without force.
-/// Source: [ParkMaeng, section 2], corrected as in docs/mathematics/ball-end-milling.md,
+/// Source: [ParkMaeng, section 2], corrected as in docs/methods/ball-end-milling.md,
 /// section 4.
 std::optional<double> equivalent_radius(const LoadModel& model, const EdgeSums& sums,
                                         double feed_per_tooth_mm);
@@ -153,7 +153,7 @@ struct ToothFeed {
 /// tooth, the least feed is returned and `is_infeasible` is set. A bound that is lower
 /// than the least feed by less than a relative 1e-9 counts as equal to it. A limit that
 /// was computed from a feed therefore admits this feed.
-/// Source: [ParkMaeng, section 4.3, stage I]; docs/mathematics/ball-end-milling.md,
+/// Source: [ParkMaeng, section 4.3, stage I]; docs/methods/ball-end-milling.md,
 /// section 6.
 /// \throws DomainError unless the range is sound, or if nothing bounds the feed.
 ToothFeed tooth_feed(const FeedBounds& bounds, const FeedRange& range);
@@ -197,7 +197,7 @@ struct TableFeed {
 ///   is not changed. If the block time limits the feed, the chip is therefore thinner and
 ///   the loads are smaller than stated.
 /// Source: [ParkMaeng, eq. (18) to (21), section 4.3, stages II to IV];
-/// docs/mathematics/ball-end-milling.md, section 6.
+/// docs/methods/ball-end-milling.md, section 6.
 /// \throws DomainError unless feed, length and radius are above 0, phi/pi is in its
 ///         range, there is a flute, and the block time is not negative.
 TableFeed table_feed(const MoveDemand& move, const DriveRules& rules);
@@ -235,7 +235,7 @@ struct SegmentFeed {
 };
 
 /// Stages I to IV for one move.
-/// Source: [ParkMaeng, section 4.3]; docs/mathematics/ball-end-milling.md, section 6.
+/// Source: [ParkMaeng, section 4.3]; docs/methods/ball-end-milling.md, section 6.
 /// \throws DomainError as `tooth_feed` and `table_feed`.
 SegmentFeed segment_feed(const SegmentLoad& load, const FeedRules& rules);
 

@@ -29,7 +29,7 @@ struct MillingJob {
 
 /// The rule for the peak load, the largest load in a spindle revolution. Torque and
 /// Direct need the helix of the tool.
-/// Source: docs/mathematics/ball-end-milling.md, section 4. The paper uses a factor R_m
+/// Source: docs/methods/ball-end-milling.md, section 4. The paper uses a factor R_m
 /// that it does not print.
 enum class PeakRule {
     Constant,  ///< every load is a given factor times its mean
@@ -78,7 +78,7 @@ FeedRules feed_rules(const MillingJob& job, const FeedPlanOptions& options);
 /// \throws DomainError unless `front` is sound: it has as many cells as it states, its
 ///         slope is within a right angle, and its heights are finite and not negative.
 /// \pre `rules` and `tool` are sound.
-/// Source: docs/mathematics/ball-end-milling.md, section 12.
+/// Source: docs/methods/ball-end-milling.md, section 12.
 SegmentLoad front_load(double length_mm, const BallFront& front, const MillingTool& tool,
                        const FeedPlanOptions& options, const FeedRules& rules);
 
@@ -120,7 +120,7 @@ FeedPlan feed_plan(std::size_t count,
 /// Feed and spindle speed of each of `cuts`. For each cut the function computes the
 /// engagement, then the cutting coefficients or the loads over a spindle revolution, then
 /// the stages I to IV of `segment_feed`.
-/// Source: [ParkMaeng, section 4]; docs/mathematics/ball-end-milling.md, sections 4 to 6.
+/// Source: [ParkMaeng, section 4]; docs/methods/ball-end-milling.md, sections 4 to 6.
 /// \throws DomainError unless `cuts`, `job` and `options` are sound, or if nothing bounds
 ///          a feed.
 /// \throws GeometryError if the flutes wind more than 1000 times about the axis within a
@@ -147,7 +147,7 @@ struct MeasuredFeeds {
 /// \param measure calls its argument once for each of `cuts`, from any thread, as
 ///        `for_each_ball_front` of the module stock does.
 /// \throws DomainError as `feed_rules`, `front_load` and `segment_feed`.
-/// Source: docs/mathematics/ball-end-milling.md, section 12.
+/// Source: docs/methods/ball-end-milling.md, section 12.
 MeasuredFeeds measured_feed_plan(
     std::span<const SegmentCut> cuts, const MillingJob& job,
     const FeedPlanOptions& options,
@@ -158,7 +158,7 @@ MeasuredFeeds measured_feed_plan(
 /// \param lengths_mm mm, one length per row.
 /// \param limits the limits of the plan, from FeedRules.
 /// \throws DomainError unless there is one length per row.
-/// Source: [ParkMaeng, section 5]; docs/mathematics/ball-end-milling.md, sections 6, 8
+/// Source: [ParkMaeng, section 5]; docs/methods/ball-end-milling.md, sections 6, 8
 /// and 13.
 FeedPlanTotals feed_plan_totals(const std::vector<SegmentFeed>& rows,
                                 const std::vector<double>& lengths_mm,

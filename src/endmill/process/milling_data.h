@@ -20,7 +20,7 @@ namespace endmill {
 /// K (r3 t + r4 h*) dz. In the notation of mechanistic force models K = K_tc,
 /// h* = K_te/K_tc, r1 = K_rc/K_tc, r2 = K_re/K_te, r3 = K_ac/K_tc and r4 = K_ae/K_te.
 /// Source: [ParkMaeng, eq. (1), (4)], corrected as in
-/// docs/mathematics/ball-end-milling.md, section 2.
+/// docs/methods/ball-end-milling.md, section 2.
 struct CuttingMaterial {
     double specific_resistance_n_per_mm2;  ///< N/mm^2, K, above 0
     double edge_thickness_mm;              ///< mm, h*, at least 0
@@ -64,7 +64,7 @@ struct MillingTool {
     ///
     /// The paper does not state the hand of the helix. Means over a revolution do not
     /// depend on the helix. In a full slot, its sign has no effect on the peaks.
-    /// Source: docs/mathematics/ball-end-milling.md, section 4.
+    /// Source: docs/methods/ball-end-milling.md, section 4.
     double helix = 0;
     LoadLimits limits = {};  ///< largest loads at any time, above 0
 };

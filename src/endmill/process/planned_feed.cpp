@@ -11,7 +11,7 @@
 #include "endmill/core/error.h"
 
 // The motion is planned in three passes over the points
-// (docs/mathematics/ball-end-milling.md, section 11):
+// (docs/methods/ball-end-milling.md, section 11):
 // 1. The speed at a point is at most the feed of its two segments and the corner speed.
 // 2. A forward pass reduces it to what can be reached from the previous point.
 // 3. A backward pass reduces it to what allows stopping at the next point.

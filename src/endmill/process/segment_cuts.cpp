@@ -102,7 +102,7 @@ public:
 
 private:
     // The line between the ball centres is the pick feed of the model.
-    // Source: docs/mathematics/ball-end-milling.md, section 12.
+    // Source: docs/methods/ball-end-milling.md, section 12.
     static void set_by_passes(const CutMove& move, const PassCrossing& crossing,
                               SegmentCut& cut)
     {

@@ -18,7 +18,7 @@ namespace endmill {
 /// Geometry of the cut of a ball-end mill on one straight cutting move, taken at the
 /// middle of the move. Values that are unknown, or meaningless for a first pass, are
 /// std::nullopt.
-/// Source: [ParkMaeng, eq. (8) to (14)]; docs/mathematics/ball-end-milling.md, sections
+/// Source: [ParkMaeng, eq. (8) to (14)]; docs/methods/ball-end-milling.md, sections
 /// 1, 3 and 6.
 struct SegmentCut {
     int pass = 0;          ///< number of the pass in the path
@@ -80,7 +80,7 @@ struct SegmentCuts {
 ///   they are the means of the normals that the path states at both ends of a move.
 ///   `Auto` uses the passes where there is no contact or the ball does not fit
 ///   the part.
-/// Source: [ParkMaeng, eq. (8) to (14)]; docs/mathematics/ball-end-milling.md, sections 6
+/// Source: [ParkMaeng, eq. (8) to (14)]; docs/methods/ball-end-milling.md, sections 6
 /// and 12.
 ///
 /// \param path the path; its conditions are not used.

@@ -28,7 +28,7 @@ struct SpeedLine {
 void require_sound(const SpeedLine& line);
 
 /// Least-squares line of ln V on ln(phi/pi).
-/// Source: [ParkMaeng, fig. 4]; docs/mathematics/ball-end-milling.md, section 5.
+/// Source: [ParkMaeng, fig. 4]; docs/methods/ball-end-milling.md, section 5.
 /// \throws DomainError unless there are two different angles and all data are in their
 ///         ranges.
 /// \throws GeometryError unless the fitted alpha is between 0 and 1.
@@ -49,7 +49,7 @@ struct ToolCosts {
 };
 
 /// Tool life T0 of least cost per part, in min: (1/alpha - 1)(t_ct + C_t/M).
-/// Source: [ParkMaeng, eq. (5)], corrected as in docs/mathematics/ball-end-milling.md,
+/// Source: [ParkMaeng, eq. (5)], corrected as in docs/methods/ball-end-milling.md,
 /// section 5.
 /// \throws DomainError unless 0 < alpha < 1, the costs are in their ranges, and a tool
 ///         change costs time or money.
@@ -57,7 +57,7 @@ double economic_tool_life(double alpha, const ToolCosts& costs);
 
 /// Constant C_b of the tool-life equation V (phi/pi T0)^alpha = C_b, for which `line` is
 /// the economic speed at the given tool life: V1 T0^alpha, in m/min min^alpha.
-/// Source: [ParkMaeng, eq. (4)], fig. 4; docs/mathematics/ball-end-milling.md, section 5.
+/// Source: [ParkMaeng, eq. (4)], fig. 4; docs/methods/ball-end-milling.md, section 5.
 /// \throws DomainError unless 0 < alpha < 1, 0 < V1 and 0 < tool life.
 double tool_life_constant(const SpeedLine& line, double tool_life_min);
 

@@ -87,7 +87,7 @@ struct PartSetup {
 ///
 /// A facet that has an area and that no cell reaches makes the part not machinable on
 /// every machine. The result then describes the ranges that the other facets need.
-/// Source: [KangSuh, sections 4 to 6]; docs/mathematics/five-axis-setup.md, sections 8
+/// Source: [KangSuh, sections 4 to 6]; docs/methods/five-axis-setup.md, sections 8
 /// and 10.
 /// \param grid cells of the sphere of directions.
 /// \param visibility cones of the part's facets over these cells.

@@ -27,7 +27,7 @@
 ///
 /// All objectives depend on w and h. The paper's area w h is not an objective, because it
 /// is 0 for every arc of a great circle, of any length.
-/// Source: docs/mathematics/five-axis-setup.md, section 10.
+/// Source: docs/methods/five-axis-setup.md, section 10.
 
 namespace endmill {
 

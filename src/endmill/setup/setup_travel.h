@@ -15,13 +15,13 @@
 /// \file
 /// Travel of the linear axes for a setup: the direction from which the tool reaches each
 /// facet, and the positions of X, Y and Z there. The paper names this as future work.
-/// Source: docs/mathematics/five-axis-setup.md, section 10.
+/// Source: docs/methods/five-axis-setup.md, section 10.
 
 namespace endmill {
 
 /// The rotation that sets a part up, x_machine = M x_part. The rows of M are the
 /// machine's X, Y and Z in coordinates of the part.
-/// Source: [KangSuh, section 2]; docs/mathematics/five-axis-setup.md, section 2.
+/// Source: [KangSuh, section 2]; docs/methods/five-axis-setup.md, section 2.
 /// \throws DomainError if the configuration is not valid.
 Eigen::Matrix3d part_to_machine(const SetupPose& pose,
                                 const MachineConfiguration& configuration);

@@ -47,7 +47,7 @@ struct SetupCoverProgress {
 /// few tool axes, because the number of remaining facets that a candidate reaches never
 /// increases. Memory: twice that of the map.
 /// Source: [KangSuh, section 1], which names the fewest setups as a goal;
-/// docs/mathematics/five-axis-setup.md, section 10.
+/// docs/methods/five-axis-setup.md, section 10.
 /// \param map cones of the facets. \param centres unit, one for each cell.
 /// \param reach the machine. \param most largest number of setups, at least 1.
 /// \param progress if set, it is called with the state of the search, by the calling

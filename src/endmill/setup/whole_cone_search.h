@@ -65,7 +65,7 @@ struct WholeConeSearchResult {
 /// A cone is the set of the centres of its accessible cells. Empty cones are left out;
 /// without any other cone every pose fits and all ranges are 0. Ranges may exceed their
 /// limits by 1e-9 rad. The result does not depend on the number of threads.
-/// Source: paper/notes/whole-cones.md, section 8; docs/mathematics/five-axis-setup.md,
+/// Source: paper/notes/whole-cones.md, section 8; docs/methods/five-axis-setup.md,
 /// section 10.
 /// \param grid cells. \param map cones of the facets over these cells.
 /// \param options what is minimised, and when the search stops.

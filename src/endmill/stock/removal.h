@@ -63,7 +63,7 @@ struct Removal {
 /// Volumes are summed as integer multiples of a power of two, about 2^-60 of the stock's
 /// volume. The result is therefore the same to the bit with any number of threads.
 /// Besides the result the function takes about one byte per cell and 2 MB.
-/// Source: docs/mathematics/removal.md, section 1 (heights), section 3 (rapids,
+/// Source: docs/methods/removal.md, section 1 (heights), section 3 (rapids,
 /// collisions).
 ///
 /// \param path tips along +z.

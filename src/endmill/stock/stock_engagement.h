@@ -35,7 +35,7 @@ struct EngagementOptions {
 /// cell, and one pitch at an upright wall. Rings of the same width continue up the
 /// cylinder to the top of the stock. A move without length and a move straight up engage
 /// nothing.
-/// Source: docs/mathematics/ball-end-milling.md, section 12.
+/// Source: docs/methods/ball-end-milling.md, section 12.
 ///
 /// \param path tips along +z.
 /// \throws DomainError unless there is a ring and an azimuth, or if a tip is not within
@@ -68,7 +68,7 @@ struct BallFrontTask {
 /// wall is accurate to half a cell. On the shank, each azimuth stores the height of the
 /// stock above the ball's centre. The engaged angle is sampled at 256 azimuths, a little
 /// below the highest engaged place. A move straight up or down engages nothing.
-/// Source: docs/mathematics/ball-end-milling.md, section 12.
+/// Source: docs/methods/ball-end-milling.md, section 12.
 ///
 /// One thread cuts the moves in order, because each move needs the stock after the move
 /// before. It copies the stock around the middle of each move, and the other threads

@@ -77,7 +77,7 @@ struct RefinedPlanes {
 /// section, in a fold that a method left; the offset is vertical there (N_z = 0); or the
 /// contact is on an edge or a corner and the offset was made without BoundaryContact.
 /// Runs on all threads; the result does not depend on their number.
-/// Source: docs/mathematics/interference.md, section 6.
+/// Source: docs/methods/interference.md, section 6.
 /// \param source the part, its offset and the sections.
 /// \param trimmed one result for each plane.
 /// \return the planes with moved curves.

@@ -64,7 +64,7 @@ struct Trimmed {
     /// Default rule of all cuts that `rules` does not list. The text has static lifetime.
     std::string_view rule;
     /// Number of folds that remain: no crossing was found, and no rule for the ends of a
-    /// curve (E1, E2, E3) applies. Source: docs/mathematics/interference.md, section 4.
+    /// curve (E1, E2, E3) applies. Source: docs/methods/interference.md, section 4.
     int unresolved = 0;
 };
 

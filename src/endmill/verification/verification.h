@@ -29,7 +29,7 @@ namespace endmill {
 /// Without a part it is the box of the cutting tips, widened in the same way, up to the
 /// highest tip. Cutting tips are both ends of cuts and links and the lower end of
 /// plunges.
-/// Source: docs/mathematics/removal.md, section 3.
+/// Source: docs/methods/removal.md, section 3.
 /// \param part may be null.
 /// \throws GeometryError if the part is empty, or if there is neither a part nor a
 ///         cutting tip.
@@ -110,7 +110,7 @@ std::optional<StockHistory> history_of_rest(const VerificationTask& task);
 ///
 /// The verdict is `Gouged` if a rapid cuts, or if shank or holder is in the stock or in
 /// the part. It is `Undecided` if shank or holder may be in the part.
-/// Source: docs/mathematics/removal.md, section 3.
+/// Source: docs/methods/removal.md, section 3.
 /// \throws GeometryError if the path cuts nothing over the part, with the gap between
 ///         cutter and part, or if an axis is not +z.
 /// \throws LimitError if the memory does not suffice, with a resolution that fits.

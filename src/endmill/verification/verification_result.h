@@ -87,7 +87,7 @@ struct Verification {
 ///    gouge beyond the tolerance, and the verdict on the deviation is not `Gouged`.
 /// 3. Otherwise the verdict on the deviation; `Clean` without a part.
 /// \param found its member `verdict` is not used.
-/// Source: docs/mathematics/removal.md, section 3.
+/// Source: docs/methods/removal.md, section 3.
 Verdict verdict_with_contacts(const Verification& found);
 
 }  // namespace endmill

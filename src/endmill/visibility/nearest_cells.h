@@ -17,7 +17,7 @@ namespace endmill {
 /// If several cells are equally near (dot products within 1e-12), the lowest one is
 /// taken. The facets are the paper's Group II, the cells its MD_j. O(cells * facets /
 /// 64).
-/// Source: [KangSuh, eq. (3), (4)]; docs/mathematics/five-axis-setup.md, section 4.
+/// Source: [KangSuh, eq. (3), (4)]; docs/methods/five-axis-setup.md, section 4.
 /// \param map cones. \param centres unit, one for each cell of `map`.
 /// \param pose the cell whose centre is the tool axis.
 /// \throws DomainError if there is not one centre for each cell, or if `pose` is not a

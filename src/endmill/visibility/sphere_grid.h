@@ -16,7 +16,7 @@ namespace endmill {
 
 /// A division of the sphere of directions into spherical triangles, the cells.
 /// Source: [KangSuh, section 2]. The paper has 1200 cells and does not describe them; see
-/// docs/mathematics/five-axis-setup.md, section 8.
+/// docs/methods/five-axis-setup.md, section 8.
 struct SphereGrid {
     std::string name;             ///< the name that `sphere_grid` read
     std::vector<Vec3> corners;    ///< unit

@@ -16,7 +16,7 @@
 /// The visibility cones of the facets of a part: the directions along which a tool can
 /// reach each facet, with and without the body of the tool. A direction points from the
 /// part towards the spindle.
-/// Source: [KangSuh, section 2]; docs/mathematics/five-axis-setup.md, section 1.
+/// Source: [KangSuh, section 2]; docs/methods/five-axis-setup.md, section 1.
 
 namespace endmill {
 
@@ -109,7 +109,7 @@ struct PartVisibility {
 /// Directions are processed in parallel, one column each. The result does not depend on
 /// the number of threads. Memory besides the map: about 100 bytes for each facet, and 100
 /// more on each thread.
-/// Source: [KangSuh, section 2]; docs/mathematics/five-axis-setup.md, section 1 (our rule
+/// Source: [KangSuh, section 2]; docs/methods/five-axis-setup.md, section 1 (our rule
 /// of occlusion) and section 11 (the method).
 /// \param part facets in mm. \param directions unit to 1e-9. \param options what counts.
 /// \throws DomainError if a direction does not have unit length, or if the incidence is

@@ -17,7 +17,7 @@ namespace endmill {
 /// This is the discrete vector method, with vectors along the part's normals: every move
 /// shortens the rays that meet its swept volume. `cut_ray` defines the result for
 /// one ray and one sweep; the thickness of a ray is the smallest over all sweeps.
-/// Source: docs/mathematics/removal.md, section 2.
+/// Source: docs/methods/removal.md, section 2.
 class CutRays {
 public:
     /// \param rays 1 to most_tile_cells of them.

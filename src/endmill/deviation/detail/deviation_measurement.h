@@ -57,7 +57,7 @@ struct MachinedStock {
 /// count as 0 and have no area.
 ///
 /// The result is the same with any number of threads.
-/// Source: docs/mathematics/removal.md, section 2 and section 3; the bounds are derived
+/// Source: docs/methods/removal.md, section 2 and section 3; the bounds are derived
 /// in paper/notes/deviation-bounds.md.
 /// \throws DomainError for options out of range or without an initial ray.
 /// \throws LimitError if there are more cells than `most_cells`.

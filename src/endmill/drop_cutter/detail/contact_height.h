@@ -16,7 +16,7 @@ namespace endmill {
 ///     z = q_z + r - profile(rho),   rho = |q_xy - axis|.
 ///
 /// The height of the cutter over the part is the largest over all points.
-/// Source: docs/mathematics/interference.md, section 6 (R3).
+/// Source: docs/methods/interference.md, section 6 (R3).
 struct ContactHeight {
     Vec3 point;                ///< q, mm
     double value;              ///< z of the reference point, mm

@@ -36,7 +36,7 @@ struct PartContact {
 /// 2. A point of the part deeper than rest_gouge in the cutter at that height is searched
 ///    for in a tree of Bezier pieces. If there is one, the climb starts again from it.
 /// 3. If there is none, the contact is the highest.
-/// Source: docs/mathematics/interference.md, section 6 (R3).
+/// Source: docs/methods/interference.md, section 6 (R3).
 class SmoothDrop {
 public:
     /// \param surfaces the part with N_z > 0 everywhere; they must outlive this object.

@@ -21,7 +21,7 @@
 namespace endmill {
 namespace {
 
-// Most Newton steps. Source: docs/mathematics/economic-cl-data.md, section 6.
+// Most Newton steps. Source: docs/methods/economic-cl-data.md, section 6.
 constexpr int most_iterations = 8;
 // Longest step, in widths of a patch.
 constexpr double most_patches_a_step = 0.3;

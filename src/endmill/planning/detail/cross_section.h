@@ -64,7 +64,7 @@ CheckPlanePoint check_plane_point(
 
 /// Normal curvature in 1/mm across the feed at the contact, from the second fundamental
 /// form. It is positive where the part is convex.
-/// Source: docs/mathematics/economic-cl-data.md, section 6.
+/// Source: docs/methods/economic-cl-data.md, section 6.
 double cross_curvature(const FeedFrame& frame);
 
 /// Normal curvature in 1/mm across the feed, from the chord to a point r_eps of the

@@ -75,7 +75,7 @@ public:
     /// \param arc the arc.
     /// \param tolerance_mm t in mm, above 0: largest distance of a chord from the arc.
     /// \pre Both radii of `arc` are positive.
-    /// Source: sagitta of a chord; docs/mathematics/removal.md, section 5.
+    /// Source: sagitta of a chord; docs/methods/removal.md, section 5.
     ArcChords(const Arc& arc, double tolerance_mm);
 
     /// Number of chords: a whole number, at least 1. It may exceed the range of integers.

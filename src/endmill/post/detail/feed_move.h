@@ -8,7 +8,7 @@ namespace endmill {
 
 /// Kind of a straight move at feed, derived from its ends because a program does not
 /// state it: straight down is a plunge, straight up a retract, anything else a cut.
-/// Source: docs/mathematics/removal.md, section 5.
+/// Source: docs/methods/removal.md, section 5.
 inline Move feed_move(const Vec3& from, const Vec3& to)
 {
     if (from.x() != to.x() || from.y() != to.y() || from.z() == to.z())

@@ -10,7 +10,7 @@ namespace endmill {
 
 /// Tolerance in mm for the difference of the radii at the two ends of an arc, and for a
 /// radius R that is too small: the larger of 0.01 mm and 0.1 % of `radius_mm`.
-/// Source: docs/mathematics/removal.md, section 5.
+/// Source: docs/methods/removal.md, section 5.
 double radius_tolerance(double radius_mm);
 
 /// Checks the radii of `arc`.

@@ -17,7 +17,7 @@ void require_sound(const BallFront& front);
 
 /// Cutting action coefficients of a front, in its frame, by the midpoint rule over its
 /// cells and over the azimuths of its shank.
-/// Source: docs/mathematics/ball-end-milling.md, sections 2, 3.4 and 12.
+/// Source: docs/methods/ball-end-milling.md, sections 2, 3.4 and 12.
 /// \throws DomainError unless `front` is sound.
 /// Error below 3e-3 for 96 by 128 cells whose middles are classified correctly.
 CuttingCoefficients front_coefficients(const BallFront& front, ChipModel chip);
@@ -26,7 +26,7 @@ CuttingCoefficients front_coefficients(const BallFront& front, ChipModel chip);
 /// revolution. Sums and sense of the helix are those of ForcePattern; the midpoint rule
 /// along each edge evaluates them. Accurate to about the width of a cell: 1 to 3 % of the
 /// largest sum.
-/// Source: docs/mathematics/ball-end-milling.md, sections 4 and 12.
+/// Source: docs/methods/ball-end-milling.md, sections 4 and 12.
 class FrontPattern {
 public:
     /// \throws DomainError unless `front` and `tool` are sound.

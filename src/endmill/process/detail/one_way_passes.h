@@ -13,7 +13,7 @@ namespace endmill {
 /// One-way passes of a ball along +x over a surface z(x, y). Each pass lies to the right
 /// of the one before, so all passes mill down. The default members are those of the
 /// reference path REF.
-/// Source: [ParkMaeng, section 5]; docs/mathematics/ball-end-milling.md, section 7.
+/// Source: [ParkMaeng, section 5]; docs/methods/ball-end-milling.md, section 7.
 struct OneWayPasses {
     ExplicitSurface surface;
     XyRectangle extent;               ///< range of the contacts

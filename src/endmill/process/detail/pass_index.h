@@ -32,7 +32,7 @@ struct NeighbouringPasses {
 /// order of cutting. A run is a short piece of a pass, so its box is narrow. The order
 /// excludes all later moves by their numbers. The boxes are aligned with the mean
 /// direction of the moves, which keeps them narrow for rasters at any angle.
-/// Source: docs/mathematics/ball-end-milling.md, section 12, `passes`.
+/// Source: docs/methods/ball-end-milling.md, section 12, `passes`.
 class PassIndex {
 public:
     /// \param moves in the order of cutting; must outlive the index.

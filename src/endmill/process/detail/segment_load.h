@@ -23,7 +23,7 @@ BallEngagement ball_engagement(const SegmentCut& cut, double radius);
 /// Engaged angle for the tool-life equation, in rad: the engaged angle, clamped to 5 to
 /// 180 degrees. On a first pass it is 90 degrees at an edge and 180 degrees in a slot; in
 /// air it is 5 degrees.
-/// Source: docs/mathematics/ball-end-milling.md, sections 5 and 6; the choice is ours.
+/// Source: docs/methods/ball-end-milling.md, sections 5 and 6; the choice is ours.
 double tool_life_angle(const BallEngagement& engagement);
 
 /// I5 to I8 of all flutes, times `factor`.

@@ -58,7 +58,7 @@ StrokeForces stroke_forces(const std::vector<MilledMove>& moves,
 /// Share of the tool life that the moves use: the sum of dt / T with V (phi/pi T)^alpha =
 /// C_b. V is the speed of the largest circle of the ball, and C_b = V1 T0^alpha for T0 =
 /// `life_min`.
-/// Source: [ParkMaeng, eq. (4)]; docs/mathematics/ball-end-milling.md, sections 5 and 14.
+/// Source: [ParkMaeng, eq. (4)]; docs/methods/ball-end-milling.md, sections 5 and 14.
 double used_life(const std::vector<MilledMove>& moves, const MillingJob& job,
                  double life_min);
 

@@ -13,7 +13,7 @@
 
 /// \file
 /// Setups on machines with one rotary axis or none.
-/// Source: docs/mathematics/five-axis-setup.md, section 10.
+/// Source: docs/methods/five-axis-setup.md, section 10.
 
 namespace endmill {
 

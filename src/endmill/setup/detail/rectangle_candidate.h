@@ -36,7 +36,7 @@ struct RectangleCandidate {
 /// The least rectangle about a given R1: alpha = atan2(-v . R2, v . C) and beta = asin(v
 /// . R1) with R2 = C x R1. alpha is 0 for v = +-R1. The origin of the result is `Search`.
 /// Source: [KangSuh, eq. (17), (18)], in the closed form of
-/// docs/mathematics/five-axis-setup.md, section 3.
+/// docs/methods/five-axis-setup.md, section 3.
 /// \param tool_axis unit: C. \param r1_axis unit, perpendicular to it. \param directions
 ///         unit.
 RectangleCandidate rectangle_about(const Vec3& tool_axis, const Vec3& r1_axis,

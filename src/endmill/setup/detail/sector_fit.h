@@ -41,7 +41,7 @@ std::vector<SectorCandidate> sector_candidates(const Vec3& tool_axis,
 /// The sector of the larger polar angle gets the positive tilt, or the other one if only
 /// that fits the limits. Zero of C divides the azimuths in the ratio in which it divides
 /// the limits of C.
-/// Source: [KangSuh, section 5, eq. (5)–(13)]; docs/mathematics/five-axis-setup.md,
+/// Source: [KangSuh, section 5, eq. (5)–(13)]; docs/methods/five-axis-setup.md,
 /// section 5.
 /// \param tool_axis unit. \param directions unit. \param options mode and limits.
 /// \param bounds save work: a fit whose area exceeds its bound may be missing.

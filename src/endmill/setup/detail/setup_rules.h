@@ -7,7 +7,7 @@ namespace endmill {
 
 /// The rules of a mode: which poses it tries at a given tool axis, and how it compares
 /// limits. A table has one row of these rules for each mode.
-/// Source: docs/mathematics/five-axis-setup.md, the table of modes before section 1.
+/// Source: docs/methods/five-axis-setup.md, the table of modes before section 1.
 struct SetupRules {
     SetupMode mode;                 ///< the mode that these rules describe
     bool has_wide_sectors;          ///< C,A: the range of C may be 180 degrees or more

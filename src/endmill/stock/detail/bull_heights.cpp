@@ -23,7 +23,7 @@
 //
 // A level move needs none of this: the nearest position is the lowest
 // (`level_bull_heights`).
-// Source: docs/mathematics/removal.md, section 1.
+// Source: docs/methods/removal.md, section 1.
 
 namespace endmill {
 namespace {
@@ -194,7 +194,7 @@ void bracket_positions(Passed& cells, double length, double lower_side,
 // Does one step of Newton's method for the sine x of the corner's angle. The cutter is
 // lowest over the cell where x t = m sqrt(1 - x^2) d, with d = c + r x and t^2 = d^2 -
 // e^2. The difference of the squared sides is a convex function of x from its root on.
-// Source: docs/mathematics/removal.md, section 1: profile'(d) t / d = m, written in the
+// Source: docs/methods/removal.md, section 1: profile'(d) t / d = m, written in the
 // corner's angle.
 // \return the longest step, minus `step_share` of the sine; not above 0 if converged.
 ENDMILL_WIDEST_REGISTERS

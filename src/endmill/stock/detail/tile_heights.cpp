@@ -17,7 +17,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 // S of a ball. With w^2 = q and k = 1 + m^2 the unclamped position of the minimum is s -
 // m w / sqrt(k). It lies before the start of the move if s |s| k < m |m| q, and beyond
 // its end by the corresponding test. So one root per cell is enough.
-// Source: docs/mathematics/removal.md, section 1.
+// Source: docs/methods/removal.md, section 1.
 ENDMILL_WIDEST_REGISTERS
 void ball_heights(const TilePlace& place, const SweptMove& move, double R,
                   TileHeights& heights)
@@ -53,7 +53,7 @@ void ball_heights(const TilePlace& place, const SweptMove& move, double R,
 
 // S of a flat cutter. Over a cell the cutter is lowest at one end of the range of
 // positions that cover the cell.
-// Source: docs/mathematics/removal.md, section 1.
+// Source: docs/methods/removal.md, section 1.
 ENDMILL_WIDEST_REGISTERS
 void flat_heights(const TilePlace& place, const SweptMove& move, double R,
                   TileHeights& heights)

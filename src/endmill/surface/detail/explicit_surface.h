@@ -29,7 +29,7 @@ struct XyRectangle {
 /// The test surface of Park and Maeng, z = 40 g(x / 40, y / 40) with g(a, b) = a b (a^2 -
 /// b^2) / (a^2 + b^2 + 1/4). The paper does not print the unit; 40 mm is our choice. The
 /// surface has a four-fold symmetry of rotation about z.
-/// Source: [ParkMaeng, section 5]; docs/mathematics/ball-end-milling.md, section 7.
+/// Source: [ParkMaeng, section 5]; docs/methods/ball-end-milling.md, section 7.
 HeightJet ball_end_test_surface(double x, double y);
 
 /// A bicycle saddle, defined by this project because the paper does not print its own. It

@@ -13,7 +13,7 @@ namespace endmill {
 /// curve that leaves the range and returns becomes several curves, in their order. A
 /// curve that only touches the range is dropped. New ends have TrimmedKind::End. A
 /// clipped closed curve becomes open.
-/// Source: docs/mathematics/interference.md, section 2.5.
+/// Source: docs/methods/interference.md, section 2.5.
 std::vector<TrimmedCurve> clipped(const std::vector<TrimmedCurve>& curves,
                                   const Interval& range);
 

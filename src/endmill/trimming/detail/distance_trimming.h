@@ -15,7 +15,7 @@ namespace endmill {
 /// Let g = ds/dz of the two crossing segments. The method is certain to find the crossing
 /// if scan_step |g_B - g_A| <= 2 scan_threshold. Its error in z is then at most
 /// scan_threshold / |g_B - g_A|. It may also report a crossing where there is none.
-/// Source: [JangKimJeong, section IV.1]; the bounds: docs/mathematics/interference.md,
+/// Source: [JangKimJeong, section IV.1]; the bounds: docs/methods/interference.md,
 /// section 5.1.
 /// \pre step and threshold are positive and finite.
 /// \throws LimitError for more than a hundred million lines.

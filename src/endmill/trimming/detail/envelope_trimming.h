@@ -20,7 +20,7 @@ namespace endmill {
 /// Exact for all finite coordinates: every decision is that of the exact geometry of the
 /// given points, and each coordinate of a crossing or a link is the double nearest to the
 /// exact value. About 50 ns per segment.
-/// Source: docs/mathematics/interference.md, section 6; exactness: section 7.
+/// Source: docs/methods/interference.md, section 6; exactness: section 7.
 /// \param curves the section curves of one plane.
 /// \param options ignored.
 /// \throws DomainError if a coordinate is not finite.

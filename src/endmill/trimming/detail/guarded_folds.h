@@ -20,7 +20,7 @@ enum class RunPairs : std::uint8_t {
 ///    too short in s to meet the other branch; it is cut off with the fold.
 ///
 /// Nothing else is cut.
-/// Source: docs/mathematics/interference.md, section 4.
+/// Source: docs/methods/interference.md, section 4.
 /// \param chain the curve.
 /// \param dead_band in mm, see dead_band().
 /// \param find the search of the method, with guarded detection.

@@ -14,7 +14,7 @@ namespace endmill {
 ///    crossing.
 /// 3. If there is none, the part in front of the fold or behind it is cut off, whichever
 ///    is shorter in s. This removes good path if there is no loop.
-/// Source: [JangKimJeong, section IV]; docs/mathematics/interference.md, section 4.
+/// Source: [JangKimJeong, section IV]; docs/methods/interference.md, section 4.
 /// \param chain the curve.
 /// \param dead_band in mm, see dead_band().
 /// \param find the search of the method.

@@ -39,7 +39,7 @@ struct RefinedCurves {
 /// method left in a fold; points on a vertical step or on the vertical rim of the offset,
 /// where the height over s is not unique; and points where the cutter touches a border,
 /// if the offset has no contacts there.
-/// Source: docs/mathematics/interference.md, section 6.
+/// Source: docs/methods/interference.md, section 6.
 /// \param sampled the section and the part.
 /// \param curves the trimmed curves of the section.
 /// \param finer belongs to `sampled.drop` and to this thread alone.

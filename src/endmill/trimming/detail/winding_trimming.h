@@ -24,7 +24,7 @@ namespace endmill {
 /// Exact for all finite coordinates, as envelope_trimming is. It equals the envelope over
 /// those intervals if the kept region has no overhang. About 10 us per segment, for an
 /// arrangement with exact constructions.
-/// Source: docs/mathematics/interference.md, section 6.
+/// Source: docs/methods/interference.md, section 6.
 /// \param curves the section curves of one plane.
 /// \param options ignored.
 /// \throws DomainError if a coordinate is not finite.

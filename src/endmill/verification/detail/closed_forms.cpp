@@ -82,7 +82,7 @@ void add_planes(std::vector<ClosedForm>& forms)
 
 // Height of the cusp on a cylinder of radius `rho` between two balls at the angle `step`.
 // \param side +1: the balls are outside, -1: inside.
-// Source: docs/mathematics/removal.md, section 4.
+// Source: docs/methods/removal.md, section 4.
 double cylinder_scallop(double rho, double side, double step)
 {
     const double centre = rho + side * R;

@@ -36,7 +36,7 @@ struct ClosedForm {
 ///
 /// The error bound of a volume is (pitch / 2) times the area of the vertical walls of the
 /// cut, plus pitch^2 times 10 mm for its rims.
-/// Source: docs/mathematics/removal.md, section 4.
+/// Source: docs/methods/removal.md, section 4.
 std::vector<ClosedForm> closed_forms();
 
 /// Whether the exact value lies within the error bound of `measured`, allowing for
