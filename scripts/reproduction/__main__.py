@@ -80,9 +80,10 @@ def last_words(experiment):
 
 def write_report(root, outcomes, not_run):
     date = datetime.now(timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
-    page = report.render(outcomes, not_run, machine.revision(root), machine.describe(root), date)
+    pages = report.render(root, outcomes, not_run, machine.revision(root), machine.describe(root), date)
     (root / "results").mkdir(exist_ok=True)
-    write_whole(root / "results/report.html", page.encode())
+    for name, text in pages.items():
+        write_whole(root / "results" / name, text.encode())
 
 
 def stages(chosen):

@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass
 
 from .fault import Fault
-from .tables import number
+from .tables import number, rounded
 from .verdicts import WITHOUT_NUMBER, checked_rows, honest, is_claim, warn
 
 SHOWN = ["claim", "measured quantity", "measured", "holds if", "verdict"]
@@ -19,7 +19,7 @@ class Claim:
     row: str
     column: str
     quantity: str  # what the cell of result.csv is
-    measured: str  # the cell, empty if there is none
+    measured: str  # the cell as shown, empty if there is none
     condition: str  # when the claim holds, such as `<= 0.05`
     verdict: str  # one of VERDICTS
     remark: str  # shown after the verdict
@@ -51,6 +51,12 @@ def holds(measured, condition):
     return {"<": value < limit, "<=": value <= limit, ">": value > limit, ">=": value >= limit}[sign]
 
 
+def shown_measure(measured, condition):
+    """`measured` with the digits that decide the condition, at least four."""
+    texts = (rounded(measured, digits) for digits in range(4, 17))
+    return next((text for text in texts if holds(text, condition) == holds(measured, condition)), measured)
+
+
 def judge_claim(row, cells):
     """The Claim of one row of published.csv, whose column `published` is the condition.
 
@@ -64,7 +70,8 @@ def judge_claim(row, cells):
         verdict, remark = declared, ""
     else:
         raise Fault(f"result.csv has no cell in row {label!r}, column {column!r}")
-    return Claim(text, label, column, quantity, measured, condition, verdict, remark,
+    shown = shown_measure(measured, condition) if measured else ""
+    return Claim(text, label, column, quantity, shown, condition, verdict, remark,
                  warn(declared, verdict, remark))
 
 

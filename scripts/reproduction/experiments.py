@@ -9,7 +9,8 @@ from .fault import Fault
 
 NOT_A_PAPER = {"support"}  # a library that the drivers share
 BENCHMARKS = "benchmarks"
-BESIDE_THE_PAPERS = {"verification", BENCHMARKS}  # experiments of this project, shown last
+PAPERS = ["economic-cl-data", "interference", "five-axis-setup", "ball-end-milling"]  # in the order of README.md
+BESIDE_THE_PAPERS = ["verification", BENCHMARKS]  # experiments of this project, shown last
 
 
 @dataclass(frozen=True)
@@ -76,7 +77,15 @@ def find_experiments(root):
 def place_in_report(experiment):
     numbered = [int(part) if part.isdigit() else part
                 for part in re.split(r"(\d+)", experiment.item)]
-    return experiment.paper in BESIDE_THE_PAPERS, experiment.paper, numbered
+    return *place_of_paper(experiment.paper), numbered
+
+
+def place_of_paper(paper):
+    """A key that sorts the papers as README.md lists them, then others by name, then the project's own studies."""
+    for group, names in ((0, PAPERS), (2, BESIDE_THE_PAPERS)):
+        if paper in names:
+            return group, names.index(paper), paper
+    return 1, 0, paper
 
 
 def plain(names):

@@ -15,6 +15,7 @@ from .tables import Table, number, read_table  # noqa: E402
 
 # A plain name keeps the file inside the results folder.
 FILE_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,59}\.(svg|csv)")
+FIGURE_KEYS = ("file", "caption", "published_caption", "plot")
 PLOT_KEYS = {"csv", "x", "y", "group_by", "filter", "labels", "x_scale", "y_scale",
              "x_label", "y_label", "title", "kind", "points"}
 KINDS = {"line", "points", "bar", "surface"}
@@ -41,7 +42,10 @@ class PlainLogFormatter(LogFormatter):
 
 
 def figures_of(params):
-    """The figures of params.json. Checks that each has a plain file name and a caption."""
+    """The figures of params.json. Checks that each has a plain file name and a caption.
+
+    `published_caption` quotes the caption of the paper's figure that this one shows again.
+    """
     figures = params.get("figures", [])
     for figure in figures:
         name = figure.get("file", "")
@@ -49,8 +53,10 @@ def figures_of(params):
             raise Fault(f"params.json: figure file {name!r}: expected a plain name ending in .svg")
         if not figure.get("caption"):
             raise Fault(f"params.json: figure {name} has no caption")
-        if figure.keys() - {"file", "caption", "plot"}:
-            raise Fault(f"params.json: figure {name}: unknown keys, expected file, caption, plot")
+        if figure.keys() - set(FIGURE_KEYS):
+            raise Fault(f"params.json: figure {name}: unknown keys, expected {', '.join(FIGURE_KEYS)}")
+        if not isinstance(figure.get("published_caption", "words"), str):
+            raise Fault(f"params.json: figure {name}: published_caption is a text")
     return figures
 
 

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Reads CSV files strictly, since a slightly wrong table could compare wrong cells."""
 import csv
+import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from .fault import Fault
 
+LONGEST_FRACTION = 9  # decimals; a number that needs more is written with an exponent
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
 
 
@@ -15,12 +17,31 @@ def number(text):
     return None if value in (float("inf"), float("-inf")) else value
 
 
+def rounded(text, digits=4):
+    """`text`, with a number rounded to so many significant digits. Digits before the point are kept."""
+    value = number(text)
+    if value is None or abs(value) >= 1e15:
+        return text
+    decimals = 0 if value == 0 else max(0, digits - 1 - math.floor(math.log10(abs(value))))
+    if decimals > LONGEST_FRACTION:
+        return f"{value:.{digits - 1}e}"
+    return plain(f"{value:.{decimals}f}")
+
+
+def plain(text):
+    """A decimal number without zeros at its end. A zero has no sign."""
+    if "." in text:
+        text = text.rstrip("0").rstrip(".")
+    return "0" if text in ("+0", "-0") else text
+
+
 @dataclass(frozen=True)
 class Table:
     """A header and rows with the same number of texts."""
 
     header: list
     rows: list
+    lines: list = field(default_factory=list, compare=False)  # the last line of each row in its file
 
     def column(self, name):
         """The cells of one column, top to bottom."""
@@ -43,18 +64,19 @@ def read_table(path, labelled=False):
     """
     try:
         with open(path, newline="", encoding="utf-8") as file:
-            lines = list(csv.reader(file, strict=True))
+            reader = csv.reader(file, strict=True)
+            numbered = [(reader.line_num, row) for row in reader]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise Fault(f"{path}: {error}") from None
-    if not lines or not lines[0]:
+    if not numbered or not numbered[0][1]:
         raise Fault(f"{path}: no header")
-    header, rows = lines[0], lines[1:]
+    header = numbered.pop(0)[1]
     if len(set(header)) != len(header):
         raise Fault(f"{path}: a column name stands twice in the header")
-    for i, row in enumerate(rows, start=2):
+    for line, row in numbered:
         if len(row) != len(header):
-            raise Fault(f"{path}:{i}: {len(row)} cells, the header has {len(header)}")
-    table = Table(header, rows)
+            raise Fault(f"{path}:{line}: {len(row)} cells, the header has {len(header)}")
+    table = Table(header, [row for _, row in numbered], [line for line, _ in numbered])
     if labelled:
         check_labels(path, table)
     return table

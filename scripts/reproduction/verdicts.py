@@ -3,14 +3,17 @@
 from dataclasses import dataclass
 
 from .fault import Fault
-from .tables import number
+from .tables import number, plain, rounded
 
 COLUMNS = ["row", "column", "published", "digits", "verdict"]
 CLAIM_COLUMNS = COLUMNS + ["claim", "quantity"]  # a row with a claim holds its condition in `published`
+NAME = "name"  # in the column `digits`: the number names something, such as a method, and is not measured
 INPUT = "–"
 VERDICTS = ["reproduced", "print agrees", "print disagrees", "calibrated", "differs", "not recoverable",
             "not in the paper", INPUT]
 WITHOUT_NUMBER = {"not recoverable", "not in the paper", INPUT}  # may have no computed cell
+# The difference of two angles or percentages needs no percentage of its own.
+WITHOUT_PERCENTAGE = ("_percent", "_deg")
 READING = 1e-9  # relative; decimal and binary numbers rarely agree exactly
 
 
@@ -60,8 +63,7 @@ def honest(declared, equal):
 
 def decimals(value, digits, sign=""):
     """`value` with two decimals more than the print, without trailing zeros."""
-    text = f"{value:{sign}.{max(digits, 0) + 2}f}".rstrip("0").rstrip(".")
-    return "0" if text in ("+0", "-0") else text
+    return plain(f"{value:{sign}.{max(digits, 0) + 2}f}")
 
 
 def judge_line(published_row, cells):
@@ -69,18 +71,20 @@ def judge_line(published_row, cells):
     row, column, printed, digits, declared = published_row
     computed_text = cells.get((row, column), "")
     published, computed = number(printed), number(computed_text)
-    if published is None or computed is None:
+    if published is None or computed is None or digits == NAME:
         return judge_text(row, column, printed, computed_text, declared)
     digits = int(digits)
     verdict, remark = honest(declared, equals_print(published, computed, digits))
     difference = computed - published
-    percent = f"{100 * difference / abs(published):+.2f}" if published else ""
+    percent = ""
+    if published and not column.endswith(WITHOUT_PERCENTAGE):
+        percent = plain(f"{100 * difference / abs(published):+.2f}")
     return Line(row, column, printed, decimals(computed, digits), decimals(difference, digits, "+"),
                 percent, verdict, remark, warn(declared, verdict, remark))
 
 
 def judge_text(row, column, printed, computed, declared):
-    """The Line of a row in which a cell is not a number. Such cells are compared as texts."""
+    """The Line of a row in which a cell is not a number or is a name. Such cells are compared as texts."""
     if printed and computed:
         verdict, remark = honest(declared, printed == computed)
     elif declared in WITHOUT_NUMBER:
@@ -88,7 +92,7 @@ def judge_text(row, column, printed, computed, declared):
     else:
         verdict = REFUTED.get(declared, declared)
         remark = "nothing to compare"
-    return Line(row, column, printed, computed, "", "",
+    return Line(row, column, printed, rounded(computed), "", "",
                 verdict, remark, warn(declared, verdict, remark))
 
 
@@ -127,8 +131,9 @@ def checked_rows(published):
         seen.add(key)
         if verdict not in VERDICTS:
             raise Fault(f"{where}: verdict {verdict!r}, expected one of {', '.join(VERDICTS)}")
-        if not is_claim(row) and number(text) is not None and not digits.lstrip("-").isdecimal():
-            raise Fault(f"{where}: digits {digits!r}, expected the count of decimals printed")
+        is_measure = not is_claim(row) and number(text) is not None and digits != NAME
+        if is_measure and not digits.lstrip("-").isdecimal():
+            raise Fault(f"{where}: digits {digits!r}, expected the count of decimals printed, or {NAME!r}")
     return published.rows
 
 

@@ -37,6 +37,11 @@ class Claims(unittest.TestCase):
     def test_claim_marked_differs_that_holds_gets_a_warning(self):
         self.assertTrue(judged("0.01", "<= 0.05", "differs").warning)
 
+    def test_measured_number_has_the_digits_that_decide(self):
+        self.assertEqual(judged("0.412345678", "<= 0.05", "differs").measured, "0.4123")
+        self.assertEqual(judged("0.05000012345", "<= 0.05", "differs").measured, "0.0500001")
+        self.assertEqual(judged("method 3", "= method 3", "reproduced").measured, "method 3")
+
     def test_claim_that_nothing_decides_needs_no_cell(self):
         self.assertEqual(judged(None, "", "not recoverable").verdict, "not recoverable")
 
@@ -50,7 +55,8 @@ class Claims(unittest.TestCase):
             judge_claims(Table(["claim"], []), Table(["row"], []))
 
     def test_numbers_and_claims_stand_in_one_table(self):
-        rows = [["a", "x", "1.5", "1", "reproduced", "", ""], ["a", "y", "> 1", "", "reproduced", "It is large.", "its size"]]
+        rows = [["a", "x", "1.5", "1", "reproduced", "", ""],
+                ["a", "y", "> 1", "", "reproduced", "It is large.", "its size"]]
         table, result = Table(CLAIM_COLUMNS, rows), Table(["row", "x", "y"], [["a", "1.52", "3"]])
         self.assertEqual([line.column for line in judge(table, result)], ["x"])
         self.assertEqual([claim.column for claim in judge_claims(table, result)], ["y"])

@@ -3,7 +3,7 @@
 import unittest
 
 import fake_tree  # noqa: F401 (finds the scripts)
-from reproduction.prose import read
+from reproduction.prose import listed, read
 
 README = """# Table 1: counts
 
@@ -11,6 +11,7 @@ README = """# Table 1: counts
 | --- | --- |
 | Claim | about 25 % fewer, `NCL` |
 | Command | `run it` |
+| Compared | with `expected.csv` |
 
 Free text in
 two lines.
@@ -34,7 +35,9 @@ class Prose(unittest.TestCase):
         readme = read(README, "fallback")
         self.assertEqual(readme.title, "Table 1: counts")
         self.assertEqual(readme.claim, "about 25 % fewer, <code>NCL</code>")
+        self.assertEqual(readme.compared, "with <code>expected.csv</code>")
         self.assertNotIn("Claim", readme.body)
+        self.assertNotIn("Compared", readme.body)
         for html in ("<td>Command</td><td><code>run it</code></td>",
                      "<p>Free text in two lines.</p>", "<ul><li>one</li><li>two, gone on</li></ul>",
                      "<tr><th>column</th><th>unit</th></tr>", "<pre>| no table |</pre>"):
@@ -53,6 +56,16 @@ class Prose(unittest.TestCase):
 
     def test_empty_table_head_is_left_out(self):
         self.assertNotIn("<th></th>", read(README, "").body)
+
+    def test_link_has_the_address_that_the_page_gives_it(self):
+        addresses = {"table-1": "#paper-table-1", "a\"b": "#<&\""}
+        body = read("[one](table-1), [two](other) and [three](a\"b)", "", addresses.get).body
+        self.assertEqual(body, '<p><a href="#paper-table-1">one</a>, two and <a href="#&lt;&amp;&quot;">three</a></p>')
+
+    def test_items_of_a_section_are_listed(self):
+        text = "# Title\n\n- no\n\n## In short\n\n- one\n- two,\n  **gone** on\n\n## Next\n\n- no\n"
+        self.assertEqual(listed(text, "In short"), ["one", "two, <strong>gone</strong> on"])
+        self.assertEqual(listed("text", "In short"), [])
 
     def test_text_is_escaped(self):
         for payload in ("<script>alert(1)</script>", "<img src=x onerror=alert(1)>",

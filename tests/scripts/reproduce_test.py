@@ -38,7 +38,7 @@ class Reproduce(FakeTree):
         record = json.loads((self.root / "results/paper/table-1/run.json").read_text())
         self.assertEqual(record["exit"], 0)
         self.assertEqual(set(record["machine"]), {"cpu", "cores", "load_average", "compiler"})
-        self.assertIn("regression", self.report())
+        self.assertIn('Regression <span class="word good">ok</span>', self.report())
 
     def test_driver_is_called_from_the_root_with_its_folder(self):
         self.add_experiment("paper/table-1", RESULT, driver='echo "$1"; pwd')
@@ -81,7 +81,7 @@ class Reproduce(FakeTree):
         self.add_experiment("paper/table-2", RESULT)
         self.add_experiment("benchmarks/planner", RESULT)
         self.reproduce("paper")
-        self.assertIn("Never run here: benchmarks/planner", self.report())
+        self.assertIn("<dt>Never run here</dt><dd>benchmarks/planner</dd>", self.report())
         self.assertNotIn("Not run this time", self.report())
         self.reproduce("experiments/paper/table-2/")
         self.assertEqual(self.report().count("Not run this time"), 1)
@@ -92,7 +92,7 @@ class Reproduce(FakeTree):
         self.add_experiment("paper/table-1", RESULT, {"figures": figures})
         self.assertTrue(self.reproduce()[0])
         self.assertIn('<img src="data:image/svg+xml;base64,', self.report())
-        self.assertIn("<figcaption>A caption.</figcaption>", self.report())
+        self.assertIn("<figcaption><p>A caption.</p></figcaption>", self.report())
 
     def test_texts_of_an_experiment_are_escaped(self):
         quoted = PAYLOAD.replace('"', '""')
@@ -107,7 +107,7 @@ class Reproduce(FakeTree):
         page = self.report()
         self.assertGreater(page.count(html.escape(PAYLOAD)), 5)
         self.assertNotRegex(page, r"(?i)<script|<img src=x|<[^>]+\son\w+=")
-        self.assertIn("default-src 'none'; style-src 'unsafe-inline'; img-src data:", page)
+        self.assertIn("default-src 'none'; style-src 'unsafe-inline'; img-src data: 'self' file:\"", page)
 
     def test_every_link_of_the_page_has_a_target(self):
         self.add_experiment("paper/table-1", RESULT, expected=RESULT,
@@ -117,10 +117,11 @@ class Reproduce(FakeTree):
         links = re.findall(r'href="([^"]+)"', page)
         self.assertGreaterEqual(len(links), 5)
         for link in links:
-            if link.startswith("#"):
-                self.assertIn(f'id="{link[1:]}"', page)
-            else:
-                self.assertTrue((self.root / "results" / link).exists(), link)
+            file, _, place = link.partition("#")
+            target = self.root / "results" / (file or "report.html")
+            self.assertTrue(target.exists(), link)
+            if place:
+                self.assertIn(f'id="{place}"', target.read_text(encoding="utf-8"))
 
     def test_first_table_runs_first_and_then_paper_by_paper(self):
         for name in ("a/claims", "a/table-1", "a/table-2", "b/figure-1", "b/table-3"):
@@ -166,7 +167,8 @@ class Reproduce(FakeTree):
         self.assertEqual(self.check(accept, experiments, print)[0], 2)
 
     def test_experiments_are_in_natural_order(self):
-        ordered = ["paper/claims", "paper/figure-5", "paper/figure-12", "benchmarks/a"]
+        ordered = ["interference/a", "ball-end-milling/a", "paper/claims", "paper/figure-5", "paper/figure-12",
+                   "verification/a", "benchmarks/a"]
         for name in ["support/x", *reversed(ordered)]:
             self.write(f"experiments/{name}/main.cpp")
         self.assertEqual([e.name for e in find_experiments(self.root)], ordered)

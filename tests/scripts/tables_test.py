@@ -4,7 +4,7 @@ import unittest
 
 from fake_tree import FakeTree
 from reproduction.fault import Fault
-from reproduction.tables import number, read_table
+from reproduction.tables import number, read_table, rounded
 
 
 class Tables(FakeTree):
@@ -12,6 +12,10 @@ class Tables(FakeTree):
         table = read_table(self.write("a.csv", 'row,x\n"a, b",1\nc,\n'), labelled=True)
         self.assertEqual(table.cells()[("a, b", "x")], "1")
         self.assertEqual(table.column("x"), ["1", ""])
+
+    def test_row_keeps_its_line(self):
+        table = read_table(self.write("a.csv", 'row,x\n"two\nlines",1\nc,2\n'))
+        self.assertEqual(table.lines, [3, 4])
 
     def test_malformed_table_is_refused(self):
         cases = {
@@ -35,6 +39,12 @@ class Tables(FakeTree):
             self.assertEqual(number(text), value)
         for text in ("", "nan", "inf", "1e999", "1_000", " 1", "0x10", "25 %", "1,5"):
             self.assertIsNone(number(text), text)
+
+    def test_numbers_are_rounded_without_an_exponent(self):
+        for text, short in {"0.2133449999999204": "0.2133", "20809.349": "20809", "12.5000": "12.5",
+                            "-0.00001234567": "-0.00001235", "1234567": "1234567", "-0.0": "0",
+                            "1e-12": "1.000e-12", "word": "word", "": ""}.items():
+            self.assertEqual(rounded(text), short)
 
 
 if __name__ == "__main__":

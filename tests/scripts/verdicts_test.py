@@ -70,6 +70,20 @@ class Verdicts(unittest.TestCase):
     def test_published_zero_has_no_relative_difference(self):
         self.assertEqual(judged("0", "0.25", "0", "reproduced").relative_percent, "")
 
+    def test_difference_of_angles_or_percentages_has_no_percentage(self):
+        for column in ("tilt_deg", "saving_percent"):
+            line = judge(Table(COLUMNS, [["a", column, "25", "0", "differs"]]),
+                         Table(["row", column], [["a", "28"]]))[0]
+            self.assertEqual((line.difference, line.relative_percent), ("+3", ""))
+
+    def test_names_are_compared_as_texts(self):
+        line = judged("3", "2", "name", "reproduced")
+        self.assertEqual(line.shown(), ["a", "x", "3", "2", "", "", "differs"])
+        self.assertEqual(judged("3", "3", "name", "reproduced").verdict, "reproduced")
+
+    def test_number_beside_words_is_rounded(self):
+        self.assertEqual(judged("34 s", "0.2133449999999204", "", "not recoverable").computed, "0.2133")
+
     def test_tiny_difference_has_no_sign(self):
         self.assertEqual(judged("2.0", "1.9999999", "1", "reproduced").difference, "0")
 
