@@ -14,6 +14,7 @@ VERDICTS = ["reproduced", "print agrees", "print disagrees", "calibrated", "diff
 WITHOUT_NUMBER = {"not recoverable", "not in the paper", INPUT}  # may have no computed cell
 # The difference of two angles or percentages needs no percentage of its own.
 WITHOUT_PERCENTAGE = ("_percent", "_deg")
+UNITS = {"_ms": "ms", "_s": "s", "_min": "min", "_mm": "mm", "_percent": "%", "_deg": "°"}  # by end of a column's name
 READING = 1e-9  # relative; decimal and binary numbers rarely agree exactly
 
 
@@ -83,6 +84,13 @@ def judge_line(published_row, cells):
                 percent, verdict, remark, warn(declared, verdict, remark))
 
 
+def beside_words(computed, column, printed):
+    """The text of a computed cell beside printed words: rounded, with its unit if the words state a quantity."""
+    unit = next((unit for end, unit in UNITS.items() if column.endswith(end)), "")
+    is_quantity = number(printed) is None and any(character.isdigit() for character in printed)
+    return f"{rounded(computed)} {unit}" if unit and is_quantity and number(computed) is not None else rounded(computed)
+
+
 def judge_text(row, column, printed, computed, declared):
     """The Line of a row in which a cell is not a number or is a name. Such cells are compared as texts."""
     if printed and computed:
@@ -92,7 +100,7 @@ def judge_text(row, column, printed, computed, declared):
     else:
         verdict = REFUTED.get(declared, declared)
         remark = "nothing to compare"
-    return Line(row, column, printed, rounded(computed), "", "",
+    return Line(row, column, printed, beside_words(computed, column, printed), "", "",
                 verdict, remark, warn(declared, verdict, remark))
 
 

@@ -83,6 +83,9 @@ class Verdicts(unittest.TestCase):
 
     def test_number_beside_words_is_rounded(self):
         self.assertEqual(judged("34 s", "0.2133449999999204", "", "not recoverable").computed, "0.2133")
+        line = judge(Table(COLUMNS, [["a", "x_ms", "34 s", "", "not recoverable"]]),
+                     Table(["row", "x_ms"], [["a", "0.2133449999999204"]]))[0]
+        self.assertEqual(line.computed, "0.2133 ms")
 
     def test_tiny_difference_has_no_sign(self):
         self.assertEqual(judged("2.0", "1.9999999", "1", "reproduced").difference, "0")
