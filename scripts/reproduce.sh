@@ -15,7 +15,9 @@ them, paper by paper. Prints each published number beside the computed one, comp
 expected.csv, draws the figures and writes a report. Builds only the drivers that it runs.
 
   results/PAPER/ITEM/    CSV, figures as SVG, run.json (revision, time, machine), run.log
-  results/report.html    everything on one page, opens offline
+  results/report.html    each paper in short, then all experiments; opens offline
+  results/verdicts.html  every published number and claim by verdict
+  results/claims.html    every claim of the papers with its place and verdict
 
   --quick        leaves out the benchmarks and every study of more than a minute, whose
                  params.json has "long": true (default)

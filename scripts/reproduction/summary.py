@@ -12,16 +12,16 @@ from .verdicts import INPUT, VERDICTS
 
 IN_SHORT = "In short"  # the heading in experiments/PAPER/README.md
 MEANING = {
-    "reproduced": "computed without this number or anything fitted to it,"
-                  " and equal within the print's rounding",
+    "reproduced": "computed here from inputs that the paper gives, and equal within the print's rounding;"
+                  " a claim in words holds",
     "print agrees": "arithmetic on printed numbers alone gives the printed number;"
                     " it says nothing about the method",
     "print disagrees": "arithmetic on printed numbers alone gives another number",
     "calibrated": "an input was fitted to this number or to others of its table:"
                   " agreement is no evidence",
-    "differs": "computed independently, and not equal",
-    "not recoverable": "an input is missing and nothing published fixes it",
-    "not in the paper": "the paper uses it without printing it; ours is named as ours",
+    "differs": "computed independently, and not equal; the measurement contradicts a claim in words",
+    "not recoverable": "an input is missing and cannot be derived from anything published",
+    "not in the paper": "the paper uses a value but does not print it; ours is marked as ours",
     INPUT: "an input that the paper prints",
 }
 

@@ -51,7 +51,8 @@ class CheckClaims(FakeTree):
 
     def test_bad_cell_is_named_with_its_line(self):
         for cells, expected in (({"kind": "table"}, "kind 'table'"), ({"verdict": "proved"}, "verdict 'proved'"),
-                                ({"paper": "support"}, "no paper 'support'"), ({"place": ""}, "id, place and claim must"),
+                                ({"paper": "support"}, "no paper 'support'"),
+                                ({"place": ""}, "id, place and claim must"),
                                 ({"experiment": "paper/table-9"}, "no experiment 'paper/table-9'"),
                                 ({"experiment": ""}, "no experiment ''"),
                                 ({"verdict": "calibrated"}, "verdict 'calibrated', but the row has 'reproduced' "
