@@ -63,14 +63,14 @@ def linked_count(paper, verdict, verdict_page):
 def print_sentence(paper, verdict_page):
     """One sentence on the verdicts of a paper that rest on printed numbers alone, empty without any verdict."""
     total = sum(count for verdict, count in paper.counts.items() if verdict != INPUT)
+    said = " and ".join(f"{linked_count(paper, verdict, verdict_page)} {word(verdict)}"
+                        for verdict in ("print agrees", "print disagrees") if paper.counts[verdict])
     if not total:
         return ""
-    if not paper.counts["print agrees"] + paper.counts["print disagrees"]:
-        return f"None of its {total} verdicts rests on printed numbers alone."
-    said = " and ".join(f"{linked_count(paper, verdict, verdict_page)} {word(verdict)}"
-                        for verdict in ("print agrees", "print disagrees"))
-    return (f"Of its {total} verdicts, {said} are arithmetic on printed numbers alone:"
-            " they test whether the print is consistent, and say nothing about the method.")
+    if not said:
+        return f"None of its verdicts ({total}) rests on printed numbers alone."
+    return (f"Of its {total} verdicts, {said}: arithmetic on printed numbers alone, which tests whether the print is"
+            " consistent and says nothing about the method.")
 
 
 def in_short(paper, root, names, verdict_page):
