@@ -60,6 +60,11 @@ def table(head, rows, numeric=(), label="table", ids=None):
             f'<thead>{row("th", head)}</thead>\n<tbody>{body}</tbody></table></div>')
 
 
+def in_words(*pieces):
+    """Pieces of a page whose tables hold sentences, which may be broken into lines."""
+    return "\n".join(["<div class=words>", *pieces, "</div>"])
+
+
 def counted(counts):
     """Counts of verdicts in words, without definitions: `3 reproduced, 1 differs, 2 input`."""
     return ", ".join(f"{counts[v]} {verdict_text(v)}" for v in VERDICTS if counts[v])

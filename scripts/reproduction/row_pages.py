@@ -5,8 +5,9 @@ from html import escape
 from itertools import groupby
 
 from .claim_list import DEFINITION
+from .claims import Claim
 from .experiments import place_of_paper
-from .markup import anchor, counted, page, row_anchor, table, word
+from .markup import anchor, counted, in_words, page, row_anchor, table, word
 from .sections import readme_of
 from .summary import verdict_place
 from .verdicts import VERDICTS
@@ -16,11 +17,6 @@ CLAIMS = "claims.html"
 VERDICT_ROWS = "verdicts.html"
 
 
-def in_words(body):
-    """The pieces of a page whose tables hold sentences, which may be broken into lines."""
-    return ["<div class=words>", *body, "</div>"]
-
-
 def judged_rows(outcome):
     """(id on the page, number or claim) of each row of published.csv of one item."""
     for judged in (outcome.lines, outcome.claims):
@@ -28,11 +24,9 @@ def judged_rows(outcome):
             yield row_anchor(outcome.experiment, one, place), one
 
 
-def item_link(outcome, place=""):
-    """A link to an item, or to the row with the id `place` in it."""
-    experiment = outcome.experiment
-    target = place or anchor(experiment.paper, experiment.item)
-    return f'<a href="{REPORT}#{target}">{escape(readme_of(experiment).title)}</a>'
+def item_link(outcome, place):
+    """A link to the row with the id `place` of an item."""
+    return f'<a href="{REPORT}#{place}">{escape(readme_of(outcome.experiment).title)}</a>'
 
 
 def index_rows(outcomes):
@@ -77,12 +71,12 @@ def claims_page(claims, outcomes, titles):
         body += [f'<h2 id="{anchor(paper)}">{escape(titles.get(paper, paper))}</h2>',
                  f"<p>{claim_counts(verdicts)}</p>",
                  table(["id", "place", "kind", "claim", "verdict", "computed in"], rows, label=f"claims of {paper}")]
-    return page("endmill: every claim of the papers", in_words(body))
+    return page("endmill: every claim of the papers", [in_words(*body)])
 
 
 def verdict_row(outcome, place, judged):
     """The cells of one number or claim: what it is, the print, ours, and the item."""
-    if hasattr(judged, "condition"):
+    if isinstance(judged, Claim):
         what, printed, ours = judged.text, f"holds if {judged.condition}" if judged.condition else "", judged.measured
     else:
         what, printed, ours = f"{judged.row}: {judged.column}", judged.published, judged.computed
@@ -102,4 +96,4 @@ def verdicts_page(papers):
             if rows:
                 body += [f'<h3 id="{verdict_place(paper.name, verdict)}">{len(rows)} {word(verdict)}</h3>',
                          table(["number or claim", "published", "computed", "item"], rows, label=verdict)]
-    return page("endmill: every published number and claim by verdict", in_words(body))
+    return page("endmill: every published number and claim by verdict", [in_words(*body)])

@@ -5,7 +5,7 @@ from html import escape
 from urllib.parse import quote
 
 from . import claims, prose
-from .markup import addresses, anchor, row_anchor, table, word
+from .markup import addresses, anchor, in_words, row_anchor, table, word
 from .tables import rounded
 from .verdicts import SHOWN
 
@@ -120,7 +120,7 @@ def section(outcome, names, inside):
         f"<p class=claim>{readme.claim}</p>" if readme.claim else "",
         f"<ul class=trouble>{faults}</ul>" if faults else "",
         judged_table(outcome, outcome.lines, SHOWN, range(2, 6), "published and computed"),
-        judged_table(outcome, outcome.claims, claims.SHOWN, [2], "claims and measurements"),
+        in_words(judged_table(outcome, outcome.claims, claims.SHOWN, [2], "claims and measurements")),
         result_table(outcome),
         *[figure(outcome, description, inside) for description in outcome.figures],
         f"<div class=about>{readme.body}</div>",

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from html import escape
 
 from . import prose
-from .experiments import Experiment
 from .markup import addresses, anchor, table, word
 from .sections import read
 from .verdicts import INPUT, VERDICTS
@@ -35,8 +34,7 @@ class Paper:
 
     @property
     def folder(self):
-        first: Experiment = self.outcomes[0].experiment
-        return first.folder.parent
+        return self.outcomes[0].experiment.folder.parent
 
     @property
     def title(self):
