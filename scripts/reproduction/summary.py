@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from html import escape
 
 from . import prose
+from .experiments import BESIDE_THE_PAPERS
 from .markup import addresses, anchor, table, word
 from .sections import read
 from .verdicts import INPUT, VERDICTS
@@ -74,7 +75,7 @@ def print_sentence(paper, verdict_page):
 def in_short(paper, root, names, verdict_page):
     """What was published, recomputed and found wrong in one paper. Empty if its README does not say so."""
     items = prose.listed(read(paper.folder / "README.md"), IN_SHORT, addresses(root, paper.folder, names))
-    sentence = print_sentence(paper, verdict_page)
+    sentence = "" if paper.name in BESIDE_THE_PAPERS else print_sentence(paper, verdict_page)
     if not items and not sentence:
         return ""
     listed = "<ul>" + "".join(f"<li>{item}</li>" for item in items) + "</ul>" if items else ""
