@@ -9,7 +9,7 @@ that only defines or motivates something has the verdict `definition` and names 
 and line:
 
 * A claim has an unknown paper, kind, experiment or verdict, or lacks its id, place or text.
-* An id stands twice, or a claim stands twice at the same place.
+* An id stands twice, or a claim stands twice with the same place and row. Several rows may decide one claim.
 * A claim names a row that stands in no published.csv, or has another verdict than that row.
 * A definition names a row.
 * A paper has no claim.
@@ -89,10 +89,11 @@ def check_row(claim, rows):
 
 
 def check_twice(claims):
-    """Ids, and claims at one place, that stand twice, as (claim, what is wrong)."""
+    """Ids, and claims with one place and row, that stand twice, as (claim, what is wrong)."""
     seen = {}
     for claim in claims:
-        for key, what in ((("id", claim.id), f"id {claim.id!r}"), ((claim.paper, claim.place, claim.claim), "claim")):
+        whole = (claim.paper, claim.place, claim.claim, claim.experiment, claim.row, claim.column)
+        for key, what in ((("id", claim.id), f"id {claim.id!r}"), (whole, "claim")):
             if key in seen:
                 yield claim, f"{what} stands twice, see line {seen[key]}"
             seen.setdefault(key, claim.line)

@@ -45,9 +45,10 @@ class CheckClaims(FakeTree):
 
     def test_claims_that_agree_pass_and_are_counted(self):
         second = changed(CELL, id="A-4", place="Section 3")  # a row may decide several claims
-        code, said = self.run_script(CELL, SENTENCE, DEFINITION, second)
+        third = changed(SENTENCE, id="A-5", row="a", column="x", verdict="reproduced")  # two rows decide one claim
+        code, said = self.run_script(CELL, SENTENCE, DEFINITION, second, third)
         self.assertEqual(code, 0, said)
-        self.assertIn("paper: 4 claims: 2 reproduced, 1 differs, 1 definition\n", said)
+        self.assertIn("paper: 5 claims: 3 reproduced, 1 differs, 1 definition\n", said)
 
     def test_bad_cell_is_named_with_its_line(self):
         for cells, expected in (({"kind": "table"}, "kind 'table'"), ({"verdict": "proved"}, "verdict 'proved'"),
