@@ -13,6 +13,7 @@ from .summary import Paper, counts_table, in_short, legend
 
 LEAD = ("This page shows the tables, figures and claims of four papers, each computed again by this project, beside the"
         " print. Each published number and each claim has one verdict.")
+MOST_BYTES = 3_900_000  # of the page, which is to stay below 4 MB. Pictures beyond that are files beside it.
 
 
 def contents(papers):
@@ -74,6 +75,13 @@ def other_pages(claims, fault):
     return f"<p>Beside this page: {', '.join(links)}.</p>" + (f"<p class=trouble>{escape(fault)}</p>" if fault else "")
 
 
+def items(papers, names, inside):
+    """The sections of all papers. `inside` are the files of the embedded figures."""
+    for paper in papers:
+        yield f'<h2 id="{anchor(paper.name)}">{escape(paper.title)}</h2>'
+        yield from (section(outcome, names, inside) for outcome in paper.outcomes)
+
+
 def render(root, outcomes, not_run, revision, machine, date):
     """The pages, as a map from their names in results/ to their texts.
 
@@ -83,15 +91,16 @@ def render(root, outcomes, not_run, revision, machine, date):
     papers = [Paper(name, list(group)) for name, group in groups]
     names = {outcome.experiment.name for outcome in outcomes}
     claims, fault = listed_claims(root)
-    inside = embedded(outcomes)
-    body = [f"<p>{LEAD}</p>", *[in_short(paper, root, names, VERDICT_ROWS) for paper in papers],
+    head = [f"<p>{LEAD}</p>", *[in_short(paper, root, names, VERDICT_ROWS) for paper in papers],
             '<h2 id="verdicts">Verdicts</h2>', counts_table(papers, VERDICT_ROWS), legend(), other_pages(claims, fault),
             '<h2 id="contents">Contents</h2>', contents(papers)]
-    for paper in papers:
-        body.append(f'<h2 id="{anchor(paper.name)}">{escape(paper.title)}</h2>')
-        body += [section(outcome, names, inside) for outcome in paper.outcomes]
-    body.append(about(outcomes, not_run, revision, machine, date))
-    pages = {REPORT: page("endmill: published and computed", body), VERDICT_ROWS: verdicts_page(papers)}
+    end = about(outcomes, not_run, revision, machine, date)
+
+    def report(inside):
+        return page("endmill: published and computed", [*head, *items(papers, names, inside), end])
+
+    pictures_fit_in = MOST_BYTES - len(report(set()).encode())
+    pages = {REPORT: report(embedded(outcomes, pictures_fit_in)), VERDICT_ROWS: verdicts_page(papers)}
     if claims:
         pages[CLAIMS] = claims_page(claims, outcomes, {paper.name: paper.title for paper in papers})
     return pages

@@ -11,8 +11,6 @@ from .verdicts import SHOWN
 
 LONGEST_TABLE = 60  # rows; a longer result is a link to its CSV file
 DIGITS = 5  # of the numbers in the table of a result
-# Bytes of all pictures inside the page, which is to stay below 4 MB. Larger pictures are files beside it.
-MOST_EMBEDDED = 2_800_000
 
 
 def read(path):
@@ -54,7 +52,7 @@ def pictures(outcomes):
     return sorted((4 * ((file.stat().st_size + 2) // 3), file) for file in files)
 
 
-def embedded(outcomes, most=MOST_EMBEDDED):
+def embedded(outcomes, most):
     """The files of the figures that become part of the page: small ones first, up to `most` bytes in all."""
     chosen, total = set(), 0
     for size, file in pictures(outcomes):

@@ -89,6 +89,7 @@ class Report(FakeTree):
         self.add_result("paper/figure-1", figures={f"{i}.svg": heavy for i in range(30)} | {"small.svg": "<svg/>"})
         page = self.report()
         self.assertLess(len(page.encode()), 4_000_000)
+        self.assertGreater(len(page.encode()), 3_500_000)
         self.assertEqual(page.count("<img"), 31)
         linked = re.findall(r'<img loading="lazy" src="(paper/figure-1/\d+\.svg)"', page)
         self.assertGreater(len(linked), 5)
