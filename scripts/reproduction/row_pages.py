@@ -48,8 +48,8 @@ def claim_row(claim, index):
     else:
         verdict = shown = claim.verdict
         link = f"<code>{escape(claim.experiment)}</code>" if claim.experiment else ""
-    texts = [claim.id, claim.place, claim.kind, claim.claim]
-    return verdict, [escape(text) for text in texts] + [word(shown, verdict), link]
+    texts = [escape(text) for text in (claim.place, claim.kind, claim.claim)]
+    return verdict, [f"<span class=id>{escape(claim.id)}</span>", *texts, word(shown, verdict), link]
 
 
 def claim_counts(verdicts):

@@ -28,12 +28,14 @@ def readme_of(experiment, names=()):
 
 
 def judged_table(outcome, judged, head, numeric, label):
-    """The table of the numbers or of the claims of an item. The last column is the verdict."""
+    """The table of the numbers or of the claims of an item, without empty columns. The last column is the verdict."""
     if not judged:
         return ""
     rows = [[escape(text) for text in one.shown()[:-1]] + [word(one.shown_verdict, one.verdict)] for one in judged]
+    filled = [column for column in range(len(head)) if any(row[column] for row in rows)]
     ids = [row_anchor(outcome.experiment, one, place) for place, one in enumerate(judged)]
-    return table(head, rows, numeric, label, ids)
+    return table([head[column] for column in filled], [[row[column] for column in filled] for row in rows],
+                 [place for place, column in enumerate(filled) if column in numeric], label, ids)
 
 
 def result_table(outcome):
@@ -118,7 +120,7 @@ def section(outcome, names, inside):
         f"<p class=claim>{readme.claim}</p>" if readme.claim else "",
         f"<ul class=trouble>{faults}</ul>" if faults else "",
         judged_table(outcome, outcome.lines, SHOWN, range(2, 6), "published and computed"),
-        in_words(judged_table(outcome, outcome.claims, claims.SHOWN, [2], "claims and measurements")),
+        in_words(judged_table(outcome, outcome.claims, claims.SHOWN, [2, 3], "claims and measurements")),
         result_table(outcome),
         *[figure(outcome, description, inside) for description in outcome.figures],
         f"<div class=about>{readme.body}</div>",

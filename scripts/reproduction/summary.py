@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The first page of the report: each paper in short, the counts of its verdicts, and what a verdict means."""
+import re
 from collections import Counter
 from dataclasses import dataclass
 from html import escape
 
 from . import prose
 from .experiments import BESIDE_THE_PAPERS
-from .markup import addresses, anchor, table, word
+from .markup import addresses, anchor, in_words, table, word
 from .sections import read
 from .verdicts import INPUT, VERDICTS
 
@@ -41,6 +42,12 @@ class Paper:
     def title(self):
         """The heading of experiments/PAPER/README.md, or the name of the folder without a heading."""
         return prose.read(read(self.folder / "README.md"), self.name).title
+
+    @property
+    def authors(self):
+        """The authors, which stand in brackets at the end of the title, or the title without authors."""
+        found = re.search(r"\(([^()]+)\)$", self.title)
+        return found[1] if found else self.title
 
     @property
     def counts(self):
@@ -86,12 +93,12 @@ def in_short(paper, root, names, verdict_page):
 def counts_table(papers, verdict_page):
     """The number of rows of each paper for each verdict, each linked to its rows."""
     judged = [paper for paper in papers if paper.counts]
-    rows = [[f'<a href="#{anchor(paper.name)}">{escape(paper.title)}</a>']
+    rows = [[f'<a href="#{anchor(paper.name)}">{escape(paper.authors)}</a>']
             + [linked_count(paper, verdict, verdict_page) for verdict in VERDICTS] for paper in judged]
     total = sum((paper.counts for paper in judged), Counter())
     rows.append(["all"] + [str(total[verdict]) for verdict in VERDICTS])
     head = [""] + [word(verdict) for verdict in VERDICTS]
-    return table(head, rows, range(1, len(head)), "counts by verdict")
+    return in_words(table(head, rows, range(1, len(head)), "counts by verdict"))
 
 
 def legend():

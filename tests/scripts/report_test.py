@@ -77,6 +77,11 @@ class Report(FakeTree):
         place = re.search(r'<td>a: x</td><td>1</td><td>1</td><td><a href="report.html#([\w-]+)">', section)[1]
         self.assertIn(f'<tr id="{place}"><td>a</td>', pages["report.html"])
 
+    def test_column_without_any_text_is_left_out(self):
+        self.add_result("paper/table-1", result="row,word\na,yes\n", published=f"{HEAD}\na,word,yes,,reproduced\n")
+        head = re.search(r"<thead><tr>(<th>row</th>.*?)</tr>", self.report())[1]
+        self.assertEqual(re.sub("<[^>]+>", " ", head).split(), ["row", "column", "published", "computed", "verdict"])
+
     def test_figure_shows_the_caption_of_the_paper(self):
         self.add_result("paper/figure-1", figures={"x.svg": "<svg/>"})
         params = '{"figures": [{"file": "x.svg", "caption": "Ours.", "published_caption": "Fig. 1 \\"A & B\\""}]}'
