@@ -62,7 +62,8 @@ void trim_all(const std::vector<SectionCurve>& curves)
     for (const TrimmingMethod& method : trimming_methods())
         for (const FoldDetection detection :
              {FoldDetection::Literal, FoldDetection::Guarded})
-            for (const BranchSearch search : {BranchSearch::March, BranchSearch::Scan}) {
+            for (const BranchSearch search :
+                 {BranchSearch::March, BranchSearch::Scan, BranchSearch::ScanToEnd}) {
                 options.detection = detection;
                 options.search = search;
                 check_trimmed(curves, method.trim(curves, options));

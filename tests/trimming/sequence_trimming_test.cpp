@@ -56,6 +56,30 @@ TEST(March, FindsACrossingInACommonVertex)
     }
 }
 
+// docs/methods/interference.md, section 11, T5: nested loops. Branch B, the fourth run of
+// dz, does not reach A; the sixth run does, in (0, 0).
+TEST(ScanToEnd, FindsACrossingBehindBranchB)
+{
+    const SectionCurve nested = test::open_curve(
+        {{-10, 10}, {4, -4}, {-2, -3}, {0, -3.6}, {2, -3.1}, {-4, -4}, {10, 10}});
+    const auto trimmed_by = [&](BranchSearch search) {
+        return test::points_left(test::trim(
+            "3", nested, {.detection = FoldDetection::Literal, .search = search}));
+    };
+    const std::vector<SectionPoint> exact{{-10, 10}, {0, 0}, {10, 10}};
+    EXPECT_EQ(trimmed_by(BranchSearch::ScanToEnd), exact);
+    EXPECT_NE(trimmed_by(BranchSearch::Scan), exact);
+}
+
+TEST(ScanToEnd, WithGuardedDetectionIsTheScan)
+{
+    for (const Sampled& sampled : all_families())
+        ASSERT_EQ(test::points_left(test::trim("3", sampled.curve,
+                                               {.search = BranchSearch::ScanToEnd})),
+                  test::points_left(
+                      test::trim("3", sampled.curve, {.search = BranchSearch::Scan})));
+}
+
 // The two runs forward in s at the first fold of a curve.
 std::optional<Branches> first_fold(const SectionChain& chain, double band)
 {
@@ -68,6 +92,32 @@ std::optional<Branches> first_fold(const SectionChain& chain, double band)
     if (forward.size() < 2)
         return std::nullopt;
     return Branches{forward[0].first, forward[0].last, forward[1].first, forward[1].last};
+}
+
+// The segments of B come first, so that a crossing of B is also the first one up to the
+// end of the curve.
+TEST(ScanToEnd, FindsEveryCrossingOfTheScan)
+{
+    const TrimmingOptions literal{.detection = FoldDetection::Literal};
+    int found_by_both = 0;
+    int found_behind = 0;
+    for (const Sampled& sampled : all_families()) {
+        const SectionChain chain{sampled.curve.points, 0};
+        const auto fold = first_fold(chain, dead_band(sampled.curve.points));
+        if (!fold)
+            continue;
+        const auto in_run = scan_segments(chain, *fold, literal);
+        const auto to_end = scan_to_end(chain, *fold, literal);
+        if (in_run) {
+            ASSERT_TRUE(to_end);
+            EXPECT_EQ(to_end->at, in_run->at);
+            ++found_by_both;
+        } else {
+            found_behind += to_end.has_value();
+        }
+    }
+    EXPECT_GT(found_by_both, 600);
+    EXPECT_GT(found_behind, 0);
 }
 
 // The error bound of method 1 for the threshold 1, in s and in z.

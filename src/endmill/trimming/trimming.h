@@ -80,10 +80,15 @@ enum class FoldPatterns : std::uint8_t {
     P4        ///< - + - + only, to show the effect of the other pattern
 };
 
-/// The search of method 3 for the crossing of two branches A and B. `March` moves one
-/// pointer along each branch, in |A| + |B| steps. `Scan` tests every pair of segments, in
-/// |A| |B| steps. Both find the same crossing.
-enum class BranchSearch : std::uint8_t { March, Scan };
+/// The search of method 3 for the crossing of two branches A and B.
+enum class BranchSearch : std::uint8_t {
+    March,  ///< one pointer along each branch, in |A| + |B| steps
+    Scan,   ///< every pair of segments, in |A| |B| steps; the same crossing as `March`
+    /// As `Scan`, but with literal detection B is not only its run of dz: it continues to
+    /// the end of the curve, as the paper prints. With guarded detection the same as
+    /// `Scan`. Source: [JangKimJeong, section IV.3].
+    ScanToEnd
+};
 
 /// The options of all methods. Each method uses the options that name it and ignores the
 /// others.

@@ -63,6 +63,16 @@ std::optional<ChainCrossing> scan_segments(const SectionChain& chain,
     return std::nullopt;
 }
 
+std::optional<ChainCrossing> scan_to_end(const SectionChain& chain,
+                                         const Branches& branches,
+                                         const TrimmingOptions& options)
+{
+    Branches printed = branches;
+    if (options.detection == FoldDetection::Literal)
+        printed.last_b = chain.last();
+    return scan_segments(chain, printed, options);
+}
+
 // Merges A and B like two sorted lists. For each segment of B, segments of A that end
 // below it are passed for good. The segments of A beside it are tested, from a copy of
 // the pointer, because the next segment of B may lie beside them as well.
@@ -93,9 +103,15 @@ std::optional<ChainCrossing> search_in_sequence(const SectionChain& chain,
                                                 const Branches& branches,
                                                 const TrimmingOptions& options)
 {
-    return options.search == BranchSearch::March
-               ? march_segments(chain, branches, options)
-               : scan_segments(chain, branches, options);
+    switch (options.search) {
+        case BranchSearch::Scan:
+            return scan_segments(chain, branches, options);
+        case BranchSearch::ScanToEnd:
+            return scan_to_end(chain, branches, options);
+        case BranchSearch::March:
+            break;
+    }
+    return march_segments(chain, branches, options);
 }
 
 Trimmed trim_in_sequence(std::span<const SectionCurve> curves,

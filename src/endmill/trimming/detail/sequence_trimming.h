@@ -16,6 +16,15 @@ std::optional<ChainCrossing> scan_segments(const SectionChain& chain,
                                            const Branches& branches,
                                            const TrimmingOptions& options);
 
+/// The same with the printed range of B: with literal detection B continues to the last
+/// vertex of the chain. Takes up to |A| times as many steps as the chain has segments
+/// behind B's cusp. With guarded detection, which works on pairs of runs, it is
+/// scan_segments.
+/// Source: [JangKimJeong, section IV.3].
+std::optional<ChainCrossing> scan_to_end(const SectionChain& chain,
+                                         const Branches& branches,
+                                         const TrimmingOptions& options);
+
 /// Method 3 in |A| + |B| steps, with two pointers. Both branches are followed upwards: in
 /// z with literal detection, whose runs are monotone in z, and in s with guarded
 /// detection. Segments beside each other are tested. Returns the lowest crossing.
@@ -23,7 +32,7 @@ std::optional<ChainCrossing> march_segments(const SectionChain& chain,
                                             const Branches& branches,
                                             const TrimmingOptions& options);
 
-/// scan_segments or march_segments, as TrimmingOptions::search selects.
+/// march_segments, scan_segments or scan_to_end, as TrimmingOptions::search selects.
 std::optional<ChainCrossing> search_in_sequence(const SectionChain& chain,
                                                 const Branches& branches,
                                                 const TrimmingOptions& options);
