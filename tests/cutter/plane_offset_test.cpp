@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/cutter/plane_offset.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
 
 namespace endmill {
 namespace {
@@ -114,6 +119,121 @@ TEST(PlaneOffset, AtACreaseTheMeanOfTheSlopesClosesTheGap)
     EXPECT_EQ(offset[1], Vec2(0, 2));
     EXPECT_LT(offset[0].x(), offset[1].x());
     EXPECT_LT(offset[1].x(), offset[2].x());
+}
+
+double distance_to_segment(const Vec2& point, const Vec2& a, const Vec2& b)
+{
+    const double share =
+        std::clamp((point - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+    return (point - a - share * (b - a)).norm();
+}
+
+double distance_to(const std::vector<Vec2>& polyline, const Vec2& point)
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < polyline.size(); ++i)
+        nearest =
+            std::min(nearest, distance_to_segment(point, polyline[i], polyline[i + 1]));
+    return nearest;
+}
+
+// A right-angled ridge: the ball's centre follows two lines, a quarter circle about the
+// corner and, at the ends, arcs down to the height of the ends.
+TEST(PolylineOffset, RollsAroundAConvexCorner)
+{
+    const std::vector<Vec2> ridge{{-4, -4}, {0, 0}, {4, -4}};
+    const PolylineOffset offset = polyline_offset(Cutter::ball(2), ridge);
+    for (std::size_t i = 0; i < offset.points.size(); ++i) {
+        EXPECT_NEAR(distance_to(ridge, offset.points[i]), 2, 1e-14);
+        if (i == 0)
+            continue;
+        const Vec2 middle = (offset.points[i - 1] + offset.points[i]) / 2;
+        EXPECT_GE(distance_to(ridge, middle), 2 - 1.25e-4);
+    }
+    EXPECT_LE((offset.points.front() - Vec2{-6, -4}).norm(), 1e-14);
+    EXPECT_LE((offset.points.back() - Vec2{6, -4}).norm(), 1e-14);
+    EXPECT_NE(std::ranges::find(offset.points, Vec2(0, 2)), offset.points.end());
+    EXPECT_NEAR(offset.low_s, -4 - std::sqrt(2), 1e-14);
+    EXPECT_NEAR(offset.high_s, 4 + std::sqrt(2), 1e-14);
+}
+
+TEST(PolylineOffset, AsPrintedJoinsTheOffsetsOfSegmentsByChords)
+{
+    const std::vector<Vec2> ridge{{-4, -4}, {0, 0}, {4, -4}};
+    const PolylineOffset offset = polyline_offset(Cutter::ball(std::sqrt(2)), ridge,
+                                                  {.rolls_around_corners = false});
+    const std::vector<Vec2> expected{{-5, -3}, {-1, 1}, {1, 1}, {5, -3}};
+    ASSERT_EQ(offset.points.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        EXPECT_LE((offset.points[i] - expected[i]).norm(), 1e-14);
+}
+
+// The flat bottom touches the left wall of a valley with its left rim, the right wall with
+// its right rim, so that the offset crosses itself in (0, 1).
+TEST(PolylineOffset, OfAValleyForAFlatBottomFolds)
+{
+    const std::vector<Vec2> valley{{-4, 4}, {0, 0}, {4, 4}};
+    const PolylineOffset offset =
+        polyline_offset(Cutter::flat(1), valley, {.rolls_around_corners = false});
+    const std::vector<Vec2> expected{{-3, 4}, {1, 0}, {-1, 0}, {3, 4}};
+    EXPECT_EQ(offset.points, expected);
+}
+
+// A clockwise square has the tool outside. Its offset is a square with rounded corners.
+TEST(PolylineOffset, OfAClosedOutlineIsClosed)
+{
+    const std::vector<Vec2> square{{0, 0}, {0, 10}, {10, 10}, {10, 0}, {0, 0}};
+    const PolylineOffset offset = polyline_offset(Cutter::ball(3), square);
+    EXPECT_EQ(offset.points.front(), offset.points.back());
+    double area = 0;
+    for (std::size_t i = 0; i + 1 < offset.points.size(); ++i) {
+        EXPECT_NEAR(distance_to(square, offset.points[i]), 3, 1e-14);
+        const Vec2& a = offset.points[i];
+        const Vec2& b = offset.points[i + 1];
+        area += (b.x() * a.y() - a.x() * b.y()) / 2;
+    }
+    EXPECT_NEAR(area, 100 + 4 * 30 + 9 * std::numbers::pi, 20 * 1.25e-4);
+    EXPECT_EQ(offset.low_s, -3);
+    EXPECT_EQ(offset.high_s, 13);
+}
+
+// Two segments that turn back on each other are a sheet, around whose edge the ball rolls.
+TEST(PolylineOffset, RollsAroundTheEdgeOfASheet)
+{
+    const std::vector<Vec2> sheet{{0, 0}, {5, 0}, {0, 0}};
+    const PolylineOffset offset = polyline_offset(Cutter::ball(1), sheet);
+    double farthest = 0;
+    for (const Vec2& point : offset.points) {
+        EXPECT_NEAR(distance_to(sheet, point), 1, 1e-14);
+        farthest = std::max(farthest, point.x());
+    }
+    EXPECT_NEAR(farthest, 6, 1.25e-4);
+    EXPECT_EQ(offset.points.front(), offset.points.back());
+}
+
+TEST(PolylineOffset, SizeIsAnUpperEstimate)
+{
+    const std::vector<Vec2> zigzag{{0, 0}, {1, 5}, {2, 0}, {3, 5}, {4, 0}};
+    for (const double radius : {1e-6, 1.0, 100.0})
+        for (const bool rolls : {false, true}) {
+            const PolylineOffsetOptions options{.rolls_around_corners = rolls};
+            const Cutter ball = Cutter::ball(radius);
+            EXPECT_GE(polyline_offset_size(ball, zigzag, options),
+                      polyline_offset(ball, zigzag, options).points.size());
+        }
+    EXPECT_LT(polyline_offset_size(Cutter::ball(1e6), zigzag), 1e7);
+}
+
+TEST(PolylineOffset, RefusesWhatHasNoOffset)
+{
+    const std::vector<Vec2> one{{0, 0}};
+    const std::vector<Vec2> repeated{{0, 0}, {0, 0}, {1, 0}};
+    const std::vector<Vec2> infinite{{0, 0}, {INFINITY, 0}};
+    const std::vector<Vec2> overhang{{0, 0}, {5, 5}, {4, 9}, {9, 9}};
+    for (const auto& polyline : {one, repeated, infinite})
+        EXPECT_THROW(polyline_offset(Cutter::ball(1), polyline), DomainError);
+    EXPECT_THROW(polyline_offset(Cutter{2, 1}, overhang), GeometryError);
+    EXPECT_NO_THROW(polyline_offset(Cutter::ball(1), overhang));
 }
 
 }  // namespace

@@ -165,5 +165,23 @@ TEST(LeastGap, IsEmptyWithoutAPlaceOrAPart)
     EXPECT_THROW(least_gap(surfaces, cutters[0], nowhere), DomainError);
 }
 
+// A right-angled valley: a ball on the axis at height h has the distance h / sqrt 2 from
+// both walls. The bottom of a flat cutter is h - R above the walls at its rim.
+TEST(ProfileGap, IsThatOfTheSegments)
+{
+    const std::vector<SectionCurve> valley{{{{-9, 9}, {0, 0}, {9, 9}}, false}};
+    for (const double h : {1.0, 3.0, 5.0}) {
+        const std::vector<SectionPoint> places{{0, 8}, {0, h}};
+        const LeastGap ball = profile_gap(valley, Cutter::ball(2), places).value();
+        EXPECT_NEAR(ball.gap, h / std::sqrt(2) - 2, 2e-5);
+        EXPECT_EQ(ball.place, 1U);
+    }
+    const std::vector<SectionPoint> above{{0, 5}};
+    const LeastGap flat = profile_gap(valley, Cutter::flat(2), above).value();
+    EXPECT_NEAR(flat.gap, 3 / std::sqrt(2), 2e-5);
+    EXPECT_FALSE(profile_gap(valley, Cutter::ball(2), std::vector<SectionPoint>{}));
+    EXPECT_FALSE(profile_gap(std::vector<SectionCurve>{}, Cutter::ball(2), above));
+}
+
 }  // namespace
 }  // namespace endmill

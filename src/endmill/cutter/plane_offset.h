@@ -8,6 +8,11 @@
 
 #include "endmill/cutter/cutter.h"
 
+/// \file
+/// Offsets of plane curves: of a sampled profile with its normals, and of a polyline.
+///
+/// Implemented in `plane_offset.cpp` and `polyline_offset.cpp`.
+
 namespace endmill {
 
 /// A point of a plane curve in the xz plane, with the normal there.
@@ -47,5 +52,50 @@ Eigen::Vector2d curve_normal(const Eigen::Vector2d& tangent);
 /// \return at least one point for each point of the profile, in order.
 std::vector<Eigen::Vector2d> plane_offset(const Cutter& cutter,
                                           std::span<const ProfilePoint> profile);
+
+/// Options of polyline_offset.
+struct PolylineOffsetOptions {
+    /// Whether the cutter rolls around convex corners and around the ends of an open
+    /// polyline. Without it, as in the paper, a chord replaces the arc at a convex corner,
+    /// and the offset begins and ends at the normals of the first and the last segment.
+    bool rolls_around_corners = true;
+    /// Largest chord error in mm of an arc of the cutter's corner radius.
+    double arc_tolerance = 1.25e-4;
+};
+
+/// The offset of a polyline, with its folds and loops.
+struct PolylineOffset {
+    /// (s, z) of the reference points in mm. Consecutive points are different; the last
+    /// point of a closed polyline's offset repeats the first.
+    std::vector<Eigen::Vector2d> points;
+    /// Range of s in mm that the polyline and the offsets of its segments cover. Beyond it
+    /// an open polyline's offset only rolls around the ends.
+    double low_s;
+    double high_s;  ///< mm
+};
+
+/// The offset of a polyline for `cutter` in the plane of the polyline. The tool is on the
+/// left of the polyline. Each segment is offset by its own normal with plane_offset.
+/// Around a convex corner the normal turns from one segment's to the next one's. At a
+/// concave corner the offset folds; a chord joins the offsets of the two segments, which
+/// lies where the corner is inside the cutter. For a ball, and with
+/// `rolls_around_corners`, no point of the offset is farther than R from the polyline,
+/// and the points whose distance is R, up to `arc_tolerance`, bound the region that the
+/// centre may reach. Two segments that turn back on each other have a convex corner.
+/// Source: [JangKimJeong, section II]; corners as in docs/methods/interference.md,
+/// section 2.5.
+/// \param polyline (s, z) in mm; closed if the last point equals the first.
+/// \throws DomainError unless there are two points, consecutive points are different, all
+///     are finite, and 0 < arc_tolerance.
+/// \throws GeometryError if a segment has n_z < 0 and the cutter is not a ball: a flat
+///     bottom cannot touch an overhang.
+PolylineOffset polyline_offset(const Cutter& cutter,
+                               std::span<const Eigen::Vector2d> polyline,
+                               const PolylineOffsetOptions& options = {});
+
+/// Upper estimate of the number of points of polyline_offset, without computing it.
+double polyline_offset_size(const Cutter& cutter,
+                            std::span<const Eigen::Vector2d> polyline,
+                            const PolylineOffsetOptions& options = {});
 
 }  // namespace endmill

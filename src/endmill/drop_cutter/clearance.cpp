@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "endmill/core/error.h"
@@ -167,6 +168,52 @@ std::optional<LeastGap> least_gap(const DropCutter& drop_cutter,
             return query.found();
         };
     });
+}
+
+namespace {
+
+// A mesh of two triangles a segment, from y = -half_width to half_width. Any width gives
+// the same gap, since the cutter is widest in the plane y = 0; one near the length of a
+// segment gives well-shaped triangles.
+TriangleMesh prisms_over(std::span<const SectionCurve> profiles)
+{
+    double length = 0;
+    std::size_t segments = 0;
+    for (const SectionCurve& curve : profiles)
+        for (std::size_t i = 0; i + 1 < curve.points.size(); ++i, ++segments)
+            length += (curve.points[i + 1] - curve.points[i]).norm();
+    const double half_width =
+        segments > 0 ? length / static_cast<double>(segments) / 2 : 0;
+    std::vector<Vec3> points;
+    std::vector<Triangle> triangles;
+    for (const SectionCurve& curve : profiles)
+        for (std::size_t i = 0; i < curve.points.size(); ++i) {
+            const SectionPoint& at = curve.points[i];
+            const auto next = static_cast<std::int32_t>(points.size());
+            points.emplace_back(at.x(), -half_width, at.y());
+            points.emplace_back(at.x(), half_width, at.y());
+            if (i == 0)
+                continue;
+            triangles.push_back({next - 2, next, next - 1});
+            triangles.push_back({next - 1, next, next + 1});
+        }
+    return {std::move(points), std::move(triangles)};
+}
+
+}  // namespace
+
+std::optional<LeastGap> profile_gap(std::span<const SectionCurve> profiles,
+                                    const Cutter& cutter,
+                                    std::span<const SectionPoint> references,
+                                    double resolution)
+{
+    const TriangleMesh mesh = prisms_over(profiles);
+    if (mesh.triangles().empty())
+        return std::nullopt;
+    std::vector<Vec3> places;
+    for (const SectionPoint& at : references)
+        places.emplace_back(at.x(), 0, at.y());
+    return least_gap(DropCutter{mesh, cutter}, places, resolution);
 }
 
 }  // namespace endmill

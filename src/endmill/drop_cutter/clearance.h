@@ -7,6 +7,7 @@
 
 #include "endmill/cutter/cutter.h"
 #include "endmill/drop_cutter/drop_cutter.h"
+#include "endmill/offset/section_curve.h"
 #include "endmill/surface/surface.h"
 
 namespace endmill {
@@ -51,5 +52,21 @@ std::optional<LeastGap> least_gap(std::span<const Surface> surfaces, const Cutte
 std::optional<LeastGap> least_gap(const DropCutter& drop_cutter,
                                   std::span<const Vec3> references,
                                   double resolution = gap_resolution);
+
+/// The smallest gap between a cutter and curves of its own plane, such as the profiles of
+/// which trimmed curves are the offset. The curves are taken as the sections of prisms
+/// across the plane.
+/// \param profiles curves as (s, z) in mm.
+/// \param cutter the cutter.
+/// \param references reference points as (s, z) in mm, finite.
+/// \param resolution in mm.
+/// \return the gap, with its point as (s, 0, z); nothing if there is no position or no
+///     segment.
+/// \throws DomainError as DropCutter, and unless the positions are finite and 0 <
+///     resolution.
+std::optional<LeastGap> profile_gap(std::span<const SectionCurve> profiles,
+                                    const Cutter& cutter,
+                                    std::span<const SectionPoint> references,
+                                    double resolution = gap_resolution);
 
 }  // namespace endmill
