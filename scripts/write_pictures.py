@@ -39,7 +39,7 @@ class Picture:
 PICTURES = {
     "plan.svg": Picture("README.md", "saddle/toolpath.svg"),
     "verify.svg": Picture("README.md", "checked/deviation.svg"),
-    "trim.svg": Picture("README.md", "valley/section-20.svg"),
+    "trim.svg": Picture("README.md", "valley/methods-85.svg"),
     "feed.svg": Picture("README.md", "wavy-feed/feed.svg"),
     "setup.svg": Picture("README.md", "teapot/setup.svg"),
     "post.svg": Picture("docs/guide/post.md", "post-path/toolpath.svg"),

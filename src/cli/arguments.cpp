@@ -103,18 +103,24 @@ CLI::Option* add_number(CLI::App& command, const NumberOption& option,
         ->type_name(option.unit);
 }
 
+int whole_number_argument(const std::string& option, const std::string& text, int low,
+                          int high)
+{
+    const auto number = number_from_text(text);
+    const bool is_whole = number && *number >= low && *number <= high &&
+                          *number == static_cast<int>(*number);
+    if (!is_whole)
+        refuse(
+            option, text,
+            "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+    return static_cast<int>(*number);
+}
+
 CLI::Option* add_whole_number(CLI::App& command, const WholeNumberOption& option,
                               std::function<void(int)> use)
 {
     const auto take = [option, use = std::move(use)](const std::string& text) {
-        const auto number = number_from_text(text);
-        const bool is_whole = number && *number >= option.low && *number <= option.high &&
-                              *number == static_cast<int>(*number);
-        if (!is_whole)
-            refuse(option.name, text,
-                   "a whole number from " + std::to_string(option.low) + " to " +
-                       std::to_string(option.high));
-        use(static_cast<int>(*number));
+        use(whole_number_argument(option.name, text, option.low, option.high));
     };
     return command.add_option_function<std::string>(option.name, take, option.help)
         ->type_name("N");

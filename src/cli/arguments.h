@@ -72,6 +72,11 @@ CLI::Option* add_number(CLI::App& command, const NumberOption& option, double& t
 CLI::Option* add_number(CLI::App& command, const NumberOption& option,
                         std::optional<double>& target);
 
+/// Parses `text` as a whole number from `low` to `high`.
+/// \throws CLI::ValidationError naming `option`.
+int whole_number_argument(const std::string& option, const std::string& text, int low,
+                          int high);
+
 /// An option that takes a whole number from `low` to `high`.
 struct WholeNumberOption {
     std::string name;

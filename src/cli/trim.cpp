@@ -5,10 +5,14 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
+
+#include <fmt/format.h>
 
 #include "cli/console.h"
 #include "cli/idle_options.h"
 #include "cli/shown_numbers.h"
+#include "cli/trim_comparison.h"
 #include "cli/trim_files.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -28,6 +32,8 @@ std::string better_choice(const TrimResult& result, const TrimOptions& options)
         return "--method envelope leaves no folds";
     if (boundary_contact(options) == BoundaryContact::None)
         return "--boundary contact keeps the cutter off borders and creases";
+    if (options.offset)
+        return "--method winding follows closed curves too";
     return "use a finer --grid or --refine";
 }
 
@@ -80,7 +86,26 @@ struct Outcome {
     std::optional<std::string> fault = {};  // the reason for exit code 1
 };
 
-Outcome trim_all(const TrimInput& input, const TrimOptions& options, OutputFolder& folder)
+// Adds the comparison of all methods to `outcome` and writes its files. The time that the
+// summary of a method states is then the median of its runs.
+void add_comparison(std::span<const MethodRuns> runs, const TrimInput& input,
+                    const TrimOptions& options, OutputFolder& folder, Outcome& outcome)
+{
+    if (runs.empty())
+        return;
+    Json comparison = comparison_summary(runs, options);
+    outcome.text += "\n" + comparison_text(comparison, options);
+    outcome.summary["comparison"] = std::move(comparison);
+    write_comparison(runs, input, options, folder);
+    if (options.figure) {
+        const auto plane = static_cast<std::size_t>(*options.figure);
+        folder.write(fmt::format("methods-{}.svg", plane),
+                     compared_picture(runs, input, options, plane));
+    }
+}
+
+Outcome trim_all(const TrimInput& input, const TrimOptions& options,
+                 std::span<const MethodRuns> runs, OutputFolder& folder)
 {
     Outcome outcome;
     // Run once without timing: the first run also starts the threads and fills the
@@ -95,7 +120,12 @@ Outcome trim_all(const TrimInput& input, const TrimOptions& options, OutputFolde
             outcome.summary["not_run"].push_back(method.name);
             continue;
         }
-        const TrimResult result = trim_by(method, input, options);
+        TrimResult result = trim_by(method, input, options);
+        if (options.repeat)
+            result.trim_ms =
+                time_spread(
+                    std::ranges::find(runs, method.name, &MethodRuns::name)->times_ms)
+                    .median;
         const std::string prefix = std::string{method.name} + "/";
         Json summary = write_trimmed(result, input, options, folder, prefix);
         if (input.dropped_part())
@@ -106,34 +136,65 @@ Outcome trim_all(const TrimInput& input, const TrimOptions& options, OutputFolde
     }
     if (!input.dropped_part())
         outcome.text += methods_text(outcome.summary["methods"]);
+    add_comparison(runs, input, options, folder, outcome);
     folder.write("summary.json", outcome.summary.dump(2) + "\n");
     return outcome;
 }
 
 Outcome trim_with(const TrimmingMethod& method, const TrimInput& input,
-                  const TrimOptions& options, OutputFolder& folder)
+                  const TrimOptions& options, std::span<const MethodRuns> runs,
+                  OutputFolder& folder)
 {
     const TrimResult result = trim_by(method, input, options);
-    Json summary = write_trimmed(result, input, options, folder, "");
-    std::string text = trim_text(summary);
-    return {std::move(summary), std::move(text), fault_of(result, options)};
+    Outcome outcome;
+    outcome.summary = write_trimmed(result, input, options, folder, "");
+    outcome.text = trim_text(outcome.summary);
+    outcome.fault = fault_of(result, options);
+    add_comparison(runs, input, options, folder, outcome);
+    folder.write("summary.json", outcome.summary.dump(2) + "\n");
+    return outcome;
 }
 
-ExitCode run_trim(const TrimOptions& options)
+// Refuses options that need several methods, or a search of sections, for a mesh.
+void check_mesh_options(const TrimOptions& options, const std::string& method)
 {
-    check_trim_options(options);
-    const TrimInput input = read_trim_input(options);
-    check_figure(options, input);
-    warn_of_empty_planes(options, input);
-    const std::string name = method_name(options);
     require_option(
-        !input.dropped_part() || name == mesh_method || name == "all",
-        "--method " + name + ": " + needs_surface + "; for a mesh expected envelope");
+        method == mesh_method || method == "all",
+        "--method " + method + ": " + needs_surface + "; for a mesh expected envelope");
+    refuse_idle_options(
+        options.common,
+        std::array{"--detection", "--m1-step", "--m1-threshold", "--m3", "--repeat"},
+        "a mesh", "a surface: method envelope alone trims a mesh");
+    require_option(
+        !options.figure_worst,
+        "--figure worst: one method alone trims a mesh; expected the number of "
+        "a plane");
+}
+
+// The options with the plane to draw: the one in which the methods differ most, or the
+// only one of a file of profiles.
+TrimOptions with_chosen_plane(TrimOptions options, std::span<const MethodRuns> runs)
+{
+    if (options.figure_worst)
+        options.figure = static_cast<int>(worst_plane(runs));
+    else if (options.offset && !options.figure)
+        options.figure = 0;
+    return options;
+}
+
+ExitCode run_trim(const TrimOptions& given)
+{
+    check_trim_options(given);
+    const TrimInput input = read_trim_input(given);
+    check_figure(given, input);
+    warn_of_empty_planes(given, input);
+    const std::string name = method_name(given);
     if (input.dropped_part())
-        refuse_idle_options(
-            options.common,
-            std::array{"--detection", "--m1-step", "--m1-threshold", "--m3"}, "a mesh",
-            "a surface: method envelope alone trims a mesh");
+        check_mesh_options(given, name);
+    std::vector<MethodRuns> runs;
+    if (given.repeat || given.figure_worst)
+        runs = run_methods(input, given);
+    const TrimOptions options = with_chosen_plane(given, runs);
     OutputFolder folder{output_folder(input.file, "trim", options.common),
                         options.common.full_folder};
     folder.protect(input.file);
@@ -141,8 +202,8 @@ ExitCode run_trim(const TrimOptions& options)
     const auto methods = trimming_methods();
     const auto method = std::ranges::find(methods, name, &TrimmingMethod::name);
     const Outcome outcome = method == methods.end()
-                                ? trim_all(input, options, folder)
-                                : trim_with(*method, input, options, folder);
+                                ? trim_all(input, options, runs, folder)
+                                : trim_with(*method, input, options, runs, folder);
     folder.publish();
     print_result(options.common, outcome.summary,
                  outcome.text + "written to " + printable(folder.path().string()) + "\n");
@@ -165,7 +226,11 @@ void add_trim_command(CLI::App& program, Action& action)
         "Writes sections.csv (before), trimmed.csv (after), loops.csv (removed pieces),\n"
         "toolpath.csv (tips) and summary.json to --output (default ./NAME-trim); "
         "--method\n"
-        "all writes a folder for each method. Sections hold reference points.\n\n"
+        "all writes a folder for each method. Sections hold reference points.\n"
+        "--repeat adds times.csv and comparison.svg; --repeat and --figure worst add\n"
+        "differences.csv, the distance of each method's curves from the exact ones, and\n"
+        "methods-N.svg with the curves of all methods in the drawn plane N. Times are\n"
+        "measured and vary; everything else is the same in every run.\n\n"
         "With --explain, the column rule of loops.csv names the rule that removed a "
         "piece:\n"
         "  below the envelope  it lies below the upper envelope of the section\n"
@@ -182,7 +247,8 @@ void add_trim_command(CLI::App& program, Action& action)
         "--method\n"
         "all the exit code is that of method envelope.\n\n"
         "Example:\n"
-        "  endmill trim datasets/surfaces/valley.json --cutter ball:20 --method all\n"
+        "  endmill trim datasets/surfaces/valley.json --cutter ball:20 --method all "
+        "--repeat 5 --figure worst\n"
         "  endmill verify valley-trim/envelope/toolpath.csv --resolution 0.5 --scallop "
         "2");
     command->callback([options, &action] {

@@ -62,11 +62,27 @@ void add_tool_path(const CutPart& part, const TrimOptions& options, TrimResult& 
         result.min_clearance = least->gap;
 }
 
-// Sections of the part with one plane. Empty if only curves are given.
+// Measures the clearance of trimmed offsets from the profiles of a file.
+void measure_clearance(const OffsetCurves& curves, const TrimOptions& options,
+                       TrimResult& result)
+{
+    std::vector<SectionPoint> places;
+    for (const TrimmedCurve& curve : result.trimmed.front().curves)
+        for (const TrimmedPoint& point : curve.points)
+            places.push_back(point.at);
+    if (const auto least = profile_gap(curves.profiles, *options.offset, places))
+        result.min_clearance = least->gap;
+}
+
+}  // namespace
+
 std::vector<std::vector<SectionPoint>> part_lines(const TrimInput& input,
                                                   std::size_t plane)
 {
     std::vector<std::vector<SectionPoint>> lines;
+    if (input.curves)
+        for (const SectionCurve& profile : input.curves->profiles)
+            lines.push_back(profile.points);
     if (!input.part)
         return lines;
     const DrivePlanes& planes = input.part->planes;
@@ -79,6 +95,8 @@ std::vector<std::vector<SectionPoint>> part_lines(const TrimInput& input,
     return lines;
 }
 
+namespace {
+
 std::string section_picture(const TrimResult& result, const TrimInput& input,
                             const TrimOptions& options, std::size_t plane)
 {
@@ -89,10 +107,9 @@ std::string section_picture(const TrimResult& result, const TrimInput& input,
         figure.captions.push_back(fmt::format("t = {:.6g} mm, feed at {:g} deg from +x",
                                               input.part->planes.positions[plane],
                                               options.direction_deg));
-    return section_svg(
-        {input.sections[plane].curves, result.trimmed[plane].curves,
-         input.part ? options.cutter : std::nullopt, part_lines(input, plane)},
-        figure);
+    return section_svg({input.sections[plane].curves, result.trimmed[plane].curves,
+                        cutter_of(options), part_lines(input, plane)},
+                       figure);
 }
 
 // Picture of all trimmed curves in space. Curves of a file are drawn in the plane y = 0.
@@ -153,6 +170,8 @@ TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
     progress.begin(name + "measuring the clearance");
     if (input.part)
         add_tool_path(*input.part, options, result);
+    if (input.curves)
+        measure_clearance(*input.curves, options, result);
     return result;
 }
 
@@ -181,10 +200,10 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
 
 namespace {
 
-// Names of the section pictures of an earlier run in a folder, of any plane.
+// Names of the pictures of planes of an earlier run in a folder, of any plane.
 std::vector<std::string> section_pictures(const std::filesystem::path& folder)
 {
-    static const std::regex picture{R"(section-\d+\.svg)"};
+    static const std::regex picture{R"((section|methods)-\d+\.svg)"};
     std::vector<std::string> names;
     std::error_code failed;
     for (const auto& entry : std::filesystem::directory_iterator{folder, failed})
@@ -208,6 +227,8 @@ void write_sections(const TrimInput& input, OutputFolder& folder)
              {"trimmed.csv", "loops.csv", "toolpath.csv", "trimmed.svg", "summary.json"})
             folder.remove_unless_written(prefix + name);
     }
+    for (const char* name : {"times.csv", "differences.csv", "comparison.svg"})
+        folder.remove_unless_written(name);
     folder.write("sections.csv", sections_csv(curves_of(input), planes_of(input)));
 }
 

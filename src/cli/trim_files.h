@@ -14,6 +14,11 @@ namespace endmill {
 TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
                    const TrimOptions& options);
 
+/// Sections of the part with one plane, or the profiles of a file. Empty if the curves of
+/// a file are offsets already.
+std::vector<std::vector<SectionPoint>> part_lines(const TrimInput& input,
+                                                  std::size_t plane);
+
 /// Writes the result of one method into `folder` under `prefix`: trimmed.csv, loops.csv
 /// and summary.json, for a part also toolpath.csv, and pictures if --figure names a
 /// plane.

@@ -18,8 +18,10 @@ constexpr std::array modes{Choice<TrimMode>{"corrected", TrimMode::Corrected},
                            Choice<TrimMode>{"paper", TrimMode::Paper}};
 constexpr std::array detections{Choice<FoldDetection>{"guarded", FoldDetection::Guarded},
                                 Choice<FoldDetection>{"literal", FoldDetection::Literal}};
-constexpr std::array searches{Choice<BranchSearch>{"march", BranchSearch::March},
-                              Choice<BranchSearch>{"scan", BranchSearch::Scan}};
+constexpr std::array searches{
+    Choice<BranchSearch>{"march", BranchSearch::March},
+    Choice<BranchSearch>{"scan", BranchSearch::Scan},
+    Choice<BranchSearch>{"scan-to-end", BranchSearch::ScanToEnd}};
 constexpr std::array boundaries{
     Choice<BoundaryContact>{"contact", BoundaryContact::Contact},
     Choice<BoundaryContact>{"none", BoundaryContact::None}};
@@ -28,8 +30,8 @@ constexpr std::array orders{Choice<PassOrder>{"zigzag", PassOrder::ZigZag},
 
 // Options of a part and its path, which --polyline excludes.
 constexpr std::array part_options{
-    "--units", "--up",       "--planes",    "--pitch", "--scallop",    "--direction-deg",
-    "--grid",  "--boundary", "--allowance", "--order", "--safe-height"};
+    "--units",         "--up",   "--planes",    "--pitch", "--scallop",
+    "--direction-deg", "--grid", "--allowance", "--order", "--safe-height"};
 constexpr const char* all_methods = "all";
 // Default step of method 1, as a share of the cutter's radius. Without a cutter it is a
 // share of the curves' extent in z.
@@ -37,6 +39,8 @@ constexpr double step_share_of_radius = 1.0 / 500;
 constexpr double step_share_of_extent = 1.0 / 1000;
 constexpr double threshold_in_steps = 4;
 constexpr int most_planes = 10'000'000;
+constexpr int most_repetitions = 100'000;
+constexpr std::string_view worst_word = "worst";
 constexpr int most_grid = 46'000;  // N x N vertices must have 32-bit numbers
 
 std::vector<std::string_view> method_words()
@@ -65,7 +69,7 @@ void add_method_options(CLI::App& command, TrimOptions& options)
         ->type_name(shown);
     add_choice<TrimMode>(command, "--mode", options.mode, modes,
                          "corrected (default), or paper: defaults --method 3 --detection "
-                         "literal --boundary none");
+                         "literal --m3 scan-to-end --boundary none");
     add_choice<FoldDetection>(
         command, "--detection", options.detection, detections,
         "how methods 1, 2 and 3 find folds: by the signs of dz as printed (literal), or "
@@ -84,10 +88,62 @@ void add_method_options(CLI::App& command, TrimOptions& options)
                options.scan_threshold);
     add_choice<BranchSearch>(
         command, "--m3", options.search, searches,
-        "how methods 3 and 3r search for the crossing of two branches (default march)");
+        "how method 3 searches for the crossing of two branches: in step along both "
+        "(march, default), by every pair of segments (scan), or as printed, the second "
+        "branch to the end of the curve (scan-to-end, literal detection only; default "
+        "of --mode paper)");
     command.add_flag(
         "--explain", options.explain,
         "add a column to loops.csv: the rule by which each piece was removed");
+}
+
+// A number is the radius of a ball; other words are those of --cutter.
+Cutter offset_argument(const std::string& word)
+{
+    if (word.find(':') != std::string::npos)
+        return cutter_argument("--offset", word);
+    return Cutter::ball(number_argument("--offset", word, NumberDomain::of_machine()));
+}
+
+void add_polyline_options(CLI::App& command, TrimOptions& options)
+{
+    command
+        .add_option("--polyline", options.polyline,
+                    "curves to trim, in place of PART (CSV: s_mm, z_mm, curve)")
+        ->type_name("FILE");
+    command
+        .add_option_function<std::string>(
+            "--offset",
+            [&options](const std::string& word) {
+                options.offset = offset_argument(word);
+            },
+            "take the curves of --polyline as profiles with the tool on their left, and "
+            "offset them first: by R mm for a ball, or for CUTTER")
+        ->type_name("R|CUTTER");
+}
+
+void add_result_options(CLI::App& command, TrimOptions& options)
+{
+    command
+        .add_option_function<std::string>(
+            "--figure",
+            [&options](const std::string& word) {
+                options.figure.reset();
+                options.figure_worst = word == worst_word;
+                if (!options.figure_worst)
+                    options.figure =
+                        whole_number_argument("--figure", word, 0, most_planes);
+            },
+            "draw the plane of this number before and after, from 0; worst: the plane in "
+            "which the methods differ most")
+        ->type_name("N|worst");
+    add_whole_number(command,
+                     {"--repeat",
+                      "with --method all: time each method this often, in turns, and "
+                      "compare the times "
+                      "and the curves",
+                      1, most_repetitions},
+                     [&options](int count) { options.repeat = count; });
 }
 
 void add_plane_options(CLI::App& command, TrimOptions& options)
@@ -133,10 +189,7 @@ void add_plane_options(CLI::App& command, TrimOptions& options)
 void add_trim_options(CLI::App& command, TrimOptions& options)
 {
     command.add_option("PART", options.part.path, "surface or mesh file");
-    command
-        .add_option("--polyline", options.polyline,
-                    "curves to trim, in place of PART (CSV: s_mm, z_mm, curve)")
-        ->type_name("FILE");
+    add_polyline_options(command, options);
     add_mesh_options(command, options.part);
     command
         .add_option_function<std::string>(
@@ -159,11 +212,7 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
     add_number(command,
                {"--tolerance", "MM", "largest gouge depth", NumberDomain::of_machine()},
                options.tolerance);
-    add_whole_number(
-        command,
-        {"--figure", "draw the plane of this number before and after, from 0", 0,
-         most_planes},
-        [&options](int plane) { options.figure = plane; });
+    add_result_options(command, options);
     add_common_options(command, options.common);
     CLI::Option* const polyline = command.get_option("--polyline");
     for (const char* name : part_options)
@@ -176,7 +225,19 @@ void require_option(bool holds, const std::string& what)
         throw DomainError{what};
 }
 
+const std::optional<Cutter>& cutter_of(const TrimOptions& options)
+{
+    return options.offset ? options.offset : options.cutter;
+}
+
 namespace {
+
+FoldDetection detection_of(const TrimOptions& options)
+{
+    return options.detection.value_or(options.mode == TrimMode::Paper
+                                          ? FoldDetection::Literal
+                                          : FoldDetection::Guarded);
+}
 
 // Refuses options of methods other than the selected one.
 void refuse_idle_method_options(const TrimOptions& options, const std::string& method)
@@ -193,27 +254,46 @@ void refuse_idle_method_options(const TrimOptions& options, const std::string& m
     if (method != "1")
         for (const char* name : {"--m1-step", "--m1-threshold"})
             refuse(name, "1");
-    if (method != "3" && method != "3r")
-        refuse("--m3", "3, 3r");
+    if (method != "3")
+        refuse("--m3", "3");
+    refuse_idle_options(options.common, std::array{"--repeat"}, "--method " + method,
+                        "--method all");
+}
+
+// Refuses combinations of --polyline and --offset with options of a part.
+void check_curve_options(const TrimOptions& options)
+{
+    const bool has_curves = !options.polyline.empty();
+    require_option(has_curves != !options.part.path.empty(),
+                   "expected PART or --polyline, one of them");
+    require_option(has_curves || options.cutter, "--cutter is needed, such as ball:20");
+    require_option(has_curves || !options.offset,
+                   "--offset: a PART is offset for its --cutter; expected --polyline");
+    require_option(!has_curves || !options.cutter,
+                   "--cutter and --polyline: curves are already an offset; expected one "
+                   "of the two, or --offset");
+    require_option(
+        !has_curves || !options.refine,
+        "--refine and --polyline: curves have no surface to refine on; expected one of "
+        "the two");
+    if (options.offset)
+        require_within_extent("--offset", options.offset->radius(),
+                              options.common.limits);
+    if (has_curves && !options.offset)
+        refuse_idle_options(options.common, std::array{"--boundary"},
+                            "--polyline without --offset", "--offset, or a PART");
+    if (has_curves && !options.offset && method_name(options) != all_methods)
+        refuse_idle_options(options.common, std::array{"--tolerance"},
+                            "--polyline and one --method",
+                            "--offset, a PART, or --method all");
 }
 
 }  // namespace
 
 void check_trim_options(const TrimOptions& options)
 {
-    const bool has_curves = !options.polyline.empty();
-    const std::string method = method_name(options);
     require_within_extent("--safe-height", options.safe_height, options.common.limits);
-    require_option(has_curves != !options.part.path.empty(),
-                   "expected PART or --polyline, one of them");
-    require_option(has_curves || options.cutter, "--cutter is needed, such as ball:20");
-    require_option(
-        !has_curves || !options.cutter,
-        "--cutter and --polyline: curves are already an offset; expected one of the two");
-    require_option(
-        !has_curves || !options.refine,
-        "--refine and --polyline: curves have no surface to refine on; expected one of "
-        "the two");
+    check_curve_options(options);
     require_option(int{options.planes.has_value()} + int{options.pitch.has_value()} +
                            int{options.scallop.has_value()} <
                        2,
@@ -221,10 +301,11 @@ void check_trim_options(const TrimOptions& options)
     require_option(!options.scallop || !options.cutter || !options.cutter->is_flat(),
                    "--scallop: a flat cutter leaves no scallop on a horizontal surface; "
                    "expected --pitch");
-    refuse_idle_method_options(options, method);
-    if (has_curves && method != all_methods)
-        refuse_idle_options(options.common, std::array{"--tolerance"},
-                            "--polyline and one --method", "a PART, or --method all");
+    refuse_idle_method_options(options, method_name(options));
+    require_option(options.search != BranchSearch::ScanToEnd ||
+                       detection_of(options) == FoldDetection::Literal,
+                   "--m3 scan-to-end: guarded detection pairs runs, whose ends it must "
+                   "keep; expected --detection literal, or --m3 scan");
 }
 
 std::string_view mode_word(TrimMode mode)
@@ -247,18 +328,21 @@ BoundaryContact boundary_contact(const TrimOptions& options)
 TrimmingOptions trimming_options(const TrimOptions& options, double extent)
 {
     TrimmingOptions trimming;
-    trimming.detection = options.detection.value_or(options.mode == TrimMode::Paper
-                                                        ? FoldDetection::Literal
-                                                        : FoldDetection::Guarded);
-    const double step = options.cutter ? step_share_of_radius * options.cutter->radius()
-                                       : step_share_of_extent * extent;
+    trimming.detection = detection_of(options);
+    const std::optional<Cutter>& cutter = cutter_of(options);
+    const double step =
+        cutter ? step_share_of_radius * cutter->radius() : step_share_of_extent * extent;
     // The step must be positive. Curves at one height have no folds, so any step serves
     // them.
     trimming.scan_step =
         options.scan_step.value_or(std::max(step, std::numeric_limits<double>::min()));
     trimming.scan_threshold =
         options.scan_threshold.value_or(threshold_in_steps * trimming.scan_step);
-    trimming.search = options.search;
+    // The paper scans to the end of the curve, which guarded detection excludes.
+    const bool is_printed =
+        options.mode == TrimMode::Paper && trimming.detection == FoldDetection::Literal;
+    trimming.search = options.search.value_or(is_printed ? BranchSearch::ScanToEnd
+                                                         : BranchSearch::March);
     return trimming;
 }
 
@@ -270,6 +354,11 @@ void add_settings(Json& summary, const TrimOptions& options,
     summary["m1_step_mm"] = trimming.scan_step;
     summary["m1_threshold_mm"] = trimming.scan_threshold;
     summary["m3"] = word_for<BranchSearch>(trimming.search, searches);
+    if (options.offset) {
+        summary["boundary"] =
+            word_for<BoundaryContact>(boundary_contact(options), boundaries);
+        summary["tolerance_mm"] = options.tolerance;
+    }
     if (!options.polyline.empty())
         return;
     summary["direction_deg"] = options.direction_deg;

@@ -22,8 +22,9 @@ enum class TrimMode {
 /// The options of `endmill trim`. An empty option takes the default that the help states.
 struct TrimOptions {
     CommonOptions common;
-    PartOptions part;      ///< its path is empty with `polyline`
-    std::string polyline;  ///< file of curves; empty if a part is given
+    PartOptions part;              ///< its path is empty with `polyline`
+    std::string polyline;          ///< file of curves; empty if a part is given
+    std::optional<Cutter> offset;  ///< curves are profiles, to be offset for this cutter
     std::optional<Cutter> cutter;
     std::optional<int> planes;      ///< default 100
     std::optional<double> pitch;    ///< mm, replaces the number of planes
@@ -35,7 +36,7 @@ struct TrimOptions {
     std::optional<FoldDetection> detection;  ///< methods 1, 2, 3
     std::optional<double> scan_step;         ///< mm, method 1
     std::optional<double> scan_threshold;    ///< mm, method 1
-    BranchSearch search = BranchSearch::March;
+    std::optional<BranchSearch> search;      ///< method 3
     std::optional<BoundaryContact> boundary;
     double tolerance = 0.01;  ///< mm, largest gouge depth
     double allowance = 0;     ///< mm of stock to leave
@@ -44,6 +45,8 @@ struct TrimOptions {
     std::optional<double> safe_height;  ///< mm
     bool explain = false;
     std::optional<int> figure;  ///< number of a plane
+    bool figure_worst = false;  ///< draw the plane where the methods differ most
+    std::optional<int> repeat;  ///< repetitions of a comparison of all methods
 };
 
 /// Adds every option of `trim` to `command`.
@@ -62,6 +65,9 @@ std::string_view mode_word(TrimMode mode);
 
 /// Name of the selected or default method, or "all".
 std::string method_name(const TrimOptions& options);
+
+/// The cutter of --cutter or --offset.
+const std::optional<Cutter>& cutter_of(const TrimOptions& options);
 
 /// The selected or default treatment of borders, corners and creases.
 BoundaryContact boundary_contact(const TrimOptions& options);

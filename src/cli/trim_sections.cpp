@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <limits>
 #include <utility>
 
 #include "cli/console.h"
@@ -12,8 +13,10 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/cutter/cutter.h"
+#include "endmill/cutter/plane_offset.h"
 #include "endmill/drop_cutter/mesh_sections.h"
 #include "endmill/files/input_csv.h"
+#include "endmill/files/read_file.h"
 #include "endmill/planning/path_interval.h"
 #include "endmill/surface/extent.h"
 #include "endmill/surface/tool_side.h"
@@ -53,6 +56,59 @@ DrivePlanes planes_over(const Interval& across, const TrimOptions& options)
     return drive_planes(frame, across, options.planes.value_or(default_planes));
 }
 
+// Memory of one point of an offset: the point, its copy in the result, and its text in
+// the files.
+constexpr double bytes_a_point = 230;
+
+// Refuses a pocket. The loops at its corners lie outside the rest of its offset, where the
+// rule for closed curves of the method `winding` cannot tell them from an outline.
+void require_outline(const SectionCurve& profile)
+{
+    double twice_area = 0;
+    const std::vector<SectionPoint>& points = profile.points;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        const SectionPoint a = points[i] - points.front();
+        const SectionPoint b = points[i + 1] - points.front();
+        twice_area += a.x() * b.y() - b.x() * a.y();
+    }
+    if (profile.is_closed && twice_area > 0)
+        throw GeometryError{
+            "the closed curve through s = " + to_text(points.front().x()) +
+            ", z = " + to_text(points.front().y()) +
+            " mm runs counter-clockwise, so that the tool is inside; expected an outline "
+            "that runs clockwise"};
+}
+
+// Replaces the curves of a file by their offsets for the cutter.
+void offset_curves(const TrimOptions& options, TrimInput& input)
+{
+    const ProgressLine progress{"offsetting the curves", options.common};
+    const Cutter& cutter = *options.offset;
+    PolylineOffsetOptions rolling;
+    rolling.rolls_around_corners = boundary_contact(options) == BoundaryContact::Contact;
+    std::vector<SectionCurve> profiles = std::move(input.sections[0].curves);
+    double points = 0;
+    for (const SectionCurve& profile : profiles) {
+        require_outline(profile);
+        points += polyline_offset_size(cutter, profile.points, rolling);
+    }
+    require_memory(input.file, points * bytes_a_point, options.common.limits);
+    std::vector<SectionCurve> offsets;
+    Interval range{std::numeric_limits<double>::infinity(),
+                   -std::numeric_limits<double>::infinity()};
+    for (const SectionCurve& profile : profiles) {
+        PolylineOffset offset = polyline_offset(cutter, profile.points, rolling);
+        range = {std::min(range.low, offset.low_s), std::max(range.high, offset.high_s)};
+        // A closed arc may shrink to its centre.
+        if (offset.points.size() >= 2)
+            offsets.push_back({std::move(offset.points), profile.is_closed});
+    }
+    if (offsets.empty())
+        throw GeometryError{"--offset leaves no curve; expected a smaller one"};
+    input.sections[0].curves = arranged(std::move(offsets));
+    input.curves = OffsetCurves{std::move(profiles), {range}};
+}
+
 TrimInput curves_input(const TrimOptions& options)
 {
     TrimInput input;
@@ -60,6 +116,8 @@ TrimInput curves_input(const TrimOptions& options)
     input.name = printable(std::filesystem::path{options.polyline}.stem().string());
     input.sections.resize(1);
     input.sections[0].curves = read_polylines(options.polyline, options.common.limits);
+    if (options.offset)
+        offset_curves(options, input);
     return input;
 }
 
@@ -133,6 +191,8 @@ void add_mesh_sections(TriangleMesh part, const TrimOptions& options, TrimInput&
 
 std::span<const std::optional<Interval>> TrimInput::ranges() const
 {
+    if (curves)
+        return curves->ranges;
     const OffsetPart* const surfaces = offset_part();
     return surfaces ? std::span{surfaces->ranges}
                     : std::span<const std::optional<Interval>>{};

@@ -39,6 +39,12 @@ struct CutPart {
     double slice_ms;  ///< wall time of slicing
 };
 
+/// Profiles of a file whose offsets are trimmed.
+struct OffsetCurves {
+    std::vector<SectionCurve> profiles;           ///< as read
+    std::vector<std::optional<Interval>> ranges;  ///< of s on the path, of the one plane
+};
+
 /// The sections to trim and their origin.
 struct TrimInput {
     std::string file;  ///< as given
@@ -47,13 +53,15 @@ struct TrimInput {
     std::vector<std::string> remarks;    ///< on the part's file
     std::vector<PlaneSection> sections;  ///< one a plane
     std::optional<CutPart> part;         ///< nothing for curves of a file
+    std::optional<OffsetCurves> curves;  ///< only with --offset
 
     /// The surfaces that were offset; null for a mesh and for curves.
     const OffsetPart* offset_part() const
     {
         return part ? std::get_if<OffsetPart>(&part->shape) : nullptr;
     }
-    /// The ranges of s of `offset_part`; without it none, which leaves s unlimited.
+    /// The ranges of s of `offset_part` or `curves`; without them none, which leaves s
+    /// unlimited.
     std::span<const std::optional<Interval>> ranges() const;
 
     /// The mesh that needs no trimming; null for surfaces and for curves.

@@ -79,8 +79,8 @@ Json trim_summary(const TrimInput& input, const TrimOptions& options,
                  {"endmill", program_version},
                  {"method", result.method}};
     const OffsetPart* const surfaces = input.offset_part();
-    if (options.cutter && input.part)
-        summary["cutter"] = cutter_word(*options.cutter);
+    if (const std::optional<Cutter>& cutter = cutter_of(options))
+        summary["cutter"] = cutter_word(*cutter);
     if (input.part)
         summary["remarks"] = input.remarks;
     add_counts(summary, result);

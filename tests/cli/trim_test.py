@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import statistics
 import struct
 import unittest
 
@@ -217,6 +218,129 @@ class Trim(ProgramTest):
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertGreater(json.loads(done.stdout)["max_gouge_mm"], 1)
 
+    def compared(self, *words, repeat=3):
+        """Runs the comparison of all methods on the valley and returns its summary."""
+        return self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--tolerance",
+                            "0.05", "--method", "all", "--repeat", repeat, "-o", "out", *words)["comparison"]
+
+    def test_comparison_states_the_quartiles_of_the_measured_times(self):
+        facts = self.compared(repeat=5)
+        self.assertEqual(facts["repetitions"], 5)
+        rows = table(self.folder / "out/times.csv")
+        self.assertEqual(len(rows), 5 * 6)
+        for method, stated in facts["measured"].items():
+            times = [float(row["measured_ms"]) for row in rows if row["method"] == method]
+            quartiles = statistics.quantiles(times, n=4, method="inclusive")
+            self.assertGreater(min(times), 0)
+            for key, expected in (("median_ms", statistics.median(times)), ("lower_quartile_ms", quartiles[0]),
+                                  ("upper_quartile_ms", quartiles[2]), ("least_ms", min(times)),
+                                  ("greatest_ms", max(times))):
+                self.assertAlmostEqual(stated[key], expected, delta=1e-12, msg=method + " " + key)
+
+    def test_comparison_is_deterministic_but_for_the_times(self):
+        first = self.compared("--figure", "worst", "--mode", "paper")
+        kept = {name: (self.folder / "out" / name).read_bytes() for name in
+                ("differences.csv", "3/trimmed.csv", f"methods-{self.worst_plane()}.svg")}
+        second = self.compared("--figure", "worst", "--mode", "paper", "--threads", "1", "--force", repeat=2)
+        self.assertEqual(first["differences"], second["differences"])
+        for name, content in kept.items():
+            self.assertEqual((self.folder / "out" / name).read_bytes(), content, name)
+
+    def worst_plane(self):
+        """The plane with the largest distance in differences.csv; the first of several."""
+        rows = table(self.folder / "out/differences.csv")
+        largest = max(float(row["distance_mm"]) for row in rows)
+        return min(int(row["plane"]) for row in rows if float(row["distance_mm"]) == largest)
+
+    def test_comparison_names_the_planes_that_are_wrong(self):
+        facts = self.compared("--mode", "paper", "--figure", "worst")
+        rows = table(self.folder / "out/differences.csv")
+        for method, stated in facts["differences"].items():
+            wrong = [int(row["plane"]) for row in rows if row["method"] == method and row["right"] == "no"]
+            self.assertEqual(stated["wrong_planes"], wrong, method)
+            distances = [float(row["distance_mm"]) for row in rows if row["method"] == method]
+            self.assertAlmostEqual(stated["distance_mm"], max(distances, default=0), delta=1e-9, msg=method)
+        self.assertEqual(facts["differences"]["envelope"]["distance_mm"], 0)
+        self.assertIn("envelope", facts["right_in_every_plane"])
+        self.assertGreater(len(facts["differences"]["2"]["wrong_planes"]), 0)
+        names = {path.name for path in (self.folder / "out").glob("*.svg")}
+        self.assertEqual(names, {"comparison.svg", f"methods-{self.worst_plane()}.svg"})
+        done = endmill("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--tolerance", "0.05",
+                       "--method", "all", "--mode", "paper", "--repeat", "2", "-o", "out", "--force", cwd=self.folder)
+        self.assertIn("measured in 2 runs of each method", done.stdout)
+        self.assertIn("right in every plane: ", done.stdout)
+
+    def test_worst_plane_is_drawn_for_one_method_too(self):
+        self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--tolerance", "0.05",
+                     "--figure", "worst", "-o", "out")
+        plane = self.worst_plane()
+        for name in (f"section-{plane}.svg", f"methods-{plane}.svg"):
+            self.assertIn("<svg", (self.folder / "out" / name).read_text(encoding="utf-8"))
+        self.assertFalse((self.folder / "out/times.csv").exists())
+
+    def test_printed_range_of_method_3_finds_crossings_behind_branch_b(self):
+        # docs/methods/interference.md, section 11, T5: the fourth run of dz does not reach the first, the sixth does.
+        nested = self.file("s_mm,z_mm\n-10,10\n4,-4\n-2,-3\n0,-3.6\n2,-3.1\n-4,-4\n10,10\n", "t5.csv")
+        paths = {}
+        for name, words in (("default", ()), ("scan-to-end", ("--m3", "scan-to-end")), ("scan", ("--m3", "scan"))):
+            facts = self.summary("trim", "--polyline", nested, "--mode", "paper", *words, "-o", name)
+            self.assertEqual(facts["m3"], "scan-to-end" if name == "default" else name)
+            paths[name] = [(row["s_mm"], row["z_mm"]) for row in table(self.folder / name / "trimmed.csv")]
+        self.assertEqual(paths["default"], [("-10", "10"), ("0", "0"), ("10", "10")])
+        self.assertEqual(paths["default"], paths["scan-to-end"])
+        self.assertNotEqual(paths["default"], paths["scan"])
+
+    def test_offset_of_a_valley_crosses_itself_on_the_bisector(self):
+        # Both walls rise at 45 degrees: the centre of a ball of radius R touches both at the height R sqrt 2.
+        valley = self.file("s_mm,z_mm\n-20,20\n0,0\n20,20\n", "valley.csv")
+        for method in ("1", "2", "3", "3r", "envelope", "winding"):
+            facts = self.summary("trim", "--polyline", valley, "--offset", "5", "--method", method, "--tolerance",
+                                 "0.05", "-o", "out", "--force")
+            self.assertEqual((facts["cutter"], facts["loops"] > 0), ("ball:10", True), method)
+            self.assertLess(facts["max_gouge_mm"], 0.05 if method == "1" else 2e-4, method)
+            lowest = min(float(row["z_mm"]) for row in table(self.folder / "out/trimmed.csv"))
+            self.assertAlmostEqual(lowest, 5 * math.sqrt(2), delta=0.05 if method == "1" else 1e-12, msg=method)
+            drawn = (self.folder / "out/section-0.svg").read_text(encoding="utf-8")
+            self.assertIn(">part<", drawn)
+            self.assertIn(">cutter<", drawn)
+
+    def test_offset_follows_closed_curves_and_other_cutters(self):
+        # A clockwise square has the tool outside, at the distance R.
+        square = self.file("s_mm,z_mm\n0,0\n0,10\n10,10\n10,0\n0,0\n", "square.csv")
+        facts = self.summary("trim", "--polyline", square, "--offset", "3", "--method", "winding", "-o", "square")
+        self.assertLess(abs(facts["min_clearance_mm"]), 2e-4)
+        rows = [(float(row["s_mm"]), float(row["z_mm"])) for row in table(self.folder / "square/trimmed.csv")]
+        self.assertAlmostEqual(min(s for s, _ in rows), -3, delta=1e-12)
+        self.assertAlmostEqual(min(z for _, z in rows), -3, delta=1e-12)
+        # The flat bottom rests on both walls of a valley at the height R.
+        valley = self.file("s_mm,z_mm\n-20,20\n0,0\n20,20\n", "valley.csv")
+        self.summary("trim", "--polyline", valley, "--offset", "flat:8", "-o", "flat")
+        lowest = min(float(row["z_mm"]) for row in table(self.folder / "flat/trimmed.csv"))
+        self.assertEqual(lowest, 4)
+
+    def test_offset_that_gouges_exits_1(self):
+        # The right wall is too short for the offset to cross itself. Without contacts at its end the path gouges.
+        short = self.file("s_mm,z_mm\n-20,20\n0,0\n1,1\n", "short.csv")
+        facts = self.summary("trim", "--polyline", short, "--offset", "5", "-o", "contact")
+        self.assertLess(facts["max_gouge_mm"], 2e-4)
+        done = endmill("trim", "--polyline", short, "--offset", "5", "--boundary", "none", "-o", "none",
+                       cwd=self.folder)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("--boundary contact", done.stderr)
+
+    def test_bad_profiles_are_refused(self):
+        for text, status, message in (
+                ("s_mm,z_mm\n0,0\n1,x\n", 3, "p.csv:3"), ("s_mm,z_mm\n0,0\n", 3, "p.csv:2"),
+                ("s_mm,z_mm\n0,0\n1,0,5\n", 3, "p.csv:3"), ("s_mm,z_mm\n0,0\n5,5\n4,9\n9,9\n", 4, "s = 5, z = 5 mm"),
+                ("s_mm,z_mm\n0,0\n9,0\n9,9\n0,9\n0,0\n", 4, "counter-clockwise")):
+            done = endmill("trim", "--polyline", self.file(text, "p.csv"), "--offset", "flat:4", cwd=self.folder)
+            self.assert_refused(done, status, "p.csv", message)
+        spikes = "s_mm,z_mm\n" + "".join(f"{i},{i % 2 * 9}\n" for i in range(4000))
+        done = endmill("trim", "--polyline", self.file(spikes, "p.csv"), "--offset", "900000", "--max-memory", "0.5",
+                       cwd=self.folder)
+        self.assert_refused(done, 6, "p.csv", "GiB")
+        self.assert_nothing_left("p.csv")
+
     def test_options_that_exclude_each_other_are_refused(self):
         curves = self.file(LOOP, "t1.csv")
         part = self.file(plane())
@@ -239,6 +363,20 @@ class Trim(ProgramTest):
                 ((part, "--cutter", "ball:5", "--planes", "3", "--pitch", "2"), "--planes, --pitch and --scallop"),
                 ((dome, "--cutter", "ball:5", "--refine"), "--refine"),
                 ((dome, "--cutter", "ball:5", "--boundary", "none"), "--boundary none"),
+                ((part, "--cutter", "ball:5", "--offset", "3"), "--offset: a PART"),
+                (("--polyline", curves, "--offset", "3", "--cutter", "ball:5"), "--cutter and --polyline"),
+                (("--polyline", curves, "--offset", "0"), "--offset"),
+                (("--polyline", curves, "--offset", "-2"), "--offset"),
+                (("--polyline", curves, "--offset", "ball:x"), "--offset"),
+                (("--polyline", curves, "--offset", "2e6"), "--max-extent"),
+                (("--polyline", curves, "--boundary", "none"), "--boundary: has no effect"),
+                ((part, "--cutter", "ball:5", "--repeat", "5"), "--repeat: has no effect with --method envelope"),
+                ((part, "--cutter", "ball:5", "--method", "all", "--repeat", "0"), "--repeat"),
+                ((part, "--cutter", "ball:5", "--figure", "wrst"), "--figure"),
+                ((part, "--cutter", "ball:5", "--method", "3", "--m3", "scan-to-end"), "--detection literal"),
+                ((part, "--cutter", "ball:5", "--method", "3r", "--m3", "scan"), "--m3: has no effect"),
+                ((dome, "--cutter", "ball:5", "--method", "all", "--repeat", "3"), "--repeat"),
+                ((dome, "--cutter", "ball:5", "--figure", "worst"), "--figure worst"),
                 ((part, "--cutter", "ball:5", "--grid", "1"), "--grid")):
             self.assert_refused(endmill("trim", *words, cwd=self.folder), 2, message)
 

@@ -94,5 +94,110 @@ TEST(CurvesSvg, DrawsEachCurve)
     EXPECT_EQ(lines_in(curves_svg(three)), lines_in(curves_svg(one)) + 2);
 }
 
+TEST(ComparedSections, DrawAndNameEveryDifferentResult)
+{
+    const auto exact = trimmed_loop();
+    const ComparedSections alone{.before = loop, .exact = {"exact", exact}, .others = {}};
+    ComparedSections both = alone;
+    both.others.push_back({"method <3>", exact});
+    const std::string without = compared_sections_svg(alone);
+    const std::string with = compared_sections_svg(both);
+    EXPECT_EQ(lines_in(with), lines_in(without) + 2);  // the curve and its legend
+    EXPECT_THAT(with, HasSubstr(">method &lt;3&gt;<"));
+    both.cutter = Cutter::ball(2);
+    both.places = {{0, 0}};
+    EXPECT_THAT(compared_sections_svg(both), HasSubstr(">cutter where they differ<"));
+    EXPECT_THROW(
+        compared_sections_svg({.before = {}, .exact = {"exact", {}}, .others = {}}),
+        DomainError);
+}
+
+// Only what is within half a side of the place is drawn: the scale is then larger.
+TEST(ComparedSections, DrawAWindowAboutThePlace)
+{
+    const auto exact = trimmed_loop();
+    ComparedSections drawing{.before = loop, .exact = {"exact", exact}, .others = {}};
+    EXPECT_THAT(compared_sections_svg(drawing), HasSubstr("each arm 0.5 mm"));
+    drawing.places = {{0, 0}};
+    drawing.half_side = 3;
+    EXPECT_THAT(compared_sections_svg(drawing), HasSubstr("each arm 0.2 mm"));
+}
+
+MethodRow row_of(std::string name, std::vector<double> distances,
+                 std::vector<bool> is_right)
+{
+    return {std::move(name), 2, 1, 3, std::move(distances), std::move(is_right)};
+}
+
+// The boxes of one colour: "M x y h width v height".
+std::vector<std::array<int, 4>> boxes_of(const std::string& svg,
+                                         const std::string& colour)
+{
+    std::vector<std::array<int, 4>> boxes;
+    const std::string begin = "fill=\"" + colour + "\" stroke=\"none\"";
+    for (auto at = svg.find(begin); at != std::string::npos;
+         at = svg.find(begin, at + 1)) {
+        const char* text = svg.c_str() + svg.find(" d=\"", at) + 4;
+        std::array<int, 4> box{};
+        int length = 0;
+        while (std::sscanf(text, "M%d %dh%dv%dh%*dz%n", &box[0], &box[1], &box[2],
+                           &box[3], &length) == 4) {
+            boxes.push_back(box);
+            text += length;
+        }
+    }
+    return boxes;
+}
+
+// A decade of the logarithmic scale has the same height everywhere; wrong planes have
+// another colour.
+TEST(MethodsChart, DrawsDifferencesOnALogarithmicScale)
+{
+    const std::vector<MethodRow> rows{
+        row_of("1", {0, 0.1, 1, 10, 0.001}, {true, false, false, false, true}),
+        row_of("2", {0, 0.1, 0, 0, 0}, {true, true, true, true, true})};
+    const std::string svg = methods_chart_svg(rows, {.tolerance_mm = 0.01});
+    const auto wrong = boxes_of(svg, "#d55e00");
+    ASSERT_EQ(wrong.size(), 4U);  // the last one belongs to the legend
+    EXPECT_NEAR(wrong[1][3] - wrong[0][3], wrong[2][3] - wrong[1][3], 1);
+    EXPECT_NEAR(wrong[1][0] - wrong[0][0], wrong[2][0] - wrong[1][0], 1);
+    const auto right = boxes_of(svg, "#1d4f91");
+    ASSERT_EQ(right.size(), 2U);
+    EXPECT_EQ(right[0][0], wrong[0][0]);
+    EXPECT_EQ(right[0][3], wrong[0][3]);
+    EXPECT_THAT(svg, HasSubstr(">2 ms<"));
+}
+
+TEST(MethodsChart, StatesThatAMethodHasNoDifference)
+{
+    const std::vector<MethodRow> rows{row_of("1", {0, 0.005}, {true, true})};
+    EXPECT_THAT(methods_chart_svg(rows, {}), HasSubstr("no difference"));
+    EXPECT_EQ(methods_chart_svg(rows, {}), methods_chart_svg(rows, {}));
+}
+
+// More planes than columns of pixels: the largest difference of a column is drawn.
+TEST(MethodsChart, DrawsTheLargestOfManyPlanes)
+{
+    MethodRow row =
+        row_of("1", std::vector<double>(100000), std::vector<bool>(100000, true));
+    row.distances_mm[54321] = 3;
+    row.is_right[54321] = false;
+    const std::vector<MethodRow> rows{row};
+    const std::string svg = methods_chart_svg(rows, {});
+    EXPECT_EQ(boxes_of(svg, "#d55e00").size(), 2U);
+    EXPECT_LT(svg.size(), 20000U);
+}
+
+TEST(MethodsChart, RefusesRowsThatCannotBeDrawn)
+{
+    EXPECT_THROW(methods_chart_svg({}, {}), DomainError);
+    const std::vector<MethodRow> uneven{row_of("1", {0, 0}, {true})};
+    EXPECT_THROW(methods_chart_svg(uneven, {}), DomainError);
+    const std::vector<MethodRow> odd{row_of("1", {NAN}, {true})};
+    EXPECT_THROW(methods_chart_svg(odd, {}), DomainError);
+    const std::vector<MethodRow> fine{row_of("1", {0}, {true})};
+    EXPECT_THROW(methods_chart_svg(fine, {.tolerance_mm = 0}), DomainError);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -3,9 +3,15 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "endmill/offset/slicer.h"
 #include "endmill/trimming/trimming.h"
+
+/// \file
+/// Errors of trimmed curves, measured without the trimming methods.
+///
+/// Implemented in `trimming_quality.cpp` and `curve_differences.cpp`.
 
 namespace endmill {
 
@@ -65,5 +71,37 @@ struct EnvelopeComparison {
 EnvelopeComparison compare_with_envelope(std::span<const PlaneSection> planes,
                                          std::span<const Trimmed> trimmed,
                                          double tolerance);
+
+/// How the trimmed curves of one plane differ from the exact result for the same curves.
+struct CurveDifference {
+    /// Largest distance between the two results: of a vertex, or of the midpoint of a
+    /// segment, of either result from the other one. If one of them has no curve, it is
+    /// the diagonal of the other one's bounding box.
+    double distance_mm = 0;
+    SectionPoint place{0, 0};  ///< s and z in mm of the point with this distance
+    double below_mm = 0;       ///< TrimmingQuality::gouge_mm: depth below the envelope
+    double step_back_mm = 0;   ///< TrimmingQuality::step_back_mm
+    /// Length in s that the exact result covers and this one does not, between the ends
+    /// of the open curves. Only tails run outside, and a method may cut tails off.
+    double lost_mm = 0;
+};
+
+/// Compares the results of a method with those of an exact one, on all threads. Points
+/// that both results contain are not measured, so that the work depends on the length of
+/// the differences. The result does not depend on the number of threads.
+/// \param planes  the sections before trimming, one for each plane.
+/// \param exact   one result for each plane, such as that of the method `envelope`.
+/// \param trimmed one result for each plane.
+/// \return one difference for each plane.
+/// \throws DomainError unless there are as many results of both kinds as planes.
+std::vector<CurveDifference> differences_from_exact(std::span<const PlaneSection> planes,
+                                                    std::span<const Trimmed> exact,
+                                                    std::span<const Trimmed> trimmed);
+
+/// Whether a result is right by the exact one: it does not step back by more than
+/// rounding, lies at most `tolerance` below the envelope, and loses at most `tolerance`
+/// of the path.
+/// \param tolerance in mm.
+bool is_right(const CurveDifference& difference, double tolerance);
 
 }  // namespace endmill
