@@ -9,6 +9,7 @@
 #include "cli/arguments.h"
 #include "cli/idle_options.h"
 #include "endmill/core/error.h"
+#include "endmill/core/text.h"
 #include "endmill/trimming/trimming_methods.h"
 
 namespace endmill {
@@ -41,7 +42,8 @@ constexpr double threshold_in_steps = 4;
 constexpr int most_planes = 10'000'000;
 constexpr int most_repetitions = 100'000;
 constexpr std::string_view worst_word = "worst";
-constexpr int most_grid = 46'000;  // N x N vertices must have 32-bit numbers
+constexpr std::size_t shown_characters = 40;  // of a wrong word
+constexpr int most_grid = 46'000;             // N x N vertices must have 32-bit numbers
 
 std::vector<std::string_view> method_words()
 {
@@ -88,10 +90,10 @@ void add_method_options(CLI::App& command, TrimOptions& options)
                options.scan_threshold);
     add_choice<BranchSearch>(
         command, "--m3", options.search, searches,
-        "how method 3 searches for the crossing of two branches: in step along both "
-        "(march, default), by every pair of segments (scan), or as printed, the second "
-        "branch to the end of the curve (scan-to-end, literal detection only; default "
-        "of --mode paper)");
+        "search of method 3 for the crossing of two branches: in step along both (march, "
+        "default), by every pair of segments (scan), or to the end of the curve as "
+        "printed "
+        "(scan-to-end, default of --mode paper with literal detection)");
     command.add_flag(
         "--explain", options.explain,
         "add a column to loops.csv: the rule by which each piece was removed");
@@ -117,8 +119,8 @@ void add_polyline_options(CLI::App& command, TrimOptions& options)
             [&options](const std::string& word) {
                 options.offset = offset_argument(word);
             },
-            "take the curves of --polyline as profiles with the tool on their left, and "
-            "offset them first: by R mm for a ball, or for CUTTER")
+            "offset the curves of --polyline first, as profiles with the tool on their "
+            "left: by R mm for a ball, or for CUTTER")
         ->type_name("R|CUTTER");
 }
 
@@ -130,9 +132,13 @@ void add_result_options(CLI::App& command, TrimOptions& options)
             [&options](const std::string& word) {
                 options.figure.reset();
                 options.figure_worst = word == worst_word;
-                if (!options.figure_worst)
-                    options.figure =
-                        whole_number_argument("--figure", word, 0, most_planes);
+                if (options.figure_worst)
+                    return;
+                if (!number_from_text(word))
+                    throw CLI::ValidationError(
+                        "--figure", "found \"" + printable(word, shown_characters) +
+                                        "\"; expected the number of a plane, or worst");
+                options.figure = whole_number_argument("--figure", word, 0, most_planes);
             },
             "draw the plane of this number before and after, from 0; worst: the plane in "
             "which the methods differ most")

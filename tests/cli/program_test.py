@@ -66,7 +66,7 @@ class Program(ProgramTest):
                 (("trim", surface, *ball, "--detection", "guarded"), "--detection", "--method 1, 2, 3 or all"),
                 (("trim", surface, *ball, "--m1-step", "1"), "--m1-step", "--method 1 or all"),
                 (("trim", surface, *ball, "--m1-threshold", "1", "--method", "2"), "--m1-threshold", "--method 1 or all"),
-                (("trim", surface, *ball, "--m3", "scan"), "--m3", "--method 3, 3r or all"),
+                (("trim", surface, *ball, "--m3", "scan"), "--m3", "--method 3 or all"),
                 (("trim", mesh, *ball, "--m3", "scan", "--method", "all"), "--m3", "a surface"),
                 (("trim", "--polyline", curves, "--tolerance", "1"), "--tolerance", "--method all"),
                 (("verify", path, *ball, "--scallop", "1"), "--scallop", "--part"),

@@ -372,7 +372,7 @@ class Trim(ProgramTest):
                 (("--polyline", curves, "--boundary", "none"), "--boundary: has no effect"),
                 ((part, "--cutter", "ball:5", "--repeat", "5"), "--repeat: has no effect with --method envelope"),
                 ((part, "--cutter", "ball:5", "--method", "all", "--repeat", "0"), "--repeat"),
-                ((part, "--cutter", "ball:5", "--figure", "wrst"), "--figure"),
+                ((part, "--cutter", "ball:5", "--figure", "wrst"), "or worst"),
                 ((part, "--cutter", "ball:5", "--method", "3", "--m3", "scan-to-end"), "--detection literal"),
                 ((part, "--cutter", "ball:5", "--method", "3r", "--m3", "scan"), "--m3: has no effect"),
                 ((dome, "--cutter", "ball:5", "--method", "all", "--repeat", "3"), "--repeat"),
