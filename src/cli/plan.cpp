@@ -59,6 +59,10 @@ void complete(PlanOptions& options, std::span<const Surface> surfaces, double di
         throw DomainError{"--inner-tolerance " + to_text(options.motion.inner) +
                           ": expected a depth below the ball's radius, " +
                           to_text(diameter / 2) + " mm"};
+    if (options.motion.inner == 0 && options.motion.outer >= diameter / 2)
+        throw DomainError{"--outer-tolerance " + to_text(options.motion.outer) +
+                          ": expected a height below the ball's radius, " +
+                          to_text(diameter / 2) + " mm, with --inner-tolerance 0"};
     planning.link.safe_height =
         options.safe_height.value_or(default_safe_height(surfaces, planning.link.axis));
     planning.most_points = most_path_points(options.common.limits.max_memory_gib);
@@ -131,6 +135,8 @@ void add_plan_command(CLI::App& program, Action& action)
         "or --mode verified finds places that no pass covers, such as a crease.\n\n"
         "Example:\n"
         "  endmill plan datasets/surfaces/saddle.json\n"
+        "  endmill plan datasets/surfaces/saddle.json --cutter ball:15 --inner-tolerance "
+        "0 --outer-tolerance 0.05 --direction u -o no-gouge\n"
         "  endmill plan datasets/surfaces/wavy.json --cutter ball:10 --chord-tolerance "
         "0.05 --direction u -o wavy");
     command->callback([options, &action] {

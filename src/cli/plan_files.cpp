@@ -101,7 +101,7 @@ MeasuredPath plan_direction(const PlanTask& task, Parameter along, PlanProgress&
     const auto report = progress.of(along, "measured");
     report(0);
     const LimitProof proof = plan.is_proved() ? LimitProof::Proved : LimitProof::None;
-    const DeviationLimits limits{options.motion.inner,
+    const DeviationLimits limits{std::max(options.motion.inner, no_gouge_tolerance),
                                  options.planning.scallop_height + options.motion.outer};
     PlannedDirection planned{
         along,

@@ -3,9 +3,12 @@
 
 #include <array>
 
+#include <fmt/format.h>
+
 #include "cli/arguments.h"
 #include "cli/idle_options.h"
 #include "cli/surface_facts.h"
+#include "endmill/core/error.h"
 
 namespace endmill {
 namespace {
@@ -114,6 +117,7 @@ void add_path_policies(CLI::App& command, PlanOptions& options)
 void add_tolerances(CLI::App& command, PlanOptions& options)
 {
     const NumberDomain length = NumberDomain::of_machine();
+    const NumberDomain side = NumberDomain::from_to(0, most_of_machine);
     add_number(command,
                {"--chord-tolerance", "MM",
                 "largest gouge and remaining stock of a move (default 0.01; --mode "
@@ -127,12 +131,16 @@ void add_tolerances(CLI::App& command, PlanOptions& options)
         options.requested.scallop_height);
     add_number(command,
                {"--inner-tolerance", "MM",
-                "largest gouge depth (default: the chord tolerance)", length},
+                "largest gouge depth (default: the chord tolerance); 0: no gouge at all "
+                "(--mode verified only)",
+                side},
                options.requested.inner);
     add_number(
         command,
         {"--outer-tolerance", "MM",
-         "largest remaining stock along a pass (default: the chord tolerance)", length},
+         "largest remaining stock along a pass (default: the chord tolerance); 0: no "
+         "stock remains along a pass (--mode verified only)",
+         side},
         options.requested.outer);
 }
 
@@ -170,9 +178,31 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_common_options(command, options.common);
 }
 
+namespace {
+
+// A tolerance of 0 needs contacts off the surface, which mode paper does not have.
+void refuse_zero_tolerances(const PlanOptions& options)
+{
+    const auto& [chord, scallop, inner, outer] = options.requested;
+    if (inner == 0.0 && outer == 0.0)
+        throw DomainError{
+            "--inner-tolerance 0 with --outer-tolerance 0: a straight move deviates from "
+            "a curved surface; expected one of the two above 0"};
+    if (options.mode == Planner::Verified || (inner != 0.0 && outer != 0.0))
+        return;
+    throw DomainError{fmt::format(
+        "{} 0: --mode paper puts every contact on the surface, so that chords gouge "
+        "where it is convex and leave stock where it is concave; expected --mode "
+        "verified, or a tolerance above 0",
+        inner == 0.0 ? "--inner-tolerance" : "--outer-tolerance")};
+}
+
+}  // namespace
+
 void refuse_idle_plan_options(const PlanOptions& options)
 {
     const CommonOptions& common = options.common;
+    refuse_zero_tolerances(options);
     if (options.mode == Planner::Verified)
         refuse_idle_options(common, paper_options, "--mode verified", "--mode paper");
     if (options.mode == Planner::Verified && options.requested.inner &&

@@ -35,7 +35,7 @@ struct PlanOptions {
 void add_plan_options(CLI::App& command, PlanOptions& options);
 
 /// \throws DomainError naming an option that has no effect in the mode or with the
-/// others.
+/// others, or a tolerance of 0 that the mode cannot keep.
 void refuse_idle_plan_options(const PlanOptions& options);
 
 /// The word for `mode` in summaries.

@@ -19,6 +19,22 @@ std::string limit_text(const std::optional<CutterLimit>& limit)
                        place_text(limit->at, limit->point));
 }
 
+namespace {
+
+// The form of the curvature across the feed. Mode verified does not use it.
+std::string cross_curvature_text(const PlanOptions& options)
+{
+    if (options.mode != Planner::Paper)
+        return {};
+    if (options.planning.cross_curvature == CrossCurvature::Exact)
+        return "  cross feed    curvature exact, from the second fundamental form (the "
+               "paper's eq. (8): --cross-curvature chord)\n";
+    return fmt::format("  cross feed    curvature by eq. (8) of the paper, chord {} mm\n",
+                       shown_limit(options.planning.cross_step));
+}
+
+}  // namespace
+
 std::string settings_text(const PlanContext& context, const PlanOptions& options)
 {
     const std::string tolerance =
@@ -31,7 +47,8 @@ std::string settings_text(const PlanContext& context, const PlanOptions& options
     return fmt::format("{}: cutter ball:{}, mode {}, {}, scallop height {} mm\n",
                        context.name, to_text(context.cutter_diameter),
                        mode_word(options.mode), tolerance,
-                       shown_limit(options.planning.scallop_height));
+                       shown_limit(options.planning.scallop_height)) +
+           cross_curvature_text(options);
 }
 
 namespace {
@@ -185,6 +202,10 @@ FigureOptions figure_options(const Json& s)
                    ": contact points in cutting order, along " +
                    s["direction"].get<std::string>();
     figure.captions = {s["mode"] == "paper" ? paper_caption(s) : plain_caption(s)};
+    if (s["mode"] == "paper" && s["cross_curvature"] == "chord")
+        figure.captions.push_back(
+            fmt::format("curvature across the feed by eq. (8), chord {:g} mm",
+                        s["cross_step_mm"].get<double>()));
     return figure;
 }
 

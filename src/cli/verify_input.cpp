@@ -56,7 +56,9 @@ DeviationLimits limits_of(const VerifyOptions& options, const PathSummary& known
         known.outer_tolerance_mm ? known.outer_tolerance_mm : known.chord_tolerance_mm;
     const double scallop =
         known.scallop_mm ? *known.scallop_mm + outer.value_or(0) : otherwise.scallop;
-    return {options.tolerance.value_or(inner.value_or(otherwise.tolerance)),
+    const double known_tolerance =
+        std::max(inner.value_or(otherwise.tolerance), no_gouge_tolerance);
+    return {options.tolerance.value_or(known_tolerance),
             options.scallop.value_or(scallop)};
 }
 

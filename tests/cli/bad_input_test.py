@@ -180,9 +180,12 @@ class BadArguments(ProgramTest):
         self.refused(2, "--safe-height", "nan", words=['--safe-height: found "nan"; expected a number'])
 
     def test_numbers_beyond_every_machine_are_refused(self):
-        for option in ("--chord-tolerance", "--scallop", "--feed", "--cross-step", "--inner-tolerance"):
+        for option in ("--chord-tolerance", "--scallop", "--feed", "--cross-step"):
             for number in ("1e300", "1.01e9"):
                 self.refused(2, option, number, words=[f'{option}: found "{number}"; expected a number above 0, at most'])
+        for option in ("--inner-tolerance", "--outer-tolerance"):
+            for number in ("1e300", "1.01e9", "-1", "-1e-9", "nan", "inf", ""):
+                self.refused(2, option, number, words=[f'{option}: found "{number}"; expected a number from 0 to'])
         for number in ("1e300", "-1000001"):
             self.refused(2, "--safe-height", number, words=["--safe-height: found ", "at most 1e+06 mm (--max-extent)"])
         self.refused(2, "--safe-height", "11", "--max-extent", "10", words=["at most 10 mm (--max-extent)"])
@@ -202,7 +205,12 @@ class BadArguments(ProgramTest):
         self.refused(2, "--mode", "exact", words=['--mode: found "exact"; expected "verified" or "paper"'])
         self.refused(2, "--cutter", "ball:10", "--mode", "verified", "--inner-tolerance", "5",
                      words=["--inner-tolerance 5: expected ", "5 mm"])
-        self.refused(2, "--outer-tolerance", "0", words=["--outer-tolerance: found \"0\""])
+        self.refused(2, "--outer-tolerance", "0", "--inner-tolerance", "0",
+                     words=["--inner-tolerance 0 with --outer-tolerance 0", "one of the two above 0"])
+        for option in ("--inner-tolerance", "--outer-tolerance"):
+            self.refused(2, option, "0", "--mode", "paper", words=[f"{option} 0: --mode paper", "expected --mode verified"])
+        self.refused(2, "--cutter", "ball:10", "--inner-tolerance", "0", "--outer-tolerance", "5",
+                     words=["--outer-tolerance 5: expected ", "5 mm, with --inner-tolerance 0"])
         self.refused(2, "--require", "g2", words=['--require: found "g2"; expected "g1"'])
         self.refused(2, "--axis", "0,0,0", words=['--axis: found "0,0,0"; expected a vector that is not zero'])
         self.refused(2, "--axis", "0,1", words=['--axis: found "0,1"; expected three numbers X,Y,Z'])

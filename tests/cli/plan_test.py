@@ -165,6 +165,77 @@ class VerifiedPlan(ProgramTest):
         self.assertIn("the remaining stock may exceed scallop height", done.stderr)
 
 
+def distance_to_segment(point, start, end):
+    along = [e - s for s, e in zip(start, end)]
+    square = sum(x * x for x in along)
+    share = sum((p - s) * x for p, s, x in zip(point, start, along)) / square if square else 0
+    share = min(max(share, 0), 1)
+    return math.dist(point, [s + share * x for s, x in zip(start, along)])
+
+
+class OneSidedTolerance(ProgramTest):
+    """The ball enters the part nowhere, or leaves nothing along its passes. The deviation of each step is measured
+    again here, by samples of the formula of the surface, z = (x^2 - y^2) / 64."""
+
+    def planned(self, inner, outer, *more):
+        return self.summary("plan", SURFACES / "saddle.json", "--cutter", "ball:15", "--inner-tolerance", inner,
+                            "--outer-tolerance", outer, "--scallop", "0.2", "--direction", "u", *more)
+
+    def test_path_deviates_to_the_allowed_side_only(self):
+        for inner, outer, forbidden, allowed in ((0, 0.05, "max_motion_gouge_mm", "max_motion_left_mm"),
+                                                 (0.05, 0, "max_motion_left_mm", "max_motion_gouge_mm")):
+            facts = self.planned(inner, outer, "-o", "out", "--force")
+            self.assertEqual((facts["inner_tolerance_mm"], facts["outer_tolerance_mm"]), (inner, outer))
+            self.assertLess(facts[forbidden], 1e-9)
+            self.assertLessEqual(facts[allowed], 0.05 + facts["motion_error_bound_mm"])
+            self.assertGreater(facts[allowed], 0.045)
+            self.assertLessEqual(facts["max_gouge_mm"], inner + 0.001)
+            self.assertEqual(facts["uncovered_places"], 0)
+        self.assertLess(facts["max_scallop_mm"], 0.2 + 0.001)
+
+    def test_each_step_deviates_to_the_allowed_side(self):
+        radius = 7.5
+        for inner, outer in ((0, 0.05), (0.05, 0)):
+            self.planned(inner, outer, "-o", "out", "--force")
+            points = rows(self.folder / "out/toolpath.csv")
+            least, greatest = math.inf, -math.inf
+            for start, end in zip(points, points[1:]):
+                if end["move"] != "cut":
+                    continue
+                centres = [[float(at[f"tip_{axis}_mm"]) + (radius if axis == "z" else 0) for axis in "xyz"]
+                           for at in (start, end)]
+                u, v = ([float(at[name]) for at in (start, end)] for name in "uv")
+                self.assertEqual(v[0], v[1])
+                for k in range(41):
+                    x, y = (30 * (a + (b - a) * k / 40) - 45 for a, b in (u, v))
+                    deviation = distance_to_segment((x, y, (x * x - y * y) / 64), *centres) - radius
+                    least, greatest = min(least, deviation), max(greatest, deviation)
+            self.assertGreaterEqual(least, -inner - 1e-9)
+            self.assertLessEqual(greatest, outer + 1e-9)
+            self.assertGreater(greatest - least, 0.045)
+
+    def test_other_commands_take_the_path(self):
+        self.planned(0, 0.05, "-o", "out")
+        done = endmill("post", "out/toolpath.csv", "--feed", "800", "--spindle-rpm", "5000", "-o", "program",
+                       cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("\nG61\n", next((self.folder / "program").glob("*.ngc")).read_text())
+        seen = self.summary("verify", "out/toolpath.csv", "-o", "seen")
+        self.assertEqual(seen["verdict"], "clean")
+
+    def test_mode_paper_names_the_curvature_across_the_feed(self):
+        for options, words in (((), "curvature exact, from the second fundamental form"),
+                               (("--cross-curvature", "chord", "--cross-step", "0.25"),
+                                "curvature by eq. (8) of the paper, chord 0.25 mm")):
+            done = endmill("plan", self.file(plane()), *BALL, "--direction", "u", *options, "-o", "out", "--force",
+                           cwd=self.folder)
+            self.assertIn(words, done.stdout)
+            facts = json.loads((self.folder / "out/summary.json").read_text())
+            self.assertEqual(facts["cross_curvature"], "chord" if options else "exact")
+        done = endmill("plan", self.file(plane()), *TOLERANCES, "--direction", "u", "-o", "verified", cwd=self.folder)
+        self.assertNotIn("curvature", done.stdout)
+
+
 class KnownGouge(ProgramTest):
     def test_gouge_of_mode_paper_exits_1_and_names_mode_verified(self):
         done = endmill("plan", NET, *BALL, "--direction", "u", cwd=self.folder)

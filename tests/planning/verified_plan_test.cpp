@@ -198,7 +198,9 @@ TEST(VerifiedPlan, RefusesOptionsOutOfRange)
     const auto plan = [&](const Demand& demand) {
         return plan_verified(part, BallCutter{2}, options_of(demand, Parameter::U));
     };
-    EXPECT_THROW(plan({2, {0, 0.1}, 0.1}), DomainError);
+    EXPECT_THROW(plan({2, {0, 0}, 0.1}), DomainError);
+    EXPECT_THROW(plan({2, {0, 2}, 0.1}), DomainError);
+    EXPECT_THROW(plan({2, {-0.1, 0.1}, 0.1}), DomainError);
     EXPECT_THROW(plan({2, {2, 0.1}, 0.1}), DomainError);
     EXPECT_THROW(plan({2, {0.1, std::nan("")}, 0.1}), DomainError);
     EXPECT_THROW(plan({2, {0.1, 0.1}, 4}), DomainError);

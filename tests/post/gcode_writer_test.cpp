@@ -123,6 +123,7 @@ TEST(Gcode, HalvesTheToleranceWithDigitsEnough)
     EXPECT_EQ(control(0.5, 0), "G64 P0.25");
     EXPECT_EQ(control(0.0001, 4), "G64 P0.00005");
     EXPECT_EQ(control(1e-12, 4), "G61");
+    EXPECT_EQ(control(0, 4), "G61");
 }
 
 TEST(Gcode, ChangesToolsAboveThePathAndComesBackToIt)
@@ -199,7 +200,7 @@ TEST(Gcode, RefusesArgumentsOutsideItsDomain)
     refused(small_path(), {.tool = -1});
     refused(small_path(), {.safe_height = 9.99});
     refused(small_path(), {.safe_height = nan});
-    refused(small_path(), {.tolerance = 0});
+    refused(small_path(), {.tolerance = -1});
     refused(small_path(), {.tolerance = nan});
     refused(small_path(), {.decimals = 10});
     refused(small_path(), {.decimals = -1});

@@ -16,9 +16,13 @@
 
 namespace endmill {
 
+/// Depth in mm that stands for a tolerance of 0 in `DeviationLimits`. It is far below
+/// `verdict_slack`, which every verdict adds, and above the rounding of coordinates.
+inline constexpr double no_gouge_tolerance = 1e-7;
+
 /// Limits of the deviation.
 struct DeviationLimits {
-    double tolerance = 0.01;  ///< greatest allowed depth of a gouge, mm
+    double tolerance = 0.01;  ///< greatest allowed depth of a gouge, mm; above 0
     double scallop = 0.1;     ///< greatest allowed thickness of remaining stock, mm
 };
 

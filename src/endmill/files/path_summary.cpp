@@ -34,6 +34,18 @@ std::optional<double> positive_number(const JsonValue& object, std::string_view 
     return number;
 }
 
+// The same for a tolerance, which is 0 on the side to which a path must not deviate.
+std::optional<double> tolerance(const JsonValue& object, std::string_view key)
+{
+    const std::optional<JsonValue> value = known_member(object, key);
+    if (!value)
+        return std::nullopt;
+    const double number = value->number();
+    if (!(number >= 0))
+        throw value->complaint(value->shown(), "a number from 0");
+    return number;
+}
+
 // A text; nothing if the key is missing or null.
 std::optional<std::string> text(const JsonValue& object, std::string_view key)
 {
@@ -109,8 +121,8 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
                        part(root, tool_path.parent_path()),
                        cutter(root),
                        positive_number(root, "chord_tolerance_mm"),
-                       positive_number(root, "inner_tolerance_mm"),
-                       positive_number(root, "outer_tolerance_mm"),
+                       tolerance(root, "inner_tolerance_mm"),
+                       tolerance(root, "outer_tolerance_mm"),
                        positive_number(root, "scallop_mm"),
                        positive_number(root, "feed_mm_per_min"),
                        positive_number(root, "spindle_rpm")};

@@ -27,9 +27,12 @@ IsoParametricOptions similar_options(const PlannerOptions& options)
     if (const auto* paper = std::get_if<IsoParametricOptions>(&options))
         return *paper;
     const auto& verified = std::get<VerifiedOptions>(options);
+    const auto [inner, outer] = verified.tolerances;
     return {
         .direction = verified.direction,
-        .chord_tolerance = std::min(verified.tolerances.inner, verified.tolerances.outer),
+        // A one-sided tolerance is used as a whole, whatever the sign of the curvature.
+        .chord_tolerance = verified.tolerances.is_one_sided() ? std::max(inner, outer)
+                                                              : std::min(inner, outer),
         .scallop_height = verified.scallop_height,
         .patch_borders = verified.patch_borders,
         .link = verified.link,

@@ -94,10 +94,14 @@ struct IsoParametricOptions {
     std::function<void(double share)> progress = {};
 };
 
-/// Limits of the error of a ball's straight moves.
+/// Limits of the error of a ball's straight moves. One of them may be 0: the line of a
+/// pass then deviates from the swept volume to one side only.
 struct MotionTolerances {
     double inner;  ///< mm; greatest gouge depth, anywhere on the part
     double outer;  ///< mm along the normal; largest remaining stock along a pass
+
+    /// Whether exactly one of the tolerances is 0.
+    bool is_one_sided() const { return (inner == 0) != (outer == 0); }
 };
 
 /// Default tolerance and scallop height in mm of a verified plan: a usual requirement on
@@ -107,7 +111,7 @@ inline constexpr double verified_tolerance = 0.01;
 /// Options of plan_verified.
 struct VerifiedOptions {
     Parameter direction = Parameter::U;  ///< the parameter that varies along a pass
-    /// Limits of the moves along a pass.
+    /// Limits of the moves along a pass; one of them may be 0.
     MotionTolerances tolerances{verified_tolerance, verified_tolerance};
     double scallop_height = verified_tolerance;        ///< h between passes, mm
     PatchBorders patch_borders = PatchBorders::Cross;  ///< steps at borders of patches

@@ -22,17 +22,22 @@
 namespace endmill {
 namespace {
 
+// Widening of the ball of the gouge tests as a share of the outer tolerance, where no
+// gouge is allowed. The tests then see a tolerance of half the band, and decide to a
+// thousandth of it, which is less than the margin of the contacts (offset_margin).
+constexpr double widening_share = 0.5;
+
 void require_sound(const BallCutter& cutter, const VerifiedOptions& options)
 {
-    const auto is_tolerance = [](double value) {
-        return std::isfinite(value) && value > 0;
-    };
+    const auto [inner, outer] = options.tolerances;
     const double h = options.scallop_height;
-    require(is_tolerance(options.tolerances.inner) &&
-                options.tolerances.inner < cutter.radius(),
-            "plan_verified: need 0 < inner tolerance < cutter radius");
-    require(is_tolerance(options.tolerances.outer),
-            "plan_verified: need 0 < outer tolerance");
+    require(0 <= inner && inner < cutter.radius(),
+            "plan_verified: need 0 <= inner tolerance < cutter radius");
+    require(std::isfinite(outer) && 0 <= outer,
+            "plan_verified: need 0 <= outer tolerance");
+    require(inner > 0 || (outer > 0 && outer < cutter.radius()),
+            "plan_verified: without an inner tolerance need 0 < outer tolerance < cutter "
+            "radius");
     require(0 < h && h < 2 * cutter.radius(),
             "plan_verified: need 0 < scallop height < 2 cutter radii");
     require(std::abs(options.link.axis.norm() - 1) < unit_vector_rounding,
@@ -98,8 +103,10 @@ VerifiedPlan plan_verified(std::span<const Surface> surfaces, const BallCutter& 
     require_sound(cutter, options);
     const std::vector<double> sides = tool_side_signs(surfaces, options.link.axis);
     require_reachable(surfaces, options.link.axis, sides);
-    const ClearMoves clear{surfaces, sides, cutter, options.link.axis,
-                           options.tolerances.inner};
+    const auto [inner, outer] = options.tolerances;
+    const ClearMoves clear{surfaces, sides,
+                           cutter,   options.link.axis,
+                           inner,    inner == 0 ? widening_share * outer : 0};
     VerifiedPlan plan;
     std::vector<ToolPath> paths;
     VerifiedOptions own = options;

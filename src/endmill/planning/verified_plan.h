@@ -46,6 +46,10 @@ struct VerifiedPlan {
 /// Both statements are proved by bounds over whole surface cells, not by samples. Each
 /// step is the longest that satisfies them, to a thousandth of its length.
 ///
+/// One of the two tolerances may be 0. Contacts then do not lie on the surface: they are
+/// moved along its normal to one of the two limits, so that the chord of a step deviates
+/// to the allowed side only. See contact_offsets in detail/verified_pass.h.
+///
 /// The path interval is the largest at which a ball in continuous contact keeps the
 /// scallop height, to a thousandth. The first and the last pass lie on borders. Straight
 /// steps may break a limit between two such passes. The planner then halves a step or

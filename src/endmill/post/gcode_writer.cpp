@@ -65,7 +65,9 @@ std::string path_control(const GcodeOptions& options)
     if (!options.tolerance)
         return "G64";
     const double half = *options.tolerance / 2;
-    require(half > 0, "gcode: need a tolerance above 0");
+    require(half >= 0, "gcode: need a tolerance from 0");
+    if (half == 0)
+        return "G61";  // a rounded corner would leave the path to the forbidden side
     std::string text;
     // A small tolerance needs more decimals than coordinates.
     for (int decimals = options.decimals; decimals <= most_decimals; ++decimals) {

@@ -23,7 +23,7 @@ struct GcodeOptions {
     /// mm. Default: `default_clearance_mm` above the moves at feed, but not below a rapid
     /// of the path.
     std::optional<double> safe_height = {};
-    /// mm, tolerance for which the path was planned.
+    /// mm, tolerance for which the path was planned; 0 if it may deviate to one side only.
     std::optional<double> tolerance = {};
     int decimals = 4;           ///< digits after the point of coordinates, 0 to 9
     bool line_numbers = false;  ///< whether every block has a number N1, N2, ...
@@ -42,8 +42,8 @@ struct GcodeOptions {
 ///
 /// The path control is `G64 P` with half the tolerance, so that the rounding of corners
 /// by the control leaves the other half. P is rounded to the nearest number with enough
-/// decimals to be within 1 % of that half. If nine decimals are not enough, the program
-/// has G61 (exact path). Without a tolerance it has plain `G64`. F and S have as many
+/// decimals to be within 1 % of that half. If nine decimals are not enough, or the
+/// tolerance is 0, the program has G61 (exact path). Without a tolerance it has plain `G64`. F and S have as many
 /// decimals as coordinates, without trailing zeros.
 ///
 /// \param path the path.
@@ -51,7 +51,7 @@ struct GcodeOptions {
 /// \throws DomainError for a path without points; for decimals outside 0 to 9; if a move
 ///         at feed has no feed; for a feed or spindle speed that is not above 0 after
 ///         rounding; for a negative tool number; if the safe height lies below the path;
-///         if the tolerance is not above 0; for a number that is not finite.
+///         if the tolerance is below 0; for a number that is not finite.
 /// \throws GeometryError unless the axis of every point is +z: three axes cannot turn the
 ///          tool.
 /// Source: docs/methods/removal.md, section 6.

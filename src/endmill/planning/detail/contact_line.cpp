@@ -68,4 +68,11 @@ SurfaceContact contact_at(const MarchedSurface& marched, const SurfacePoint& at,
                       [&] { return marched.surface.jet(at.u, at.v); });
 }
 
+SurfaceContact offset_contact(SurfaceContact contact, double offset)
+{
+    if (offset != 0)
+        contact.contact.point += offset * contact.contact.normal;
+    return contact;
+}
+
 }  // namespace endmill

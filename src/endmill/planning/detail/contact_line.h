@@ -45,6 +45,10 @@ bool has_plain_normal(const SurfaceTangents& tangents);
 SurfaceContact contact_at(const MarchedSurface& marched, const SurfacePoint& at,
                           Parameter direction);
 
+/// A contact moved along its normal by `offset` mm, of either sign. Its point then lies
+/// off the surface; its parameters stay.
+SurfaceContact offset_contact(SurfaceContact contact, double offset);
+
 /// Centre of the ball in mm when the ball touches `contact`.
 inline Vec3 ball_centre(const SurfaceContact& contact, const BallCutter& cutter)
 {

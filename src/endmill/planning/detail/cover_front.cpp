@@ -82,10 +82,12 @@ double last_not_above(Bracket b, double width, const Function& function)
 }  // namespace
 
 CoverFront::CoverFront(const MarchedSurface& marched, const BallCutter& cutter,
-                       double scallop_height, Parameter direction)
+                       double scallop_height, Parameter direction, double offset)
     : marched_{&marched},
       cutter_{cutter},
+      height_{scallop_height + offset},
       scallop_height_{scallop_height},
+      offset_{offset},
       direction_{direction},
       parameters_{sample_parameters()}
 {
@@ -133,7 +135,7 @@ PassSamples CoverFront::samples(double v) const
     PassSamples pass{v, parameters_, {}};
     pass.centres.reserve(parameters_.size());
     for (const double u : parameters_)
-        pass.centres.push_back(ball_centre(line.at(u), cutter_));
+        pass.centres.push_back(ball_centre(offset_contact(line.at(u), offset_), cutter_));
     return pass;
 }
 
@@ -174,7 +176,7 @@ CoverFront::Foot CoverFront::foot(const PassSamples& pass, const Vec3& point,
 
 Vec3 CoverFront::raised(const SurfaceContact& contact) const
 {
-    return contact.contact.point + scallop_height_ * contact.contact.normal;
+    return contact.contact.point + height_ * contact.contact.normal;
 }
 
 FrontPoint CoverFront::front_at(const PassSamples& pass, std::size_t sample,

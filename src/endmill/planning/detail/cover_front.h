@@ -29,6 +29,7 @@ struct FrontPoint {
 /// A surface point r is cut down to the height h if r + h N lies within R of a ball
 /// centre. The points that a pass cuts in this sense end at its *front*. The next pass
 /// lies as far away as possible with its ball still reaching every point of that front.
+/// Balls that roll at a height t above the surface cut down to h + t instead.
 ///
 /// Passes are sampled at most R / 8 apart, with 32 to 1024 samples a patch. The results
 /// are therefore not bounds; `StripCover` checks them afterwards.
@@ -38,8 +39,9 @@ public:
     /// \param cutter         the ball, radius R.
     /// \param scallop_height h in mm, below R.
     /// \param direction      for the parameters in an error message.
+    /// \param offset         t in mm: the balls roll at this height above the surface.
     CoverFront(const MarchedSurface& marched, const BallCutter& cutter,
-               double scallop_height, Parameter direction);
+               double scallop_height, Parameter direction, double offset = 0);
 
     /// The point on the centre line of a pass that is nearest to a given point.
     struct Foot {
@@ -75,7 +77,9 @@ private:
 
     const MarchedSurface* marched_;
     BallCutter cutter_;
+    double height_;  // of the points that the balls reach
     double scallop_height_;
+    double offset_;
     Parameter direction_;
     std::vector<double> parameters_;
 };

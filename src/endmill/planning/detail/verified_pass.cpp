@@ -2,7 +2,9 @@
 #include "endmill/planning/detail/verified_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <ranges>
 #include <string>
 #include <utility>
 
@@ -22,6 +24,9 @@
 //    sound and one unsound step, then halves the difference.
 // 5. Where no step is possible the piece ends, and the scan for a place where the ball
 //    fits continues.
+// 6. With a one-sided tolerance a contact has one of two offsets. A piece starts at the
+//    higher one, where the ball fits if it does at all. Each step is searched for both
+//    offsets of its end, and the longer one is taken.
 
 namespace endmill {
 namespace {
@@ -59,7 +64,7 @@ public:
         VerifiedPass pass{line_.v(), {}};
         const double end = line_.range().high;
         if (line_.is_point()) {
-            const SurfaceContact contact = line_.at(line_.range().low);
+            const SurfaceContact contact = first_at(line_.range().low);
             if (fits(contact))
                 pass.pieces.push_back({contact});
             return pass;
@@ -80,6 +85,12 @@ private:
         return surface_.marched.surface.patch_width(Parameter::U, u);
     }
 
+    // The contact at which a piece starts.
+    SurfaceContact first_at(double u) const
+    {
+        return offset_contact(line_.at(u), surface_.offsets.front());
+    }
+
     bool fits(const SurfaceContact& contact) { return is_clear(contact, contact); }
 
     bool is_clear(const SurfaceContact& from, const SurfaceContact& to)
@@ -96,18 +107,18 @@ private:
         const double end = line_.range().high;
         if (u >= end)
             return std::nullopt;
-        if (fits(line_.at(u)))
+        if (fits(first_at(u)))
             return u;
         while (u < end) {
             const double scan = gap_scan * width(u);
             double next = std::min(end, u + scan);
-            if (!fits(line_.at(next))) {
+            if (!fits(first_at(next))) {
                 u = next;
                 continue;
             }
             while (next - u > gap_precision * scan) {
                 const double middle = (u + next) / 2;
-                (fits(line_.at(middle)) ? next : u) = middle;
+                (fits(first_at(middle)) ? next : u) = middle;
             }
             return next;
         }
@@ -117,7 +128,7 @@ private:
     // The longest piece that starts at `u`, where the ball fits.
     Pass piece_from(double u)
     {
-        Pass piece{line_.at(u)};
+        Pass piece{first_at(u)};
         double guess = first_step * width(u);
         while (const auto next = longest_step(piece.back(), guess)) {
             guess = next->u - piece.back().u;
@@ -140,25 +151,38 @@ private:
         return *std::ranges::upper_bound(breaks.first(breaks.size() - 1), u);
     }
 
+    // The longest step over all offsets of its end; of equally long ones that to the
+    // higher end.
     std::optional<SurfaceContact> longest_step(const SurfaceContact& from, double guess)
+    {
+        std::optional<SurfaceContact> best;
+        for (const double offset : surface_.offsets)
+            if (const auto found = longest_step(from, offset, guess);
+                found && (!best || found->u > best->u))
+                best = found;
+        return best;
+    }
+
+    std::optional<SurfaceContact> longest_step(const SurfaceContact& from, double offset,
+                                               double guess)
     {
         const double most = farthest(from.u);
         if (from.u >= most)
             return std::nullopt;
         const double least = std::min(least_step * width(from.u), most - from.u);
         auto beside_line =
-            longest(from, {least, std::max(guess, least), most},
+            longest(from, offset, {least, std::max(guess, least), most},
                     [&](const SurfaceContact& to) { return keeps_line(from, to); });
         if (!beside_line || is_clear(from, *beside_line))
             return beside_line;
         // The part beside the pass limits the step. The guess is its share in the step
         // before.
         const double limit = beside_line->u - from.u;
-        auto clear =
-            longest(from, {least, std::max(share_ * limit, least), beside_line->u},
-                    [&](const SurfaceContact& to) {
-                        return keeps_line(from, to) && is_clear(from, to);
-                    });
+        auto clear = longest(from, offset,
+                             {least, std::max(share_ * limit, least), beside_line->u},
+                             [&](const SurfaceContact& to) {
+                                 return keeps_line(from, to) && is_clear(from, to);
+                             });
         if (clear)
             share_ = (clear->u - from.u) / limit;
         return clear;
@@ -171,10 +195,10 @@ private:
         double most_u;  // parameter at which the longest step ends
     };
 
-    // The longest sound step. It is assumed that a step shorter than a sound one is
-    // sound; the returned step is tested in any case.
+    // The longest sound step to a contact of this offset. It is assumed that a step
+    // shorter than a sound one is sound; the returned step is tested in any case.
     template <class IsSound>
-    std::optional<SurfaceContact> longest(const SurfaceContact& from,
+    std::optional<SurfaceContact> longest(const SurfaceContact& from, double offset,
                                           const StepRange& range,
                                           const IsSound& is_sound) const
     {
@@ -184,7 +208,8 @@ private:
         double step = guess;
         double growth = least_growth;
         while (!too_far || !best) {
-            const SurfaceContact to = line_.at(std::min(from.u + step, most));
+            const SurfaceContact to =
+                offset_contact(line_.at(std::min(from.u + step, most)), offset);
             if (is_sound(to)) {
                 best = to;
                 if (to.u == most)
@@ -199,7 +224,8 @@ private:
             growth = std::min(growth * growth, most_growth);
         }
         while (*too_far - best->u > step_precision * (best->u - from.u)) {
-            const SurfaceContact to = line_.at((best->u + *too_far) / 2);
+            const SurfaceContact to =
+                offset_contact(line_.at((best->u + *too_far) / 2), offset);
             if (is_sound(to))
                 best = to;
             else
@@ -253,6 +279,14 @@ private:
 
 }  // namespace
 
+std::vector<double> contact_offsets(const MotionTolerances& tolerances)
+{
+    if (!tolerances.is_one_sided())
+        return {0};
+    const double margin = offset_margin * (tolerances.inner + tolerances.outer);
+    return {tolerances.outer - margin, margin - tolerances.inner};
+}
+
 VerifiedPass verified_pass(const VerifiedSurface& surface, double v,
                            std::span<const CoverDemand> demands)
 {
@@ -275,6 +309,26 @@ SweptPass swept(const VerifiedPass& pass, const BallCutter& cutter)
     return moves;
 }
 
+namespace {
+
+// Whether the moves from one contact to the next but one keep the tolerances.
+bool keep_tolerances(const std::array<SurfaceContact, 3>& contacts, double v,
+                     const VerifiedSurface& surface)
+{
+    FinerPieces finer;
+    for (const std::size_t k : {0, 1}) {
+        const SweptSegment half{contacts[k].u, contacts[k + 1].u,
+                                ball_centre(contacts[k], surface.cutter()),
+                                ball_centre(contacts[k + 1], surface.cutter())};
+        if (!surface.clear.is_clear({half.start, half.end}, finer) ||
+            !surface.line_cover.covers_line(half, v))
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
 bool halve_step(VerifiedPass& pass, std::size_t step, const VerifiedSurface& surface)
 {
     for (Pass& piece : pass.pieces) {
@@ -292,20 +346,17 @@ bool halve_step(VerifiedPass& pass, std::size_t step, const VerifiedSurface& sur
                   least_step * surface.marched.surface.patch_width(Parameter::U, from.u) <
               middle))
             return false;
-        const SurfaceContact contact =
+        const SurfaceContact on_line =
             ContactLine{surface.marched, pass.v, surface.direction}.at(middle);
-        const Vec3 centre = ball_centre(contact, surface.cutter());
-        const SweptSegment first{from.u, middle, ball_centre(from, surface.cutter()),
-                                 centre};
-        const SweptSegment second{middle, to.u, centre,
-                                  ball_centre(to, surface.cutter())};
-        FinerPieces finer;
-        for (const SweptSegment& half : {first, second})
-            if (!surface.clear.is_clear({half.start, half.end}, finer) ||
-                !surface.line_cover.covers_line(half, pass.v))
-                return false;
-        piece.insert(piece.begin() + static_cast<std::ptrdiff_t>(step) + 1, contact);
-        return true;
+        // The lowest contact that keeps the tolerances removes the most material.
+        for (const double offset : surface.offsets | std::views::reverse) {
+            const SurfaceContact contact = offset_contact(on_line, offset);
+            if (!keep_tolerances({from, contact, to}, pass.v, surface))
+                continue;
+            piece.insert(piece.begin() + static_cast<std::ptrdiff_t>(step) + 1, contact);
+            return true;
+        }
+        return false;
     }
     return false;
 }

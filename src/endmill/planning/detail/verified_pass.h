@@ -20,6 +20,19 @@ namespace endmill {
 /// Source: paper/notes/border-depth.md, section 4.
 inline constexpr double border_share = 0.99;
 
+/// Distance that contacts keep from both limits of a one-sided tolerance, as a share of
+/// the other tolerance. A ball that lies exactly on a limit would leave the tests
+/// undecided, which need about a thousandth.
+inline constexpr double offset_margin = 0.02;
+
+/// The heights in mm along the normal at which a planner may put contacts, the highest
+/// one first. With two tolerances above 0 contacts lie on the surface. With a tolerance
+/// of 0 they lie close to either limit of the allowed band: on a convex line at the outer
+/// limit, so that the chord descends to the inner one, and on a concave line at the inner
+/// limit. A step then uses the whole band as its sagitta.
+/// Source: docs/methods/economic-cl-data.md, section 14.
+std::vector<double> contact_offsets(const MotionTolerances& tolerances);
+
 /// Tests whether straight moves of a ball keep an inner tolerance on a part: no point of
 /// the part lies deeper than the tolerance in the volume that the ball and its shank
 /// clear, and along the normals of the part's border they cut at most `border_share` of
@@ -31,13 +44,21 @@ public:
     /// \param sides     from tool_side_signs, one for each surface.
     /// \param cutter    the ball, radius R.
     /// \param axis      unit, from the tip to the spindle.
-    /// \param tolerance in mm, 0 < tolerance < R.
+    /// \param tolerance in mm, 0 <= tolerance < R.
+    /// \param widening  in mm, 0 <= widening; above 0 if the tolerance is 0. The tests
+    ///                  use a ball that is larger by this, and a tolerance that is larger
+    ///                  by as much, which bounds the same distance from the centres. The
+    ///                  accuracy of the tests is a share of the tolerance that they see.
     /// \throws DomainError unless there is a surface and the tolerance is in its range.
     ClearMoves(std::span<const Surface> surfaces, std::span<const double> sides,
-               const BallCutter& cutter, const Vec3& axis, double tolerance)
-        : gouge_{surfaces, cutter, axis},
-          border_{surfaces, sides, cutter, axis, border_share * tolerance},
-          tolerance_{tolerance}
+               const BallCutter& cutter, const Vec3& axis, double tolerance,
+               double widening = 0)
+        : cutter_{cutter},
+          gouge_{surfaces, BallCutter{cutter.radius() + widening}, axis},
+          border_{surfaces, sides, BallCutter{cutter.radius() + widening}, axis,
+                  border_share * (tolerance + widening)},
+          tolerance_{tolerance},
+          tested_tolerance_{tolerance + widening}
     {
     }
 
@@ -47,17 +68,19 @@ public:
     /// \param finer keeps pieces for the next call; see gouge/detail/piece_tree.h.
     bool is_clear(const BallMove& move, FinerPieces& finer) const
     {
-        return gouge_.test(move, tolerance_, finer).gouges == Answer::No &&
+        return gouge_.test(move, tested_tolerance_, finer).gouges == Answer::No &&
                border_.is_kept(move);
     }
 
-    const BallCutter& cutter() const { return gouge_.cutter(); }  ///< the ball
-    double tolerance() const { return tolerance_; }               ///< mm
+    const BallCutter& cutter() const { return cutter_; }  ///< the ball
+    double tolerance() const { return tolerance_; }       ///< mm
 
 private:
+    BallCutter cutter_;
     GougeTest gouge_;
     BorderDepth border_;
     double tolerance_;
+    double tested_tolerance_;
 };
 
 /// A surface to plan on, and the tests of its moves. The references must outlive it.
@@ -69,6 +92,8 @@ struct VerifiedSurface {
     Parameter direction;            ///< for the parameters in an error message
     PatchBorders patch_borders;     ///< steps at borders of patches
     std::size_t most_points;        ///< a longer pass throws LimitError
+    /// Heights of the contacts in mm, see contact_offsets; at least one.
+    std::vector<double> offsets = {0};
 
     const BallCutter& cutter() const { return clear.cutter(); }  ///< the ball
 };
@@ -86,9 +111,10 @@ struct VerifiedPass {
 };
 
 /// Computes the pass along u at `v` with the longest steps, to a thousandth of each,
-/// whose straight motions keep the tolerances and reach all demands. The pass is
-/// interrupted where the ball does not fit or a step would be shorter than 1e-4 of a
-/// patch, and continues where the ball fits again.
+/// whose straight motions keep the tolerances and reach all demands. Each contact has the
+/// offset that allows the longest step to it. The pass is interrupted where the ball does
+/// not fit or a step would be shorter than 1e-4 of a patch, and continues where the ball
+/// fits again.
 /// \param surface the surface and its tests.
 /// \param v       parameter of the pass.
 /// \param demands in order of rising `foot_u`.

@@ -66,14 +66,15 @@ public:
           front_{marched, clear.cutter(),
                  planned_share * std::min(options.scallop_height,
                                           widest_share * clear.cutter().radius()),
-                 options.direction},
+                 options.direction, contact_offsets(options.tolerances).front()},
           surface_{marched,
                    clear,
                    line_cover_,
                    options.tolerances,
                    options.direction,
                    options.patch_borders,
-                   options.most_points}
+                   options.most_points,
+                   contact_offsets(options.tolerances)}
     {
     }
 
@@ -297,6 +298,13 @@ private:
         return is_due;
     }
 
+    // The centre of a ball that rolls at the greatest offset over the surface.
+    Vec3 rolling_centre(const SurfaceContact& contact) const
+    {
+        return ball_centre(offset_contact(contact, surface_.offsets.front()),
+                           surface_.cutter());
+    }
+
     // Halves the step beside `place` if a ball that rolls along the step would cover the
     // place. Returns whether the step was halved.
     bool mend(VerifiedPass& pass, const SurfacePoint& place) const
@@ -311,7 +319,7 @@ private:
         for (int k = 0; k < rolling_samples; ++k) {
             const double u = std::lerp(nearest->from_u, nearest->to_u,
                                        k / double(rolling_samples - 1));
-            const Vec3 centre = ball_centre(line.at(u), surface_.cutter());
+            const Vec3 centre = rolling_centre(line.at(u));
             if ((centre - point).norm() <= surface_.cutter().radius())
                 return halve_step(pass, nearest - moves.begin(), surface_);
         }
@@ -325,8 +333,8 @@ private:
         const auto place = uncovered_between({below.v, above.v}, below, above);
         if (!place)
             return;
-        const Vec3 centre = ball_centre(contact_at(marched_, *place, options_.direction),
-                                        surface_.cutter());
+        const Vec3 centre =
+            rolling_centre(contact_at(marched_, *place, options_.direction));
         FinerPieces finer;
         if (!surface_.clear.is_clear({centre, centre}, finer) || splits == 0)
             return note(place);
