@@ -20,7 +20,8 @@ void check_setup_options(const SetupCommandOptions& options)
 {
     if (options.part.path.empty() == options.points.empty())
         throw DomainError{"expected either PART or --points"};
-    if (options.clamp.lpNorm<Eigen::Infinity>() > options.common.limits.max_extent_mm)
+    if (options.clamp &&
+        options.clamp->lpNorm<Eigen::Infinity>() > options.common.limits.max_extent_mm)
         throw DomainError{"--clamp: found a coordinate beyond --max-extent"};
     refuse_idle_setup_options(options);
 }
@@ -94,11 +95,13 @@ void add_setup_command(CLI::App& program, Action& action)
         "that\n"
         "it would need), the answer is undecided, or the setup exceeds the travel of "
         "the\n"
-        "linear axes.\n\n"
+        "linear axes (with --within-travel: every pose that was tried exceeds it).\n\n"
         "Example:\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine W/caxyBz/T -o teapot\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine all --from-visibility "
-        "teapot/visibility.bsm -o machines");
+        "teapot/visibility.bsm -o machines\n"
+        "  endmill setup datasets/meshes/teapot-288.off --machine "
+        "datasets/machines/ca-head-head.json --within-travel -o teapot-travel");
     command->callback([options, &action] {
         action = [options] {
             return naming(options->part.path, [&] { return run_setup(*options); });

@@ -66,7 +66,8 @@ MachineSetup setup_on(const SearchedMachine& machine, const SetupInput& input,
     const double looks = 2 * static_cast<double>(visibility.map().cells());
     std::optional<Clamping> clamping;
     if (!machine.is_family)
-        clamping = Clamping{options.clamp, input.tool ? input.tool->length : 0};
+        clamping =
+            Clamping{options.clamp, input.tool ? input.tool->length : 0, options.travel};
     return machine_setup(
         {input.mesh, input.grid, visibility.file.visibility}, machine.machine,
         {.reach = {.arc_tolerance = Angle::degrees(options.arc_tolerance_deg)},

@@ -11,10 +11,10 @@ namespace {
 
 // Options of the mesh, of its visibility, or of the search over facets.
 constexpr std::array part_only_options{
-    "--units",          "--up",         "--chord-tolerance",   "--clamp",
-    "--sphere",         "--visibility", "--incidence-deg",     "--tool",
-    "--write-bsm-csv",  "--floor-deg",  "--arc-tolerance-deg", "--max-setups",
-    "--from-visibility"};
+    "--units",           "--up",           "--chord-tolerance",   "--clamp",
+    "--sphere",          "--visibility",   "--incidence-deg",     "--tool",
+    "--write-bsm-csv",   "--floor-deg",    "--arc-tolerance-deg", "--max-setups",
+    "--from-visibility", "--within-travel"};
 
 constexpr std::array set_only_options{"--objective", "--gap", "--max-nodes"};
 
@@ -42,7 +42,7 @@ void refuse_idle_setup_options(const SetupCommandOptions& options)
                             "--mode " + std::string{setup_mode_word(options.mode)},
                             "--mode set, the only search with a bound");
     if (options.family)
-        refuse_idle_options(common, std::array{"--clamp"}, "--family",
+        refuse_idle_options(common, std::array{"--clamp", "--within-travel"}, "--family",
                             "--machine: a family has no linear axes");
 }
 
@@ -54,6 +54,10 @@ void refuse_options_idle_on(std::span<const SearchedMachine> machines,
         return;
     const std::string machine =
         machines.front().is_family ? "--family" : "--machine " + first.word;
+    if (machines.front().machine.linear == LinearLimits{})
+        refuse_idle_options(options.common, std::array{"--within-travel"}, machine,
+                            "a machine file with x_mm, y_mm or z_mm: this machine has no "
+                            "limits of its linear axes");
     if (first.axes() != 4)
         refuse_idle_options(options.common, std::array{"--arc-tolerance-deg"}, machine,
                             "a machine with one rotary axis");

@@ -66,8 +66,12 @@ void add_setup_machine(CLI::App& command, SetupCommandOptions& options)
                 options.clamp = vector_argument("--clamp", text);
             },
             "position of the part's origin in mm, along the machine's axes (default "
-            "0,0,0)")
+            "0,0,0; with --within-travel the best position)")
         ->type_name("X,Y,Z");
+    command.add_flag_callback(
+        "--within-travel", [&options] { options.travel = TravelRule::WithinLimits; },
+        "find only a pose that the linear axes of the machine file reach, and its best "
+        "clamping position; or state by how much the nearest pose exceeds the travel");
 }
 
 void add_setup_visibility(CLI::App& command, SetupCommandOptions& options)

@@ -32,9 +32,10 @@ struct SetupCommandOptions {
     int max_nodes = 200'000;
     int max_setups = 1;
     double arc_tolerance_deg = 2.95;
-    Vec3 clamp{0, 0, 0};          ///< mm, position of the part's origin on the machine
-    std::string tool;             ///< file
-    std::string from_visibility;  ///< file
+    std::optional<Vec3> clamp;  ///< mm, position of the part's origin on the machine
+    TravelRule travel = TravelRule::Checked;  ///< whether travel bounds the search
+    std::string tool;                         ///< file
+    std::string from_visibility;              ///< file
     bool write_bsm_csv = false;
 };
 

@@ -95,10 +95,34 @@ Json travel_json(const MachineSetup& setup)
     return setup.within_travel == Answer::Yes;
 }
 
+// Slack of X, Y and Z; null for an axis without limits.
+Json slack_json(const Vec3& slack)
+{
+    return {{"x", finite_or_null(slack.x())},
+            {"y", finite_or_null(slack.y())},
+            {"z", finite_or_null(slack.z())}};
+}
+
+// What --within-travel found. Null if there was no pose to examine, or no limit.
+Json travel_search_json(const MachineSetup& setup)
+{
+    if (!setup.travel_search)
+        return {};
+    const auto& [poses, out_of_reach, pose, clamping] = *setup.travel_search;
+    return {{"fits", setup.travel_search->fits()},
+            {"poses", poses},
+            {"out_of_reach", out_of_reach},
+            {"clamp_mm", clamping ? vector_json(clamping->clamp) : Json{}},
+            {"slack_mm", clamping ? slack_json(clamping->slack) : Json{}},
+            {"pose", pose_json(pose)}};
+}
+
 void add_travel_keys(Json& summary, const SetupAnswer& answer,
                      const SetupCommandOptions& options)
 {
-    summary["clamp_mm"] = vector_json(options.clamp);
+    summary["clamp_mm"] = vector_json(answer.setup.clamp);
+    if (options.travel == TravelRule::WithinLimits)
+        summary["within_travel"] = travel_search_json(answer.setup);
     const std::optional<SetupTravel>& travel = answer.setup.travel;
     summary["travel_mm"] = nullptr;
     summary["clamp_centred_mm"] = nullptr;
@@ -194,9 +218,51 @@ std::string unreached_text(const Json& facets)
     return text + (facets.size() > most_shown ? " ...\n" : "\n");
 }
 
+std::string clamp_text(const Json& clamp)
+{
+    return fmt::format("--clamp {},{},{}", shown_result(clamp[0].get<double>()),
+                       shown_result(clamp[1].get<double>()),
+                       shown_result(clamp[2].get<double>()));
+}
+
+// The slack of the axes that have limits, as "x 12.5, z 3".
+std::string slack_text(const Json& slack)
+{
+    std::string text;
+    for (const char* axis : {"x", "y", "z"})
+        if (!slack[axis].is_null())
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", axis,
+                                shown(slack[axis].get<double>()));
+    return text;
+}
+
+// The answer of --within-travel.
+std::string travel_search_text(const Json& found)
+{
+    const std::string poses = counted(found["poses"].get<std::size_t>(), "pose");
+    if (found["clamp_mm"].is_null())
+        return "  travel       " + poses +
+               " tried; at each a facet has no direction within the limits\n";
+    const std::string slack = slack_text(found["slack_mm"]);
+    if (found["fits"].get<bool>())
+        return fmt::format(
+            "  travel       the linear axes reach all facets with {}\n"
+            "               slack {} mm; {} tried\n",
+            clamp_text(found["clamp_mm"]), slack, poses);
+    const Json& axis = found["pose"]["tool_axis"];
+    return fmt::format(
+        "  travel       none of {} fits the linear axes; the nearest has the tool axis "
+        "({:.4f}, {:.4f}, {:.4f})\n"
+        "               and with {} the slack {} mm\n",
+        poses, axis[0].get<double>(), axis[1].get<double>(), axis[2].get<double>(),
+        clamp_text(found["clamp_mm"]), slack);
+}
+
 // Whether the linear axes reach all facets, and a clamping position that may help.
 std::string travel_text(const Json& s)
 {
+    if (s.contains("within_travel") && !s["within_travel"].is_null())
+        return travel_search_text(s["within_travel"]);
     if (s["travel_ok"].is_null())
         return {};
     if (s["travel_ok"].get<bool>())
@@ -208,11 +274,7 @@ std::string travel_text(const Json& s)
         text += fmt::format(" {} {} to {}", axis,
                             shown_result(s["travel_mm"][axis][0].get<double>()),
                             shown_result(s["travel_mm"][axis][1].get<double>()));
-    const Json& clamp = s["clamp_centred_mm"];
-    return text + fmt::format(" mm; --clamp {},{},{} centres the travel\n",
-                              shown_result(clamp[0].get<double>()),
-                              shown_result(clamp[1].get<double>()),
-                              shown_result(clamp[2].get<double>()));
+    return text + " mm; " + clamp_text(s["clamp_centred_mm"]) + " centres the travel\n";
 }
 
 // The limitation of the mode, and a mode without it.

@@ -4,6 +4,7 @@
 /// \file
 /// All public headers of the module `setup`.
 
+#include "endmill/setup/clamping.h"
 #include "endmill/setup/pose_search.h"
 #include "endmill/setup/setup.h"
 #include "endmill/setup/setup_pose.h"

@@ -207,6 +207,56 @@ class Setup(ProgramTest):
         self.assertTrue(self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp",
                                    clamp)["travel_ok"])
 
+    def test_travel_bounds_the_search(self):
+        """A plane with centroids at (0, 0) and (90, 30) mm on a machine of three axes: the travel is the difference
+        of the centroids in machine axes, and half of what is left of each axis is its slack."""
+        part = self.file("OFF\n6 2 0\n-1 -1 0\n2 -1 0\n-1 2 0\n89 29 0\n92 29 0\n89 32 0\n"
+                         "3 0 1 2\n3 3 4 5\n", "plane.off")
+
+        def machine(x, y, z):
+            return self.file({"format": "endmill-machine/1", "configuration": "W/xyBz/T",
+                              "limits": {"x_mm": x, "y_mm": y, "z_mm": z}}, "m.json")
+        cone = ("--incidence-deg", 30)
+        found = self.found(part, "--machine", machine([0, 40], [0, 95], [0, 60]), *cone, "--within-travel")
+        self.assertTrue(found["travel_ok"] and found["within_travel"]["fits"])
+        rows = found["part_to_machine"]
+        for row, axis, room in zip(rows, "xyz", (40, 95, 60)):
+            width = abs(90 * row[0] + 30 * row[1])
+            self.assertAlmostEqual(found["within_travel"]["slack_mm"][axis], (room - width) / 2, delta=1e-5)
+            low, high = found["travel_mm"][axis]
+            self.assertGreaterEqual(low, -1e-6)
+            self.assertLessEqual(high, room + 1e-6)
+        self.assertEqual(found["clamp_mm"], found["within_travel"]["clamp_mm"])
+        clamp = ",".join(map(repr, found["clamp_mm"]))
+        again = self.found(part, "--machine", machine([0, 40], [0, 95], [0, 60]), *cone, "--within-travel",
+                           "--clamp", clamp)
+        self.assertEqual(again["tool_axis"], found["tool_axis"])
+
+        none = self.found(part, "--machine", machine([0, 30], [0, 30], [0, 30]), *cone, "--within-travel", status=1)
+        self.assertEqual((none["machinable"], none["travel_ok"], none["within_travel"]["fits"]), (True, False, False))
+        self.assertLess(min(none["within_travel"]["slack_mm"].values()), 0)
+        self.assertGreater(none["within_travel"]["poses"], 36)
+        done = endmill("setup", part, "--machine", machine([0, 30], [0, 30], [0, 30]), *cone, "--within-travel",
+                       "-o", "text", cwd=self.folder)
+        self.assertIn(f"none of {none['within_travel']['poses']} poses fits the linear axes", done.stdout)
+
+    def test_travel_cannot_bound_the_search_without_limits(self):
+        for machine in (("--machine", "W/caxyBz/T"), ("--family", "CA")):
+            self.refused(TEAPOT, *machine, "--within-travel", words=("--within-travel", "machine"))
+        points = self.file(HEADER + "0,60\n", "points.csv")
+        self.refused("--points", points, "--family", "CA", "--within-travel", words=("--within-travel", "PART"))
+
+    @long_work
+    def test_teapot_is_set_up_within_the_travel(self):
+        free = self.found(TEAPOT, "--machine", MACHINES / "ca-head-head.json")
+        saved = self.folder / "saved.bsm"
+        saved.write_bytes((self.folder / "out/visibility.bsm").read_bytes())
+        found = self.found(TEAPOT, "--machine", MACHINES / "ca-head-head.json", "--from-visibility", saved,
+                           "--within-travel")
+        self.assertTrue(found["within_travel"]["fits"])
+        self.assertGreaterEqual(found["area_deg2"], free["area_deg2"] - 1e-9)
+        self.assertGreaterEqual(min(found["within_travel"]["slack_mm"].values()), 0)
+
     def test_all_machines_are_ranked(self):
         cube = self.file(CUBE, "cube.off")
         found = self.found(cube, "--machine", MACHINES, "--incidence-deg", 80)

@@ -80,6 +80,25 @@ TEST(FacetReach, IsTheCellOfLeastTurnsOfEachFacet)
     }
 }
 
+// Along the tool axis C turns the tool about itself. It stays at 0, whatever the sign of
+// the rounding errors of the direction.
+TEST(FacetReach, DoesNotTurnTheAxisThatHasNoEffect)
+{
+    test::Random random{4};
+    for (int i = 0; i < 200; ++i) {
+        const RotaryFrame home = machine_frame(configuration_of_family(RotaryFamily::CA));
+        const SetupPose pose = pose_of(home, random_turn(random));
+        const RotaryFrame frame =
+            pose_frame(configuration_of_family(RotaryFamily::CA), pose);
+        VisibilityMap map{1, 1};
+        map.column(0)[0] = 1;
+        const std::vector<Vec3> centres{pose.tool_axis.normalized()};
+        const auto reaches = facet_reach(map, centres, frame, {{-1, 1}, {0, 0}});
+        ASSERT_TRUE(reaches[0]) << i;
+        EXPECT_EQ(reaches[0]->angles.theta, 0) << i;
+    }
+}
+
 // Facet 0 is reached, facet 1 has no area, and facet 2 is reached or has an empty cone.
 TEST(ReachedPoints, AreCentroidsUnlessAFacetWithAnAreaIsMissed)
 {

@@ -76,6 +76,34 @@ std::optional<FittedPose> best_of(const std::vector<std::optional<FittedPose>>& 
     return best.best();
 }
 
+// `least` and `feasible` of a pose may come from two searches of limited accuracy. If the
+// least pose fits the limits, it is the feasible one too.
+std::optional<FittedPose> feasible_of(const PoseSearchResult& found,
+                                      const PoseFitOptions& options)
+{
+    const bool fits = found.least && setup_rules(options.mode).has_signed_limits &&
+                      is_within(found.least->phi, options.limits.phi) &&
+                      is_within(found.least->theta, options.limits.theta);
+    return fits ? found.least : found.feasible;
+}
+
+std::vector<Vec3> nearest_directions(const VisibilityMap& map,
+                                     std::span<const Vec3> centres, std::size_t pose)
+{
+    std::vector<Vec3> directions;
+    for (const std::size_t cell : nearest_cells(map, centres, pose))
+        directions.push_back(centres[cell]);
+    return directions;
+}
+
+void check_search(const VisibilityMap& map, std::span<const Vec3> centres,
+                  const PoseFitOptions& options)
+{
+    check_pose_fit_options(options);
+    require(centres.size() == map.cells(), "pose_search: need a centre for each cell");
+    require_unit(centres);
+}
+
 class CellSearch {
 public:
     CellSearch(const VisibilityMap& map, std::span<const Vec3> centres,
@@ -101,12 +129,7 @@ public:
             std::count(is_skipped_.begin(), is_skipped_.end(), true));
         result.least = best_of(least_);
         result.feasible = best_of(feasible_);
-        // `least` and `feasible` of a pose may come from two searches of limited
-        // accuracy. If the least pose fits the limits, it is the feasible one too.
-        if (result.least && setup_rules(options_.mode).has_signed_limits &&
-            is_within(result.least->phi, options_.limits.phi) &&
-            is_within(result.least->theta, options_.limits.theta))
-            result.feasible = result.least;
+        result.feasible = feasible_of(result, options_);
         if (const std::optional<FittedPose>& shown =
                 result.feasible ? result.feasible : result.least)
             result.status = status_of(*shown);
@@ -129,8 +152,7 @@ private:
 
     void bound(std::size_t pose)
     {
-        for (const std::size_t cell : nearest_cells(map_, centres_, pose))
-            directions_[pose].push_back(centres_[cell]);
+        directions_[pose] = nearest_directions(map_, centres_, pose);
         if (options_.family == RotaryFamily::CA)
             return;
         const AreaBounds bounds =
@@ -184,10 +206,31 @@ PoseSearchResult pose_fit(const Vec3& tool_axis, std::span<const Vec3> direction
 PoseSearchResult pose_search(const VisibilityMap& map, std::span<const Vec3> centres,
                              const PoseFitOptions& options)
 {
-    check_pose_fit_options(options);
-    require(centres.size() == map.cells(), "pose_search: need a centre for each cell");
-    require_unit(centres);
+    check_search(map, centres, options);
     return CellSearch{map, centres, options}.run();
+}
+
+std::vector<FittedPose> poses_within_limits(const VisibilityMap& map,
+                                            std::span<const Vec3> centres,
+                                            const PoseFitOptions& options)
+{
+    check_search(map, centres, options);
+    std::vector<std::optional<FittedPose>> fits(centres.size());
+    parallel_for(centres.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t pose = begin; pose < end; ++pose) {
+            const auto directions = nearest_directions(map, centres, pose);
+            fits[pose] =
+                feasible_of(fit(centres[pose], directions, options, {}), options);
+        }
+    });
+    std::vector<FittedPose> poses;
+    for (std::size_t pose = 0; pose < fits.size(); ++pose) {
+        if (!fits[pose])
+            continue;
+        poses.push_back(*fits[pose]);
+        poses.back().cell = pose;
+    }
+    return poses;
 }
 
 }  // namespace endmill

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "endmill/core/vec.h"
 #include "endmill/setup/setup_pose.h"
@@ -45,5 +46,15 @@ PoseSearchResult pose_fit(const Vec3& tool_axis, std::span<const Vec3> direction
 ///         length for each cell.
 PoseSearchResult pose_search(const VisibilityMap& map, std::span<const Vec3> centres,
                              const PoseFitOptions& options);
+
+/// The pose of least area within the limits at each tool axis, as `pose_search` fits it
+/// there. All tool axes are fitted, which takes longer than the search for the best one.
+/// \param map, centres, options as for `pose_search`.
+/// \return in the order of cells; a tool axis without a pose within the limits is left
+///         out.
+/// \throws DomainError as `pose_search`.
+std::vector<FittedPose> poses_within_limits(const VisibilityMap& map,
+                                            std::span<const Vec3> centres,
+                                            const PoseFitOptions& options);
 
 }  // namespace endmill

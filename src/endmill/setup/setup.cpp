@@ -14,21 +14,12 @@
 #include "endmill/setup/detail/arc_search.h"
 #include "endmill/setup/detail/distinct_cones.h"
 #include "endmill/setup/detail/many_cones_search.h"
+#include "endmill/setup/detail/sampled_poses.h"
 #include "endmill/setup/detail/setup_order.h"
 #include "endmill/setup/pose_search.h"
 
 namespace endmill {
 namespace {
-
-// The rotary axes of a four-axis machine that are tried: cell centres 2.7 degrees apart,
-// half a cell of a sphere of 1200 cells.
-constexpr const char* axes_grid = "ico:4";
-
-// Words without two rotary axes count as A,B: the only rotary axis of four is phi, as R1.
-RotaryFamily family_of(const MachineConfiguration& configuration)
-{
-    return configuration.family.value_or(RotaryFamily::AB);
-}
 
 PoseSearchResult best_at_cells(const SphereGrid& grid, const VisibilityMap& map,
                                const SetupRequest& request, SetupMode mode)
@@ -39,6 +30,23 @@ PoseSearchResult best_at_cells(const SphereGrid& grid, const VisibilityMap& map,
                         .limits = request.reach.limits,
                         .order = rotary_order(request.reach.configuration),
                         .progress = request.cell_progress});
+}
+
+// The poses that are tried in turn where travel bounds the search. The search over whole
+// cones has no list of poses; its place is taken by that of `Corrected`.
+PoseSampling sampling_of(const SetupRequest& request)
+{
+    if (request.mode != SetupMode::WholeCones)
+        return {request.reach, request.mode};
+    return {request.reach, SetupMode::Corrected,
+            PoseMeasure{family_of(request.reach.configuration),
+                        request.whole_cones.objective, request.whole_cones.floor_rad}};
+}
+
+// The objective of the request, of a pose: rad^2, or rad.
+double objective_of(const FittedPose& pose, const SetupRequest& request)
+{
+    return objective_of(pose, sampling_of(request));
 }
 
 PartSetup setup_of(PoseSearchResult search)
@@ -128,22 +136,12 @@ PartSetup best_over_whole_cones(const SphereGrid& grid, const VisibilityMap& map
     return setup;
 }
 
-// The objective of the request, of a pose: rad^2, or rad.
-double objective_of(const FittedPose& pose, const SetupRequest& request)
-{
-    if (request.mode != SetupMode::WholeCones)
-        return pose.area;
-    const RotaryFamily family = family_of(request.reach.configuration);
-    return PoseMeasure{family, request.whole_cones.objective,
-                       request.whole_cones.floor_rad}(pose_ranges(family, pose));
-}
-
 PartSetup four_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
                           const SetupRequest& request)
 {
     PartSetup setup =
-        setup_of(arc_search(map, grid.centres, sphere_grid(axes_grid).centres,
-                            request.reach.limits.phi, request.reach.arc_tolerance));
+        setup_of(arc_search(map, grid.centres, four_axis_axes(), request.reach.limits.phi,
+                            request.reach.arc_tolerance));
     if (!setup.feasible)
         setup.machinable = Answer::No;
     setup.objective = std::nullopt;
@@ -166,10 +164,7 @@ PartSetup three_axis_setup(const SphereGrid& grid, const PartVisibility& visibil
     setup.poses_tried = map.cells();
     if (!reaches_all)
         return setup;
-    const Vec3 axis = grid.centres[widest.cell];
-    const Vec3 across = axis.unitOrthogonal();
-    setup.feasible =
-        FittedPose{{axis, across, axis.cross(across)}, {0, 0}, {0, 0}, 0, widest.cell};
+    setup.feasible = pose_without_rotary_axes(grid, widest.cell);
     setup.least = setup.feasible;
     setup.objective = objective_of(*setup.least, request);
     return setup;
@@ -198,9 +193,9 @@ PartSetup setup_for_reachable_facets(const SphereGrid& grid,
     return four_axis_setup(grid, visibility.map, request);
 }
 
-// Examines the linear axes at the feasible pose of `setup`.
+// Examines the linear axes at the feasible pose of `setup` and its clamping position.
 void add_travel(MachineSetup& setup, const PartWithCones& part,
-                const RotaryLimits& limits, const Clamping& clamping)
+                const RotaryLimits& limits, double tool_length)
 {
     const Machine& machine = setup.machine;
     const std::optional<ReachedPoints> reached = reached_points(
@@ -208,8 +203,36 @@ void add_travel(MachineSetup& setup, const PartWithCones& part,
         pose_frame(machine.configuration, setup.best.feasible->pose), limits);
     if (reached)
         setup.travel = setup_travel(machine, *setup.part_to_machine, *reached,
-                                    clamping.origin, clamping.tool_length);
+                                    setup.clamp, tool_length);
     setup.within_travel = answer_of(setup.travel && setup.travel->is_within);
+}
+
+// Replaces the feasible pose of `setup` by the best one within the linear limits.
+void search_within_travel(MachineSetup& setup, const PartWithCones& part,
+                          const SetupRequest& request, const Clamping& clamping)
+{
+    const ClampingSearch search{part.mesh,
+                                part.visibility,
+                                part.grid.centres,
+                                setup.machine,
+                                reach_limits(request.reach),
+                                clamping.tool_length};
+    std::vector<FittedPose> poses{*setup.best.feasible};
+    TravelSearch found = travel_search(search, poses, clamping.origin);
+    if (!found.fits()) {
+        for (const FittedPose& pose :
+             sampled_poses(part.grid, part.visibility, sampling_of(request)))
+            if (!is_same_pose(pose.pose, poses.front().pose))
+                poses.push_back(pose);
+        found = travel_search(search, poses, clamping.origin);
+    }
+    setup.travel_search = found;
+    if (!found.fits())
+        return;
+    setup.best.feasible = found.pose;
+    setup.best.objective = objective_of(*found.pose, request);
+    setup.best.status = status_of(*found.pose);
+    setup.clamp = found.clamping->clamp;
 }
 
 }  // namespace
@@ -287,11 +310,20 @@ MachineSetup machine_setup(const PartWithCones& part, const Machine& machine,
     request.reach.limits = machine.rotary;
     MachineSetup setup{.machine = machine,
                        .best = find_setup(part.grid, part.visibility, request)};
+    if (clamping)
+        setup.clamp = clamping->origin.value_or(Vec3::Zero());
+    const bool has_travel = setup.best.feasible && clamping;
+    const bool is_bounded = has_travel && setup.has_linear_limits() &&
+                            clamping->travel == TravelRule::WithinLimits;
+    if (is_bounded)
+        search_within_travel(setup, part, request, *clamping);
     if (setup.best.shown())
         setup.part_to_machine =
             part_to_machine(setup.best.shown()->pose, machine.configuration);
-    if (setup.best.feasible && clamping)
-        add_travel(setup, part, reach_limits(request.reach), *clamping);
+    if (has_travel)
+        add_travel(setup, part, reach_limits(request.reach), clamping->tool_length);
+    if (setup.travel_search)
+        setup.within_travel = answer_of(setup.travel_search->fits());
     return setup;
 }
 
@@ -302,7 +334,10 @@ std::optional<double> floored_area_deg2(const MachineSetup& setup, double floor_
 
 SetupRank setup_rank(const MachineSetup& setup, double floor_deg)
 {
-    return setup_rank(setup.best, setup.machine.configuration, floor_deg);
+    SetupRank rank = setup_rank(setup.best, setup.machine.configuration, floor_deg);
+    if (setup.travel_search && !setup.travel_search->fits())
+        rank.machinable = Answer::No;
+    return rank;
 }
 
 }  // namespace endmill

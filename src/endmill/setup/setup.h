@@ -11,6 +11,7 @@
 #include "endmill/core/answer.h"
 #include "endmill/machine/kinematics.h"
 #include "endmill/mesh/triangle_mesh.h"
+#include "endmill/setup/clamping.h"
 #include "endmill/setup/setup_pose.h"
 #include "endmill/setup/setup_travel.h"
 #include "endmill/setup/whole_cone_search.h"
@@ -146,10 +147,19 @@ struct PartWithCones {
     const PartVisibility& visibility;  ///< cones of the facets of `mesh` over these cells
 };
 
+/// How the travel of the linear axes takes part in the search for a setup.
+enum class TravelRule {
+    Checked,       ///< after the search, for the pose and the clamping position found
+    WithinLimits,  ///< only a pose that has a clamping position within the limits is found
+};
+
 /// How the part is clamped, and the tool that machines it.
 struct Clamping {
-    Vec3 origin{0, 0, 0};    ///< mm, where the part's origin is, along the machine's axes
-    double tool_length = 0;  ///< mm, from the spindle nose to the tip
+    /// mm, where the part's origin is, along the machine's axes. Nothing: the origin of
+    /// the machine, or with TravelRule::WithinLimits the best position.
+    std::optional<Vec3> origin = {};
+    double tool_length = 0;                   ///< mm, from the spindle nose to the tip
+    TravelRule travel = TravelRule::Checked;  ///< whether travel bounds the search
 };
 
 /// The best setup of a part on one machine, and whether the linear axes reach it.
@@ -163,6 +173,11 @@ struct MachineSetup {
     /// Travel of the linear axes, whether they have limits or not. Nothing if it was not
     /// computed, and nothing if a facet is out of reach (`within_travel` is then No).
     std::optional<SetupTravel> travel = {};
+
+    Vec3 clamp{0, 0, 0};  ///< mm, clamping position of `travel`
+
+    /// Set with TravelRule::WithinLimits, if there is a pose within the rotary limits.
+    std::optional<TravelSearch> travel_search = {};
 
     /// Yes: the linear axes reach all facets. No: they do not, or at this pose a facet has
     /// no cell within the rotary limits. Undecided: there is no pose within the rotary
@@ -178,6 +193,12 @@ struct MachineSetup {
 };
 
 /// Finds the best setup of a part on a machine and the travel of its linear axes.
+///
+/// With TravelRule::WithinLimits on a machine with linear limits, `best.feasible` is the
+/// first pose that fits the linear limits, in the order of the objective. First comes the
+/// pose that `find_setup` finds, then those of `sampled_poses`. For each pose the best
+/// clamping position is computed, unless one is given. If none fits, `best` stays as
+/// `find_setup` found it, and `travel_search` shows the pose that comes closest.
 /// \param part facets and their cones.
 /// \param machine the machine. If it is not valid, the result has no pose.
 /// \param request mode and objective. Of `request.reach` only the arc tolerance is used;
@@ -193,7 +214,8 @@ MachineSetup machine_setup(const PartWithCones& part, const Machine& machine,
 /// \return nothing if the setup shows no pose.
 std::optional<double> floored_area_deg2(const MachineSetup& setup, double floor_deg);
 
-/// Ranks a setup as `setup_rank` does for the rotary axes alone.
+/// Ranks a setup as `setup_rank` does for the rotary axes alone. A setup that was searched
+/// for with TravelRule::WithinLimits and not found counts as not machinable.
 /// \param setup on any machine. \param floor_deg floor of the area, degrees.
 SetupRank setup_rank(const MachineSetup& setup, double floor_deg);
 

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "endmill/core/error.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/machine/axis_limits.h"
 
 namespace endmill {
@@ -25,7 +26,10 @@ std::optional<ReachableCell> reachable(const RotaryFrame& frame,
                                        const RotaryLimits& limits, const Vec3& direction,
                                        std::size_t cell)
 {
-    const RotaryAngles one = rotary_angles(frame, direction);
+    RotaryAngles one = rotary_angles(frame, direction);
+    // At a singular direction one rotation has no effect, and rounding would decide it.
+    if (distance_from_singular(frame, direction) <= turn_tolerance)
+        (frame.family == RotaryFamily::CA ? one.theta : one.phi) = 0;
     std::optional<ReachableCell> best;
     for (const RotaryAngles& angles : {one, other_rotary_angles(frame.family, one)}) {
         const std::optional<double> phi = turn_within(limits.phi, angles.phi);
@@ -51,20 +55,6 @@ std::vector<ReachableCell> by_turns(std::span<const Vec3> centres,
         return std::tuple{cell.turned, cell.reach.cell};
     });
     return cells;
-}
-
-// Positions of the machine's rotary axes for turns of the tool against the part.
-RotaryPositions positions_for(const MachineConfiguration& configuration,
-                              const RotaryAngles& angles)
-{
-    RotaryLimits turns;
-    turns.phi.to = angles.phi;
-    turns.theta.to = angles.theta;
-    RotaryPositions positions{0, 0};
-    for (std::size_t k = 0; k < configuration.rotary.size(); ++k)
-        positions[k] =
-            mirrored(configuration.rotary[k].side, turns_of(turns, configuration, k).to);
-    return positions;
 }
 
 // The middle of the travel; 0 for an axis without limits.
@@ -141,6 +131,19 @@ std::optional<ReachedPoints> reached_points(const TriangleMesh& part,
     return reached;
 }
 
+RotaryPositions rotary_positions(const MachineConfiguration& configuration,
+                                 const RotaryAngles& angles)
+{
+    RotaryLimits turns;
+    turns.phi.to = angles.phi;
+    turns.theta.to = angles.theta;
+    RotaryPositions positions{0, 0};
+    for (std::size_t k = 0; k < configuration.rotary.size(); ++k)
+        positions[k] =
+            mirrored(configuration.rotary[k].side, turns_of(turns, configuration, k).to);
+    return positions;
+}
+
 SetupTravel setup_travel(const Machine& machine, const Eigen::Matrix3d& part_to_machine,
                          const ReachedPoints& reached, const Vec3& clamp,
                          double tool_length)
@@ -155,7 +158,7 @@ SetupTravel setup_travel(const Machine& machine, const Eigen::Matrix3d& part_to_
     Vec3 shift = Vec3::Zero();
     for (std::size_t i = 0; i < reached.points.size(); ++i) {
         const RotaryPositions rotary =
-            positions_for(machine.configuration, reached.angles[i]);
+            rotary_positions(machine.configuration, reached.angles[i]);
         const Vec3 point = part_to_machine * reached.points[i] + clamp;
         const Vec3 xyz = axis_positions(machine, rotary, point, tool_length).xyz;
         travel.low = travel.low.cwiseMin(xyz);

@@ -66,6 +66,11 @@ std::optional<ReachedPoints> reached_points(const TriangleMesh& part,
                                             const RotaryFrame& frame,
                                             const RotaryLimits& limits);
 
+/// Positions of the machine's rotary axes for rotations of the tool against the part.
+/// \param configuration valid.
+RotaryPositions rotary_positions(const MachineConfiguration& configuration,
+                                 const RotaryAngles& angles);
+
 /// Travel of the linear axes for a setup.
 struct SetupTravel {
     Vec3 low;            ///< mm, least X, Y and Z over all points

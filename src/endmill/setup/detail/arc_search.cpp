@@ -139,6 +139,26 @@ std::optional<DirectionArc> arc_about(const VisibilityMap& map,
                         window->width > 2 * equal_angles ? window->width : 0};
 }
 
+// The shortest arc about each axis, where there is one.
+std::vector<std::optional<DirectionArc>> arcs_about(const VisibilityMap& map,
+                                                    std::span<const Vec3> centres,
+                                                    std::span<const Vec3> axes,
+                                                    Angle tolerance)
+{
+    const VisibilityMap cones = minimal_cones(map);
+    std::vector<std::optional<DirectionArc>> arcs(axes.size());
+    parallel_for(axes.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            arcs[i] = arc_about(cones, centres, axes[i], tolerance.radians());
+    });
+    return arcs;
+}
+
+bool fits(const DirectionArc& arc, const RotaryRange& limits)
+{
+    return arc.length <= limits.to - limits.from + equal_angles;
+}
+
 FittedPose fitted_pose(const DirectionArc& arc, const RotaryRange& limits)
 {
     const double room = limits.to - limits.from;
@@ -169,16 +189,11 @@ PoseSearchResult arc_search(const VisibilityMap& map, std::span<const Vec3> cent
 {
     check_arc(map, centres, tolerance);
     check_pose_fit_options({.limits = {limits, {}}});
-    const VisibilityMap cones = minimal_cones(map);
-    std::vector<std::optional<DirectionArc>> arcs(axes.size());
-    parallel_for(axes.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            arcs[i] = arc_about(cones, centres, axes[i], tolerance.radians());
-    });
     PoseSearchResult result;
     result.poses_tried = axes.size();
     BestCandidate<DirectionArc> best;
-    for (const std::optional<DirectionArc>& arc : arcs) {
+    for (const std::optional<DirectionArc>& arc :
+         arcs_about(map, centres, axes, tolerance)) {
         if (arc)
             best.offer(*arc, {0, arc->length});
         else
@@ -187,10 +202,24 @@ PoseSearchResult arc_search(const VisibilityMap& map, std::span<const Vec3> cent
     if (const std::optional<DirectionArc> shortest = best.best()) {
         result.least = fitted_pose(*shortest, limits);
         result.status = status_of(*result.least);
-        if (shortest->length <= limits.to - limits.from + equal_angles)
+        if (fits(*shortest, limits))
             result.feasible = result.least;
     }
     return result;
+}
+
+std::vector<FittedPose> arcs_within_limits(const VisibilityMap& map,
+                                           std::span<const Vec3> centres,
+                                           std::span<const Vec3> axes,
+                                           const RotaryRange& limits, Angle tolerance)
+{
+    check_arc(map, centres, tolerance);
+    check_pose_fit_options({.limits = {limits, {}}});
+    std::vector<FittedPose> poses;
+    for (const auto& arc : arcs_about(map, centres, axes, tolerance))
+        if (arc && fits(*arc, limits))
+            poses.push_back(fitted_pose(*arc, limits));
+    return poses;
 }
 
 DirectionReach widest_direction(const VisibilityMap& map)

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "endmill/core/angle.h"
 #include "endmill/core/vec.h"
@@ -55,6 +56,16 @@ std::optional<DirectionArc> shortest_arc(const VisibilityMap& map,
 PoseSearchResult arc_search(const VisibilityMap& map, std::span<const Vec3> centres,
                             std::span<const Vec3> axes, const RotaryRange& limits,
                             Angle tolerance);
+
+/// The pose of the shortest arc about each of some axes, as `arc_search` fits it.
+/// \param map, centres, axes, limits, tolerance as for `arc_search`.
+/// \return in the order of the axes; an axis without an arc, or with one that is longer
+///         than `limits`, is left out.
+/// \throws DomainError as `arc_search`.
+std::vector<FittedPose> arcs_within_limits(const VisibilityMap& map,
+                                           std::span<const Vec3> centres,
+                                           std::span<const Vec3> axes,
+                                           const RotaryRange& limits, Angle tolerance);
 
 /// A tool direction and the facets that it reaches.
 struct DirectionReach {
