@@ -248,7 +248,8 @@ class Setup(ProgramTest):
 
     @long_work
     def test_teapot_is_set_up_within_the_travel(self):
-        free = self.found(TEAPOT, "--machine", MACHINES / "ca-head-head.json")
+        free = self.found(TEAPOT, "--machine", MACHINES / "ca-head-head.json", status=1)
+        self.assertFalse(free["travel_ok"])
         saved = self.folder / "saved.bsm"
         saved.write_bytes((self.folder / "out/visibility.bsm").read_bytes())
         found = self.found(TEAPOT, "--machine", MACHINES / "ca-head-head.json", "--from-visibility", saved,
