@@ -47,6 +47,16 @@ TEST(PathSummary, MayBeMissingOrEmpty)
     EXPECT_FALSE(summary->tolerance_mm());
 }
 
+TEST(PathSummary, MayHaveAToleranceOfZeroOnOneSide)
+{
+    const TemporaryFolder folder;
+    folder.put("summary.json", R"({"inner_tolerance_mm": 0, "outer_tolerance_mm": 0.1})");
+    const auto summary = read_path_summary(folder.path() / "toolpath.csv");
+    ASSERT_TRUE(summary);
+    EXPECT_EQ(summary->inner_tolerance_mm, 0);
+    EXPECT_EQ(summary->tolerance_mm(), 0);
+}
+
 TEST(PathSummary, IsReadStrictly)
 {
     EXPECT_THAT(complaint_about("{"), HasSubstr("E_JSON"));
@@ -57,6 +67,8 @@ TEST(PathSummary, IsReadStrictly)
     EXPECT_THAT(complaint_about(R"({"name": 1})"), HasSubstr(":/name: 1"));
     EXPECT_THAT(complaint_about(R"({"chord_tolerance_mm": 0})"),
                 HasSubstr(":/chord_tolerance_mm: 0; expected a number above 0"));
+    EXPECT_THAT(complaint_about(R"({"inner_tolerance_mm": -0.1})"),
+                HasSubstr(":/inner_tolerance_mm: -0.1; expected a number from 0"));
     EXPECT_THAT(complaint_about(R"({"feed_mm_per_min": "fast"})"),
                 HasSubstr(":/feed_mm_per_min: \"fast\"; expected a number"));
 }

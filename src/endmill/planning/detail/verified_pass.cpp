@@ -277,6 +277,22 @@ private:
     std::size_t points_ = 1;
 };
 
+// Whether the moves from one contact to the next but one keep the tolerances.
+bool keep_tolerances(const std::array<SurfaceContact, 3>& contacts, double v,
+                     const VerifiedSurface& surface)
+{
+    FinerPieces finer;
+    for (const std::size_t k : {0, 1}) {
+        const SweptSegment half{contacts[k].u, contacts[k + 1].u,
+                                ball_centre(contacts[k], surface.cutter()),
+                                ball_centre(contacts[k + 1], surface.cutter())};
+        if (!surface.clear.is_clear({half.start, half.end}, finer) ||
+            !surface.line_cover.covers_line(half, v))
+            return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 std::vector<double> contact_offsets(const MotionTolerances& tolerances)
@@ -308,26 +324,6 @@ SweptPass swept(const VerifiedPass& pass, const BallCutter& cutter)
     }
     return moves;
 }
-
-namespace {
-
-// Whether the moves from one contact to the next but one keep the tolerances.
-bool keep_tolerances(const std::array<SurfaceContact, 3>& contacts, double v,
-                     const VerifiedSurface& surface)
-{
-    FinerPieces finer;
-    for (const std::size_t k : {0, 1}) {
-        const SweptSegment half{contacts[k].u, contacts[k + 1].u,
-                                ball_centre(contacts[k], surface.cutter()),
-                                ball_centre(contacts[k + 1], surface.cutter())};
-        if (!surface.clear.is_clear({half.start, half.end}, finer) ||
-            !surface.line_cover.covers_line(half, v))
-            return false;
-    }
-    return true;
-}
-
-}  // namespace
 
 bool halve_step(VerifiedPass& pass, std::size_t step, const VerifiedSurface& surface)
 {
