@@ -10,6 +10,7 @@
 
 #include "endmill/core/text.h"
 #include "endmill/cutter/detail/ball_path_stock.h"
+#include "interference/figure-2/offset_pictures.h"
 #include "support/experiment.h"
 #include "support/named_cells.h"
 
@@ -49,8 +50,13 @@ int main(int argc, char** argv)
         CsvTable result{{"row", "cutter", "slope_deg", "stock_mm", "stock_plane_mm",
                          "stock_valley_mm", "gouge_mm", "gouge_plane_mm",
                          "gouge_valley_mm", "leaves_stock"}};
-        for (const double corner : run.numbers("corner_radii_mm"))
-            add_cutter(run, result, {run.number("radius_mm"), corner});
+        const double radius = run.number("radius_mm");
+        std::vector<Cutter> cutters{Cutter::ball(radius)};
+        for (const double corner : run.numbers("corner_radii_mm")) {
+            add_cutter(run, result, {radius, corner});
+            cutters.emplace_back(radius, corner);
+        }
+        run.write("figure-2.svg", offset_pictures(cutters));
         run.write_result(result);
     });
 }

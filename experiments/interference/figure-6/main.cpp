@@ -11,6 +11,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/cutter/plane_offset.h"
 #include "endmill/figures/section_svg.h"
 #include "endmill/trimming/cut_out.h"
 #include "endmill/trimming/detail/envelope_trimming.h"
@@ -24,8 +25,14 @@ using namespace endmill;
 
 namespace {
 
+// The profile of the hard cases with this name; or `ridge`, a smooth convex ridge with the
+// radius of curvature 1 mm at its top.
 OffsetProfile profile_named(const std::string& name)
 {
+    if (name == "ridge")
+        return {
+            name, [](double x) { return -x * x / 2; }, [](double x) { return -x; }, -3, 3,
+            1};
     const auto profiles = hard_profiles();
     const auto found = std::ranges::find(profiles, name, &OffsetProfile::name);
     require(found != profiles.end(), "there is no such profile");
@@ -42,28 +49,47 @@ std::vector<SectionPoint> outline(const OffsetProfile& profile, int points)
     return line;
 }
 
-void draw(Experiment& run, CsvTable& result, const std::string& cause,
-          const std::string& name)
+// The offset of `profile` for a flat end mill with the radius of its ball.
+SectionCurve flat_offset(const OffsetProfile& profile, int points)
 {
-    const OffsetProfile profile = profile_named(name);
+    std::vector<ProfilePoint> samples;
+    for (const SectionPoint& point : outline(profile, points))
+        samples.push_back({point, profile_normal(profile.slope(point.x()))});
+    SectionCurve curve;
+    for (const SectionPoint& point : plane_offset(Cutter::flat(profile.radius), samples))
+        if (curve.points.empty() || point != curve.points.back())
+            curve.points.push_back(point);
+    return curve;
+}
+
+// A row of the result: a cause, its profile, and the cutter.
+struct Cause {
+    std::string name;
+    OffsetProfile profile;
+    bool is_flat;  // a flat end mill instead of a ball
+};
+
+void draw(Experiment& run, CsvTable& result, const Cause& cause, const std::string& file)
+{
+    const OffsetProfile& profile = cause.profile;
     const int points = static_cast<int>(run.number("points"));
-    const SectionCurve curve = offset_curve(profile, points);
+    const Cutter cutter =
+        cause.is_flat ? Cutter::flat(profile.radius) : Cutter::ball(profile.radius);
+    const SectionCurve curve =
+        cause.is_flat ? flat_offset(profile, points) : offset_curve(profile, points);
     const std::span curves{&curve, 1};
     const Trimmed left = envelope_trimming(curves);
     const auto cuts = cut_out(curves, left);
     const TrimmingQuality before = trimming_quality(curves, untrimmed(curves));
-    result.add_row({cause, name, profile.radius, static_cast<std::int64_t>(cuts.size()),
-                    before.gouge_mm, trimming_quality(curves, left).gouge_mm,
-                    word(!cuts.empty())});
+    result.add_row({cause.name, profile.name, cutter_word(cutter), profile.radius,
+                    static_cast<std::int64_t>(cuts.size()), before.gouge_mm,
+                    trimming_quality(curves, left).gouge_mm, word(!cuts.empty())});
     FigureOptions figure;
-    figure.title = cause;
-    figure.captions = {"profile " + name + ", ball of radius " + to_text(profile.radius) +
-                       " mm"};
-    run.write(name + ".svg", section_svg({curves,
-                                          left.curves,
-                                          Cutter::ball(profile.radius),
-                                          {outline(profile, points)}},
-                                         figure));
+    figure.title = cause.name;
+    figure.captions = {"profile " + profile.name + ", " + cutter_word(cutter) +
+                       " (diameter in mm)"};
+    run.write(file, section_svg({curves, left.curves, cutter, {outline(profile, points)}},
+                                figure));
 }
 
 }  // namespace
@@ -71,13 +97,20 @@ void draw(Experiment& run, CsvTable& result, const std::string& cause,
 int main(int argc, char** argv)
 {
     return run_experiment(argc, argv, "interference/figure-6", [](Experiment& run) {
-        CsvTable result{{"row", "profile", "radius_mm", "stretches_cut",
+        CsvTable result{{"row", "profile", "cutter", "radius_mm", "stretches_cut",
                          "below_envelope_before_mm", "below_envelope_after_mm",
                          "interference"}};
         const auto causes = run.texts("causes");
         const auto profiles = run.texts("profiles");
-        for (std::size_t k = 0; k < causes.size(); ++k)
-            draw(run, result, causes[k], profiles.at(k));
+        const auto radii = run.numbers("radii_mm");
+        const auto cutters = run.texts("cutters");
+        const auto files = run.texts("files");
+        for (std::size_t k = 0; k < causes.size(); ++k) {
+            OffsetProfile profile = profile_named(profiles.at(k));
+            profile.radius = radii.at(k);
+            draw(run, result, {causes[k], profile, cutters.at(k) == "flat"},
+                 files.at(k) + ".svg");
+        }
         run.write_result(result);
     });
 }
