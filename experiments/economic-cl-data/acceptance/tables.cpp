@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "economic-cl-data/acceptance/tables.h"
 
+#include "support/named_cells.h"
+
 namespace endmill {
 namespace {
 
@@ -43,7 +45,8 @@ std::vector<std::string> acceptance_columns()
             "item_4",
             "item_5",
             "item_6",
-            "item_8"};
+            "item_8",
+            "admits_d20"};
 }
 
 std::vector<CsvCell> acceptance_row(const std::string& name, const Acceptance& found,
@@ -74,6 +77,7 @@ std::vector<CsvCell> acceptance_row(const std::string& name, const Acceptance& f
           found.segments_depend_on_tolerance_only(), found.cells_are_near(printed),
           found.cusps_are_as_asked()})
         cells.emplace_back(std::string{holds ? "holds" : "outside"});
+    cells.push_back(word(found.limit.radius_mm > table_diameters_mm.back() / 2));
     return cells;
 }
 

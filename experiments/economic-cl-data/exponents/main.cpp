@@ -8,11 +8,25 @@
 
 #include "endmill/planning/detail/economy_scaling.h"
 #include "support/experiment.h"
+#include "support/named_cells.h"
 #include "support/printed_tables.h"
 
 using namespace endmill;
 
 namespace {
+
+// Whether points and travel rise in all rows as the tolerance falls.
+bool rises_with_accuracy(const EconomyTables& tables)
+{
+    for (const TableQuantity quantity : table_quantities)
+        for (const Parameter direction : table_directions)
+            for (int j = 0; j < 3; ++j)
+                for (int i = 0; i < 2; ++i)
+                    if (tables.cell(quantity, direction, i + 1, j) <=
+                        tables.cell(quantity, direction, i, j))
+                        return false;
+    return true;
+}
 
 void add_laws(CsvTable& result, const std::string& name, const EconomyTables& tables)
 {
@@ -22,13 +36,14 @@ void add_laws(CsvTable& result, const std::string& name, const EconomyTables& ta
         const ScalingLaw travel = scaling_law(tables, TableQuantity::Tcd, direction);
         const ValueRange equal = travel_times_plane_interval(tables, direction, 1);
         const ValueRange half = travel_times_plane_interval(tables, direction, 0.5);
-        result.add_row({name + (direction == Parameter::U ? " u" : " v"),
-                        travel.tolerance_exponent, points.tolerance_exponent,
-                        travel.diameter_exponent, points.diameter_exponent,
-                        100 * travel.worst_residual, 100 * points.worst_residual,
-                        100 * by_diameter.least, 100 * by_diameter.greatest,
-                        100 * segment_spread(tables), equal.least, equal.greatest,
-                        half.least, half.greatest});
+        result.add_row(
+            {name + (direction == Parameter::U ? " u" : " v"), travel.tolerance_exponent,
+             points.tolerance_exponent, travel.diameter_exponent,
+             points.diameter_exponent, 100 * travel.worst_residual,
+             100 * points.worst_residual, 100 * by_diameter.least,
+             100 * by_diameter.greatest, 100 * segment_spread(tables), equal.least,
+             equal.greatest, half.least, half.greatest,
+             word(rises_with_accuracy(tables) && falls_with_diameter(tables))});
     }
 }
 
@@ -43,7 +58,7 @@ int main(int argc, char** argv)
                          "reduction_d10_d20_greatest_percent", "segment_spread_percent",
                          "travel_interval_least_mm2", "travel_interval_greatest_mm2",
                          "travel_interval_half_scallop_least_mm2",
-                         "travel_interval_half_scallop_greatest_mm2"}};
+                         "travel_interval_half_scallop_greatest_mm2", "varies"}};
         for (const auto& [name, tables] : print_and_nets(run.texts("surfaces")))
             add_laws(result, name, tables);
         run.write_result(result);

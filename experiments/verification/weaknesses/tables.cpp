@@ -87,6 +87,10 @@ void add_continuum(NamedNumbers& numbers, const Surface& surface, const PlanToJu
     numbers.emplace_back("continuum: planes, direction of the least, deg",
                          planes.least_at_deg);
     numbers.emplace_back("continuum: planes, most, mm", planes.greatest);
+    numbers.emplace_back("continuum: own interval everywhere saves, %",
+                         100 * (1 - travel.local / travel.iso));
+    numbers.emplace_back("continuum: best planes save, %",
+                         100 * (1 - planes.least / travel.iso));
 }
 
 }  // namespace
@@ -109,9 +113,11 @@ NamedNumbers weaknesses(const Surface& surface, const PlanToJudge& plan, double 
                 plan.tolerance);
     add_scallop(numbers, "straight", deviation_of(surface, judged.path, plan, pitch),
                 plan.tolerance);
-    numbers.emplace_back("points", double(judged.economy.ncl));
-    numbers.emplace_back("points, verified steps on these passes",
-                         double(verified_points(surface, judged.path, settings)));
+    const auto points = double(judged.economy.ncl);
+    const auto fewest = double(verified_points(surface, judged.path, settings));
+    numbers.emplace_back("points", points);
+    numbers.emplace_back("points, verified steps on these passes", fewest);
+    numbers.emplace_back("points, verified steps save, %", 100 * (1 - fewest / points));
     numbers.emplace_back("points, chords that hold on these passes",
                          double(greedy_points(surface, judged.path, settings, {})));
     numbers.emplace_back("points, chords and motions that hold on these passes",
