@@ -40,7 +40,10 @@ int main(int argc, char** argv)
     return run_experiment(argc, argv, "interference/increment", [](Experiment& run) {
         CsvTable result{{"row", "folds", "hits", "missed", "lines_a_fold", "error_mm",
                          "hits_at_4", "missed_at_4", "false_hits_at_4",
-                         "lines_a_fold_at_4", "error_at_4_mm", "search_over_method_2"}};
+                         "crossings_in_condition", "missed_in_condition",
+                         "lines_a_fold_at_4", "error_at_4_mm", "search_over_method_2",
+                         "fewest_missed", "most_missed", "most_missed_at_4",
+                         "lines_ratio", "time_ratio"}};
         const auto steps = run.numbers("steps_mm");
         for (const double feed : run.numbers("feeds_deg")) {
             const SectionPlan plan{run.text("surface"),
@@ -49,6 +52,9 @@ int main(int argc, char** argv)
             add_scans(result, "at " + to_text(feed) + " deg", offset_sections(plan),
                       steps);
         }
+        const int points = static_cast<int>(run.number("points"));
+        add_planar_folds(result, "hard cases", hard_profiles(), points);
+        add_planar_folds(result, "wavy", wavy_profiles(), points);
         add_stated(run, result, steps);
         run.write_result(result);
     });
