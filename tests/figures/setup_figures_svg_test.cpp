@@ -106,6 +106,27 @@ TEST(SetupSvg, DrawsTheAxesThroughTheMiddle)
     EXPECT_GT(runs[1].back().x(), high.x());
 }
 
+// The part's z is the machine's X: a quarter turn from the tool axis.
+TEST(SetupSvg, DrawsThePartsOwnAxesIfTheyHaveNames)
+{
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd{test::rad(90), Vec3::UnitY()}.toRotationMatrix();
+    const TriangleMesh box = test::box_mesh({0, 0, 0}, {3, 2, 1});
+    const std::vector<std::uint8_t> reached(12, 1);
+    SetupFigure figure{.azimuth = Angle::degrees(-90), .elevation = Angle::degrees(0)};
+    const std::string without = setup_svg(box, reached, upright(turn), figure);
+    EXPECT_TRUE(lines_of(without, "#b3261e").empty());
+    figure.part_axis_names = {"", "", "z of the part"};
+    const std::string svg = setup_svg(box, reached, upright(turn), figure);
+    EXPECT_NE(svg.find("z of the part"), std::string::npos);
+    EXPECT_NE(svg.find("90°"), std::string::npos);
+    const auto lines = lines_of(svg, "#b3261e");
+    ASSERT_GE(lines.size(), 2U);  // the visible part of z, the arc, the legend
+    for (const PixelPoint& point : lines.front())
+        EXPECT_NEAR(point.y(), lines.front().front().y(), 0.1);
+    EXPECT_GT(lines.front().back().x(), lines.front().front().x());
+}
+
 TEST(SetupSvg, StatesThatALargePartIsDrawnCoarser)
 {
     const TriangleMesh torus = test::torus_mesh(100, 40);

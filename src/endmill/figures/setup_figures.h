@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,14 +18,16 @@
 #include "endmill/visibility/visibility.h"
 
 /// \file
-/// Figures of a five-axis setup: the part in its pose (`setup_svg`), the sphere of
-/// directions (`sphere_svg`), and both in one VTK file (`setup_vtp`).
+/// Figures of a five-axis setup: the part in its pose (`setup_svg`), the cone of a facet
+/// (`cone_svg`), the sphere of directions (`sphere_svg`), and part and directions in one
+/// VTK file (`setup_vtp`).
 ///
 /// Sketches of milling machines: which axes they have, in which order, and what each
 /// carries.
 ///
 /// Implemented in `shown_setup.cpp` (what the figures share), `setup_svg.cpp`,
-/// `sphere_svg.cpp`, `setup_vtp.cpp` and `machine_figure.cpp` (the sketches).
+/// `cone_svg.cpp`, `sphere_svg.cpp`, `setup_vtp.cpp` and `machine_figure.cpp` (the
+/// sketches).
 
 namespace endmill {
 
@@ -103,6 +106,10 @@ struct SetupFigure {
     Angle azimuth = Angle::degrees(-60);   ///< direction to the viewer, from X towards Y
     Angle elevation = Angle::degrees(25);  ///< of the viewer above the XY plane
     std::size_t most_facets = 20'000;      ///< largest number of drawn facets; at least 1
+    /// Names of the part's own x, y and z, which `setup_svg` draws from the centre of the
+    /// part; an axis without a name is not drawn. If z has a name, an arc with the angle
+    /// between z and the tool axis is drawn too.
+    std::array<std::string, 3> part_axis_names{};
 };
 
 /// A part in its pose on a machine, as an SVG file. Facets that the tool reaches with all
@@ -119,6 +126,18 @@ struct SetupFigure {
 std::string setup_svg(const TriangleMesh& mesh,
                       std::span<const std::uint8_t> reached_at_zero,
                       const ShownSetup& setup, const SetupFigure& figure);
+
+/// The visibility cone of one facet, drawn on the part, as an SVG file: the part in grey
+/// with the facet in blue, the cells of the cone on a sphere about the centroid of the
+/// facet, and lines from the centroid to the rim of the cone. Cells and lines are drawn
+/// over the part. Axes are those of the part.
+/// Source: [KangSuh, figure 1 (a)].
+/// \param facet number of the facet. \param map of `mesh` and the cells of `grid`.
+/// \param figure title, captions and view; `part_axis_names` is not used.
+/// \throws DomainError unless the map has the facets of the mesh and the cells of the
+///         grid, and `facet` is one of them; and as `AxonometricFigure`.
+std::string cone_svg(const TriangleMesh& mesh, std::size_t facet, const SphereGrid& grid,
+                     const VisibilityMap& map, const SetupFigure& figure);
 
 /// Largest number of cells of a sphere that are filled. Grids with more cells are drawn
 /// as borders only.

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/core/text.h"
 #include "endmill/figures/detail/drawn_mesh.h"
 #include "endmill/figures/detail/setup_styles.h"
 
@@ -31,11 +32,16 @@ constexpr int axis_pieces = 80;       // of an axis, tested for visibility one b
 constexpr double swatch_px = 11;
 constexpr double seam_px = 0.7;  // outline that hides anti-aliased gaps between facets
 
-// From dark to light: from a facet seen edge-on to one that faces the viewer.
-using Shades = std::array<std::string_view, 5>;
+constexpr LineStyle part_axis_style{"#b3261e", 2, "7 3"};
+constexpr double lean_reach = 1.0;        // radius of the arc of the lean, in radii
+constexpr int lean_pieces = 30;           // chords of this arc
+constexpr double lean_label_reach = 1.1;  // of the angle, in radii
+// Distance of the names of the part's axes over the length of an axis; they are longer than
+// those of the machine's.
+constexpr double part_label_share = 1.15;
+
 constexpr Shades reached_shades{"#33607f", "#457b9f", "#5b96bd", "#7bb3d6", "#a3cfea"};
 constexpr Shades turned_shades{"#8a6a14", "#ac8722", "#cba338", "#e3be5b", "#f3d98c"};
-constexpr Shades back_shades{"#6e6e6e", "#868686", "#9c9c9c", "#b2b2b2", "#c6c6c6"};
 
 // A facet with its depth and colour.
 struct ShadedFacet {
@@ -44,24 +50,18 @@ struct ShadedFacet {
     std::string_view colour;
 };
 
-// The shade for a facet whose normal has this cosine with the direction to the viewer.
-std::string_view shade(const Shades& shades, double cosine)
-{
-    constexpr auto count = static_cast<double>(std::tuple_size_v<Shades>);
-    const auto step = static_cast<std::size_t>(std::abs(cosine) * count);
-    return shades.at(std::min(step, shades.size() - 1));
-}
-
 // Draws one setup.
 class SetupPicture {
 public:
     // The part is posed first, because the extent of the figure depends on it.
     SetupPicture(const TriangleMesh& mesh, const ShownSetup& setup,
                  const SetupFigure& figure)
-        : points_{posed_points(mesh, setup)},
+        : figure_{&figure},
+          points_{posed_points(mesh, setup)},
           sphere_{sphere_around(points_)},
           drawn_{drawn_mesh(points_, mesh.triangles(), figure.most_facets)},
           axes_{machine_directions(setup)},
+          part_axes_{part_axes(setup, figure)},
           picture_{options_for(figure, mesh.triangles().size()), extent()},
           toward_{picture_.view().toward}
     {
@@ -78,8 +78,13 @@ public:
             picture_.add_polygon(facet.corners, facet.colour,
                                  {facet.colour, seam_px, ""});
         for (const SetupAxis& axis : setup_axes(axes_))
-            add_axis(axis);
+            add_axis(axis, setup_style(axis.object), label_share);
+        for (const SetupAxis& axis : part_axes_)
+            add_axis(axis, part_axis_style, part_label_share);
+        add_lean();
         add_setup_legend(picture_, axes_);
+        if (!part_axes_.empty())
+            picture_.add_legend("the part's own axes", part_axis_style);
         picture_.add_legend("reached at zero", {reached_shades[3], swatch_px, ""});
         picture_.add_legend("reached by turning", {turned_shades[3], swatch_px, ""});
         return picture_.text();
@@ -102,10 +107,24 @@ private:
         return options;
     }
 
+    // The part's x, y and z that have a name, in coordinates of the machine.
+    static std::vector<SetupAxis> part_axes(const ShownSetup& setup,
+                                            const SetupFigure& figure)
+    {
+        std::vector<SetupAxis> axes;
+        for (int k = 0; k < 3; ++k)
+            if (const std::string& name = figure.part_axis_names.at(k); !name.empty())
+                axes.push_back(
+                    {SetupObject::Facet, setup.part_to_machine.col(k), true, name});
+        return axes;
+    }
+
     // The points of the part and the ends of the axes with their names.
     std::vector<Vec3> extent() const
     {
         std::vector<Vec3> points = points_;
+        for (const SetupAxis& axis : part_axes_)
+            points.push_back(on_axis(axis, part_label_share));
         for (const SetupAxis& axis : setup_axes(axes_)) {
             points.push_back(on_axis(axis, label_share));
             if (!axis.is_half_line)
@@ -129,13 +148,13 @@ private:
             (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
         const double cosine = normal.dot(toward_);
         const Shades& front = is_reached ? reached_shades : turned_shades;
-        const Shades& shades = cosine < 0 ? back_shades : front;
+        const Shades& shades = cosine < 0 ? grey_shades : front;
         const double depth = (corners[0] + corners[1] + corners[2]).dot(toward_) / 3;
         facets_.push_back({depth, corners, shade(shades, cosine)});
     }
 
     // Draws the visible runs of pieces of an axis, and its name.
-    void add_axis(const SetupAxis& axis)
+    void add_axis(const SetupAxis& axis, const LineStyle& style, double name_share)
     {
         const auto end_of = [&](int k) {
             return on_axis(axis, static_cast<double>(k) / axis_pieces);
@@ -151,10 +170,33 @@ private:
             run.push_back(end_of(k + 1));
             const bool is_last = k + 1 == axis_pieces;
             if (is_last || is_hidden((end_of(k + 1) + end_of(k + 2)) / 2))
-                picture_.add_curve(run, setup_style(axis.object));
+                picture_.add_curve(run, style);
         }
-        picture_.add_label(on_axis(axis, label_share), {0, 0}, axis.name,
-                           setup_style(axis.object).colour);
+        picture_.add_label(on_axis(axis, name_share), {0, 0}, axis.name, style.colour);
+    }
+
+    // Draws the arc between the part's z, the last of its axes, and the tool axis, and
+    // its angle in tenths of a degree.
+    void add_lean()
+    {
+        if (figure_->part_axis_names[2].empty())
+            return;
+        const Vec3& from = axes_.tool_axis;
+        const Vec3& to = part_axes_.back().axis;
+        const double angle = std::atan2(from.cross(to).norm(), from.dot(to));
+        const Vec3 across = (to - from.dot(to) * from).stableNormalized();
+        const auto at = [&](double share, double reach) {
+            const Vec3 direction =
+                std::cos(share * angle) * from + std::sin(share * angle) * across;
+            return Vec3{sphere_.centre + reach * sphere_.radius * direction};
+        };
+        std::vector<Vec3> arc;
+        for (int k = 0; k <= lean_pieces; ++k)
+            arc.push_back(at(static_cast<double>(k) / lean_pieces, lean_reach));
+        picture_.add_curve(arc, {part_axis_style.colour, part_axis_style.width_px, ""});
+        const double tenths = std::round(10 * Angle::radians(angle).degrees()) / 10;
+        picture_.add_label(at(0.5, lean_label_reach), {0, 0}, to_text(tenths) + "°",
+                           part_axis_style.colour);
     }
 
     // Whether a facet lies between the point and the viewer: the line to the viewer
@@ -178,10 +220,12 @@ private:
         });
     }
 
+    const SetupFigure* figure_;
     std::vector<Vec3> points_;
     PartSphere sphere_;
     DrawnMesh drawn_;
     RotaryFrame axes_;
+    std::vector<SetupAxis> part_axes_;
     AxonometricFigure picture_;
     Vec3 toward_;
     std::vector<ShadedFacet> facets_;

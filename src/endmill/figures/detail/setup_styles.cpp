@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/figures/detail/setup_styles.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace endmill {
 namespace {
 
@@ -8,6 +11,13 @@ constexpr std::string_view hidden_dashes = "3 4";
 constexpr double hidden_width_px = 1.6;
 
 }  // namespace
+
+std::string_view shade(const Shades& shades, double cosine)
+{
+    constexpr auto count = static_cast<double>(std::tuple_size_v<Shades>);
+    const auto step = static_cast<std::size_t>(std::abs(cosine) * count);
+    return shades.at(std::min(step, shades.size() - 1));
+}
 
 // In the family C,A the first rotary axis and the tool axis are one line at zero.
 std::vector<SetupAxis> setup_axes(const RotaryFrame& machine_directions)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,16 @@ struct SetupAxis {
     bool is_half_line;      ///< drawn on the positive side only: the tool axis
     std::string_view name;  ///< written at its end
 };
+
+/// Colours of a facet, from one seen edge-on to one that faces the viewer.
+using Shades = std::array<std::string_view, 5>;
+
+/// The shades of grey of facets that are seen from behind or do not matter.
+inline constexpr Shades grey_shades{"#6e6e6e", "#868686", "#9c9c9c", "#b2b2b2",
+                                    "#c6c6c6"};
+
+/// The shade for a facet whose normal has this cosine with the direction to the viewer.
+std::string_view shade(const Shades& shades, double cosine);
 
 /// The axes of a setup, each line once: in the family C,A the axis R1 is the tool axis.
 std::vector<SetupAxis> setup_axes(const RotaryFrame& machine_directions);
