@@ -11,6 +11,7 @@
 #include "endmill/core/angle.h"
 #include "endmill/setup/detail/pole_points.h"
 #include "endmill/setup/detail/spherical_hull.h"
+#include "support/named_cells.h"
 #include "support/setup_cells.h"
 
 namespace endmill {
@@ -36,16 +37,23 @@ double r1_azimuth(const PoleFrame& frame, const RectangleCandidate& rectangle)
 }
 
 template <class Candidate>
-void add_kind(CsvTable& table, const std::string& row,
-              std::span<const Candidate> candidates)
+NamedCells kind_cells(std::span<const Candidate> candidates)
 {
     std::vector<double> areas;
-    for (const Candidate& candidate : candidates)
+    std::vector<double> angles;
+    for (const Candidate& candidate : candidates) {
         areas.push_back(square_degrees(candidate.area()));
+        angles.push_back(solid_angle(candidate));
+    }
     if (areas.empty())
-        return;
-    table.add_row({row, static_cast<std::int64_t>(areas.size()), std::ranges::min(areas),
-                   std::ranges::max(areas)});
+        return {};
+    const auto [least, largest] = std::ranges::minmax_element(areas);
+    const double at_least = angles[static_cast<std::size_t>(least - areas.begin())];
+    return {{"count", static_cast<std::int64_t>(areas.size())},
+            {"least_area_deg2", *least},
+            {"largest_area_deg2", *largest},
+            {"largest_over_least", *largest / *least},
+            {"solid_angle_over_least", at_least / std::ranges::min(angles)}};
 }
 
 std::vector<RectangleCandidate> of_kind(const std::vector<RectangleCandidate>& rectangles,
@@ -95,25 +103,49 @@ CsvTable rectangle_table(const Vec3& tool_axis,
     return table;
 }
 
+double solid_angle(const SectorCandidate& sector)
+{
+    const double one = 1 - std::cos(sector.polar);
+    const double other = 1 - std::cos(sector.opposite_polar);
+    if (sector.width <= half_turn)
+        return sector.width * (one + other);
+    return sector.width * one + (2 * half_turn - sector.width) * other;
+}
+
+double solid_angle(const RectangleCandidate& rectangle)
+{
+    return (rectangle.alpha.to - rectangle.alpha.from) *
+           (std::sin(rectangle.beta.to) - std::sin(rectangle.beta.from));
+}
+
 CsvTable candidate_summary(const DirectionSet& ca,
                            std::span<const SectorCandidate> sectors,
                            std::size_t paper_count, const DirectionSet& ab,
                            const std::vector<RectangleCandidate>& rectangles)
 {
-    CsvTable table{{"row", "count", "least_area_deg2", "largest_area_deg2"}};
+    CsvTable table{{"row", "count", "least_area_deg2", "largest_area_deg2",
+                    "largest_over_least", "solid_angle_over_least", "share_of_pairs"}};
     const auto add_count = [&](const std::string& row, std::size_t count) {
-        table.add_row({row, static_cast<std::int64_t>(count), {}, {}});
+        add_named(table, row, {{"count", static_cast<std::int64_t>(count)}});
+    };
+    const auto add_kind = [&](const std::string& row, const NamedCells& cells) {
+        if (!cells.empty())
+            add_named(table, row, cells);
     };
     add_count("C,A directions", ca.directions.size());
-    add_kind(table, "C,A sectors of the paper", sectors.first(paper_count));
-    add_kind(table, "C,A sectors of 180 and wider", sectors.subspan(paper_count));
+    add_kind("C,A sectors of the paper", kind_cells(sectors.first(paper_count)));
+    add_kind("C,A sectors of 180 and wider", kind_cells(sectors.subspan(paper_count)));
     add_count("A,B directions", ab.directions.size());
     const auto meridians = of_kind(rectangles, true);
     const auto parallels = of_kind(rectangles, false);
-    add_kind(table, "A,B meridian through an edge",
-             std::span<const RectangleCandidate>{meridians});
-    add_kind(table, "A,B parallel through an edge",
-             std::span<const RectangleCandidate>{parallels});
+    const auto number = static_cast<double>(ab.directions.size());
+    const double share =
+        static_cast<double>(meridians.size()) / (number * (number - 1) / 2);
+    add_kind("A,B meridian through an edge",
+             joined(kind_cells(std::span<const RectangleCandidate>{meridians}),
+                    {{"share_of_pairs", share}}));
+    add_kind("A,B parallel through an edge",
+             kind_cells(std::span<const RectangleCandidate>{parallels}));
     for (const auto& [row, projection] :
          {std::pair{"A,B gnomonic hull", HullProjection::Gnomonic},
           std::pair{"A,B orthographic hull", HullProjection::Orthographic}})

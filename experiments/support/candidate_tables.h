@@ -29,9 +29,17 @@ CsvTable sector_table(std::span<const SectorCandidate> sectors);
 CsvTable rectangle_table(const Vec3& tool_axis,
                          std::vector<RectangleCandidate> rectangles);
 
-/// For each kind of candidate its number and the least and the largest area; for each
-/// hull the number of its vertices. Columns `row`, `count`, `least_area_deg2`,
-/// `largest_area_deg2`.
+/// The solid angle in sr of the directions that the ranges of a candidate reach, overlaps
+/// counted once. Source: [KangSuh, section 3].
+double solid_angle(const SectorCandidate& sector);
+double solid_angle(const RectangleCandidate& rectangle);  ///< see above
+
+/// For each kind of candidate: `count`; the least and the largest area, `least_area_deg2`
+/// and `largest_area_deg2`, and their ratio, `largest_over_least`; `solid_angle_over_least`,
+/// the solid angle of the candidate of least area over the least solid angle;
+/// `share_of_pairs`, for meridians through an edge their number over that of all pairs of
+/// directions. For each set of directions and each hull `count`, the number of its
+/// directions or vertices.
 /// \param paper_count number of sectors, from the first, that the paper's algorithm
 /// tries.
 CsvTable candidate_summary(const DirectionSet& ca,

@@ -10,7 +10,7 @@ namespace endmill {
 /// The mesh datasets/meshes/FILE, in the unit of the file. \throws FormatError as `read_mesh`.
 TriangleMesh dataset_mesh(const std::string& file);
 
-/// `mesh` transformed by an orthogonal matrix. A mirrored mesh gets reversed triangles,
+/// `mesh` transformed by an invertible matrix. A mirrored mesh gets reversed triangles,
 /// so that its normals point outwards.
 TriangleMesh moved(const TriangleMesh& mesh, const Eigen::Matrix3d& motion);
 

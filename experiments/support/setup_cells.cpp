@@ -61,6 +61,16 @@ SetupObjective objective_of_word(const std::string& word)
     return SetupObjective::Tilt;
 }
 
+std::string type_name(const MachineConfiguration& machine)
+{
+    const auto is_head = [&](std::size_t axis) {
+        return machine.rotary.at(axis).side == MachineSide::Head;
+    };
+    if (is_head(0) != is_head(1))
+        return "table and spindle";
+    return is_head(0) ? "spindle tilting" : "table tilting";
+}
+
 double square_degrees(double square_radians)
 {
     constexpr double degrees = 180 / std::numbers::pi;

@@ -18,6 +18,11 @@ SetupMode mode_of_word(const std::string& word);
 /// \throws DomainError for another word.
 SetupObjective objective_of_word(const std::string& word);
 
+/// The name that section 3.1 of the paper gives to machines whose two rotary axes lie on
+/// these sides of the bed: "spindle tilting", "table tilting" or "table and spindle".
+/// \pre the machine has two rotary axes.
+std::string type_name(const MachineConfiguration& machine);
+
 /// Converts rad^2 to square degrees.
 double square_degrees(double square_radians);
 

@@ -11,6 +11,8 @@
 #include "endmill/core/angle.h"
 #include "endmill/figures/direction_figures.h"
 #include "endmill/machine/configuration.h"
+#include "endmill/visibility/sphere_grid.h"
+#include "five-axis-setup/feasible-motion/motion_shape.h"
 #include "support/experiment.h"
 #include "support/named_cells.h"
 
@@ -49,18 +51,22 @@ int main(int argc, char** argv)
         const auto to_theta = run.numbers("theta_to_deg");
         const auto files = run.texts("files");
         const auto titles = run.texts("titles");
-        CsvTable result{{"row", "solid_angle_sr", "edges"}};
+        const auto cells = sphere_grid(run.text("grid")).centres;
+        std::vector<std::string> columns{"row"};
+        for (const std::string& column : motion_columns())
+            columns.push_back(column);
+        CsvTable result{columns};
         CsvTable edges{{"row", "edge", "x", "y", "z"}};
         for (std::size_t k = 0; k < rows.size(); ++k) {
+            const MachineConfiguration machine = configuration_from_word(words.at(k));
             const FeasibleDirections set =
-                feasible_directions(configuration_from_word(words.at(k)),
-                                    {range(from_phi.at(k), to_phi.at(k)),
-                                     range(from_theta.at(k), to_theta.at(k))});
-            const auto count = static_cast<std::int64_t>(set.border(border_step).size());
-            result.add_row({rows[k], set.solid_angle(), count});
+                feasible_directions(machine, {range(from_phi.at(k), to_phi.at(k)),
+                                              range(from_theta.at(k), to_theta.at(k))});
+            add_named(result, rows[k], motion_cells(machine, set, border_step, cells));
             add_edges(edges, rows[k], set);
-            run.write(files.at(k),
-                      direction_sphere_svg(set, titles.at(k), "edge of the set"));
+            if (!files.at(k).empty())
+                run.write(files[k],
+                          direction_sphere_svg(set, titles.at(k), "edge of the set"));
         }
         run.write_result(result);
         run.write("edges.csv", edges.text());

@@ -6,7 +6,10 @@
 //
 // Deterministic, under 10 s. Columns and verdicts: README.md beside this.
 
+#include <cmath>
 #include <cstdint>
+
+#include <Eigen/Geometry>
 
 #include "endmill/figures/setup_figures.h"
 #include "support/experiment.h"
@@ -34,6 +37,16 @@ std::int64_t entries(const VisibilityMap& map)
     return count;
 }
 
+// The azimuth from which the facet is seen from the side, turned 50 degrees towards its
+// front.
+Angle view_of(const TriangleMesh& mesh, std::size_t facet)
+{
+    const auto corners = mesh.corners(facet);
+    const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    return Angle::radians(std::atan2(normal.y(), normal.x()) -
+                          Angle::degrees(40).radians());
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -52,6 +65,10 @@ int main(int argc, char** argv)
             table.add_row({row, entries(cone), fractions.at(facet)});
             const std::string title = "Facet " + std::to_string(facet);
             run.write(row + ".svg", sphere_svg(part.grid, cone, {.title = title}));
+            run.write(row + "-cone.svg",
+                      cone_svg(part.mesh, facet, part.grid, map,
+                               {.title = title + " and its visibility cone on the part",
+                                .azimuth = view_of(part.mesh, facet)}));
         }
         table.add_row({"all facets", entries(map), {}});
         run.write("map.svg", sphere_svg(part.grid, map, {.title = "All facets"}));

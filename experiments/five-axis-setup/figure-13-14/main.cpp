@@ -6,23 +6,41 @@
 //
 // Deterministic, under 10 s. Columns and verdicts: README.md beside this.
 
+#include <algorithm>
+#include <cmath>
 #include <span>
+#include <string>
 
+#include "endmill/core/text.h"
 #include "endmill/setup/detail/rectangle_fit.h"
 #include "support/candidate_charts.h"
 #include "support/candidate_tables.h"
 #include "support/experiment.h"
+#include "support/setup_cells.h"
 #include "support/studied_part.h"
 
 using namespace endmill;
 
 namespace {
 
-// The directions of the family's best pose in the mode `corrected`.
+// The directions of the family's best pose in the mode `paper`.
 DirectionSet directions_of(const StudiedPart& part, RotaryFamily family)
 {
-    const FittedPose fit = *unlimited_setup(part, family, "corrected").least;
+    const FittedPose fit = *unlimited_setup(part, family, "paper").least;
     return {fit.pose.tool_axis, nearest_directions(part, fit)};
+}
+
+// What a chart shows, its pose and its objective, such as "Least double sector, C,A, mode
+// paper, tool axis 11.2° from z: F = 18988 deg²".
+template <class Candidate>
+std::string title_of(const std::string& what, const DirectionSet& set,
+                     const Candidate& candidate)
+{
+    const double tilt = std::acos(std::min(1.0, set.tool_axis.z()));
+    const double tenths = std::round(10 * Angle::radians(tilt).degrees()) / 10;
+    return what + ", tool axis " + to_text(tenths) +
+           "° from z: F = " + to_text(std::round(square_degrees(candidate.area()))) +
+           " deg²";
 }
 
 }  // namespace
@@ -46,14 +64,26 @@ int main(int argc, char** argv)
         run.write("sectors.csv", sector_table(all.first(paper_count)).text());
         run.write("wide-sectors.csv", sector_table(all.subspan(paper_count)).text());
         run.write("rectangles.csv", rectangle_table(ab.tool_axis, rectangles).text());
-        run.write("sectors.svg",
-                  sector_chart("Least double sector", ca, least_area(sectors)));
-        run.write("rectangle.svg",
-                  rectangle_chart("Least rectangle", ab, least_area(rectangles)));
-        run.write("gnomonic-hull.svg",
-                  hull_chart("Gnomonic hull", ab, ChartProjection::Gnomonic));
+        const std::span<const SectorCandidate> paper_sectors = all.first(paper_count);
+        const SectorCandidate& sector =
+            *std::ranges::min_element(paper_sectors, {}, &SectorCandidate::area);
+        const RectangleCandidate rectangle = least_area(
+            rectangle_candidates(ab.tool_axis, ab.directions, SetupMode::Paper));
+        run.write(
+            "sectors.svg",
+            sector_chart(title_of("Least double sector, C,A, mode paper", ca, sector), ca,
+                         sector));
+        run.write(
+            "rectangle.svg",
+            rectangle_chart(title_of("Least rectangle, A,B, mode paper", ab, rectangle),
+                            ab, rectangle));
+        run.write("gnomonic-hull.svg", hull_chart("Hull of the nearest cells, A,B, mode "
+                                                  "paper, gnomonic projection",
+                                                  ab, ChartProjection::Gnomonic));
         run.write("orthographic-hull.svg",
-                  hull_chart("Orthographic hull", ab, ChartProjection::Orthographic));
+                  hull_chart("Hull of the nearest cells, A,B, mode corrected, "
+                             "orthographic projection",
+                             ab, ChartProjection::Orthographic));
         run.write_result(candidate_summary(ca, sectors, paper_count, ab, rectangles));
     });
 }

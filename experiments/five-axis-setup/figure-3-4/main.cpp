@@ -12,6 +12,7 @@
 #include "endmill/figures/setup_figures.h"
 #include "endmill/machine/kinematics.h"
 #include "support/experiment.h"
+#include "support/setup_cells.h"
 
 using namespace endmill;
 
@@ -39,14 +40,17 @@ void add_machine(CsvTable& table, const std::string& row, const Machine& machine
     table.add_row({row + " both", {}, {}, tool.x(), tool.y(), tool.z()});
 }
 
+bool is_part(const MachineConfiguration& machine, std::size_t axis)
+{
+    return machine.rotary.at(axis).side == MachineSide::Table;
+}
+
 std::string what_turns(const MachineConfiguration& machine)
 {
-    const auto is_part = [&](std::size_t k) {
-        return machine.rotary.at(k).side == MachineSide::Table;
-    };
-    if (is_part(0) != is_part(1))
+    if (is_part(machine, 0) != is_part(machine, 1))
         return "the table and the spindle turn";
-    return is_part(0) ? "the table turns and tilts" : "the spindle turns and tilts";
+    return is_part(machine, 0) ? "the table turns and tilts"
+                               : "the spindle turns and tilts";
 }
 
 }  // namespace
@@ -68,7 +72,10 @@ int main(int argc, char** argv)
                                   "Figure 4 (" + names[k] + "): " + words[k],
                                   {what_turns(machine.configuration) + ": family " +
                                        (is_ca ? "C,A" : "A,B"),
-                                   "printed caption: " + printed.at(k)}));
+                                   "label in section 3.1: " + printed.at(k) +
+                                       (printed[k] == type_name(machine.configuration)
+                                            ? ""
+                                            : " (a misprint)")}));
         }
         run.write("axes.svg", machine_axes_svg("Figure 3: linear and rotary axes"));
         run.write_result(table);

@@ -18,8 +18,10 @@ std::vector<std::size_t> cells_on_circle(const SphereGrid& grid, const Vec3& axi
 /// facets that none of them reaches.
 NamedCells reach_cells(const StudiedPart& part, const std::vector<std::size_t>& cells);
 
-/// Reach of the best direction of a machine with three axes, as in `reach_cells`.
-NamedCells three_axes_cells(const StudiedPart& part);
+/// Reach of the best direction of a machine with three axes, as in `reach_cells`, and
+/// setups, the least number of directions that together reach every facet that any cell
+/// reaches; empty if it is above `most_setups`.
+NamedCells three_axes_cells(const StudiedPart& part, int most_setups);
 
 /// arc_deg: the shortest arc about `axis` on which every facet has a cell; empty if there
 /// is none.

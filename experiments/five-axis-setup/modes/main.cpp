@@ -23,7 +23,7 @@ CsvTable table()
     std::vector<std::string> columns{"row"};
     for (const std::string& column : mode_columns())
         columns.push_back(column);
-    for (const char* column : {"arc_deg", "cells", "facets_left"})
+    for (const char* column : {"arc_deg", "cells", "facets_left", "setups"})
         columns.emplace_back(column);
     return CsvTable{columns};
 }
@@ -39,7 +39,8 @@ void add_fewer_axes(CsvTable& result, const std::string& at, const StudiedPart& 
                     Experiment& run)
 {
     const std::string about_x = "4 axes about x" + at;
-    add_named(result, "3 axes" + at, three_axes_cells(part));
+    add_named(result, "3 axes" + at,
+              three_axes_cells(part, static_cast<int>(run.number("most_setups"))));
     add_named(result, "4 axes" + at,
               best_four_axes_cells(part, sphere_grid(run.text("axes")),
                                    Angle::degrees(run.number("arc_tolerance_deg"))));

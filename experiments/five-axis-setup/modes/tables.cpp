@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "endmill/core/angle.h"
 #include "endmill/setup/pose_search.h"
@@ -18,14 +19,64 @@ CsvCell count(std::size_t number)
     return static_cast<std::int64_t>(number);
 }
 
-CsvCell at_pose_of(const StudiedPart& part, const PoseMeasure& measure, SetupMode mode)
+constexpr double margin = 1e-8;  // rad, above the rounding of ranges
+
+PoseSearchResult search_over_cells(const StudiedPart& part, RotaryFamily family,
+                                   SetupMode mode, const RotaryLimits& limits = {})
 {
-    const PoseSearchResult found =
-        pose_search(part.visibility.map, part.grid.centres, {measure.family, mode});
+    return pose_search(part.visibility.map, part.grid.centres,
+                       {.family = family, .mode = mode, .limits = limits});
+}
+
+// The objective at the pose of least area, in degrees or square degrees.
+CsvCell at_least_area(const PoseMeasure& measure, const PoseSearchResult& found)
+{
     if (!found.least)
         return std::monostate{};
     return in_degrees(measure.objective,
                       measure(pose_ranges(measure.family, *found.least)));
+}
+
+// The ranges of which the paper requires at least those of the least area: both ends of
+// phi, and the width of C (C,A) or both ends of theta.
+std::vector<double> required_ranges(RotaryFamily family, const FittedPose& fit)
+{
+    const auto phi = magnitudes(fit.phi);
+    const auto theta = magnitudes(fit.theta);
+    if (family == RotaryFamily::CA)
+        return {phi[0], phi[1], fit.theta.to - fit.theta.from};
+    return {phi[0], phi[1], theta[0], theta[1]};
+}
+
+// The number of ranges of `fit` that are smaller than those of `least`.
+std::size_t ranges_below(RotaryFamily family, const FittedPose& fit,
+                         const FittedPose& least)
+{
+    const auto needed = required_ranges(family, fit);
+    const auto required = required_ranges(family, least);
+    std::size_t below = 0;
+    for (std::size_t k = 0; k < needed.size(); ++k)
+        below += needed[k] < required[k] - margin ? 1 : 0;
+    return below;
+}
+
+// The mode `paper` compared with the pose `best` over whole cones, whose objective is
+// `value`.
+NamedCells comparison_cells(const StudiedPart& part, const PoseMeasure& measure,
+                            const FittedPose& best, double value)
+{
+    const PoseSearchResult paper =
+        search_over_cells(part, measure.family, SetupMode::Paper);
+    const PoseSearchResult on_machine =
+        search_over_cells(part, measure.family, SetupMode::Paper, {best.phi, best.theta});
+    NamedCells cells{{"paper", at_least_area(measure, paper)},
+                     {"paper_on_that_machine", word(on_machine.feasible.has_value())}};
+    if (!paper.least)
+        return cells;
+    const double at_paper = measure(pose_ranges(measure.family, *paper.least));
+    return joined(cells, {{"paper_over_set", at_paper / value},
+                          {"ranges_below_mar",
+                           count(ranges_below(measure.family, best, *paper.least))}});
 }
 
 NamedCells pose_cells(RotaryFamily family, const FittedPose& fit)
@@ -46,10 +97,29 @@ NamedCells pose_cells(RotaryFamily family, const FittedPose& fit)
 
 std::vector<std::string> mode_columns()
 {
-    return {"paper",     "corrected", "set",        "lower_bound", "gap_percent",
-            "width_deg", "m0_deg",    "m1_deg",     "area_deg2",   "r1_x",
-            "r1_y",      "r1_z",      "tilt_deg",   "azimuth_deg", "axis_x",
-            "axis_y",    "axis_z",    "leans_to_x", "nodes",       "unresolved"};
+    return {"paper",
+            "corrected",
+            "set",
+            "lower_bound",
+            "gap_percent",
+            "width_deg",
+            "m0_deg",
+            "m1_deg",
+            "area_deg2",
+            "r1_x",
+            "r1_y",
+            "r1_z",
+            "tilt_deg",
+            "azimuth_deg",
+            "axis_x",
+            "axis_y",
+            "axis_z",
+            "leans_to_x",
+            "nodes",
+            "unresolved",
+            "paper_over_set",
+            "ranges_below_mar",
+            "paper_on_that_machine"};
 }
 
 NamedCells mode_cells(const StudiedPart& part, const WholeConeSearch& search)
@@ -64,8 +134,8 @@ NamedCells mode_cells(const StudiedPart& part, const WholeConeSearch& search)
     const double value = best.objective.value();
     const double bound = best.certificate.value().lower_bound;
     const NamedCells values{
-        {"paper", at_pose_of(part, measure, SetupMode::Paper)},
-        {"corrected", at_pose_of(part, measure, SetupMode::Corrected)},
+        {"corrected", at_least_area(measure, search_over_cells(part, measure.family,
+                                                               SetupMode::Corrected))},
         {"set", in_degrees(measure.objective, value)},
         {"lower_bound", in_degrees(measure.objective, bound)},
         {"gap_percent", 100 * (value / bound - 1)},
@@ -73,7 +143,8 @@ NamedCells mode_cells(const StudiedPart& part, const WholeConeSearch& search)
         {"unresolved", count(best.certificate->unresolved)}};
     const FittedPose& fit = best.feasible.value();
     return joined(
-        values, joined(pose_cells(measure.family, fit), axis_cells(fit.pose.tool_axis)));
+        joined(comparison_cells(part, measure, fit, value), values),
+        joined(pose_cells(measure.family, fit), axis_cells(fit.pose.tool_axis)));
 }
 
 }  // namespace endmill

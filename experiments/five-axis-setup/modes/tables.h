@@ -21,7 +21,10 @@ std::vector<std::string> mode_columns();
 
 /// The least objective over whole cones, and the objective at the poses of least area of
 /// `paper` and `corrected`, in degrees (`floored-area` in square degrees). Without
-/// limits.
+/// limits. Then paper_over_set, the ratio of the first to the least; ranges_below_mar, the
+/// number of ranges at the pose of the least objective that are smaller than those at the
+/// pose of `paper`; and paper_on_that_machine, whether `paper` finds a pose on a machine
+/// with exactly the ranges of the pose of the least objective.
 NamedCells mode_cells(const StudiedPart& part, const WholeConeSearch& search);
 
 }  // namespace endmill

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "five-axis-setup/savings/tables.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
+#include <vector>
 
 #include "endmill/setup/detail/arc_search.h"
+#include "endmill/setup/detail/sector_fit.h"
 #include "endmill/setup/pose_search.h"
 #include "endmill/visibility/nearest_cells.h"
 #include "support/setup_cells.h"
@@ -46,6 +51,30 @@ NamedCells cone_cells(const StudiedPart& part)
     return {{"facets", count(part.visibility.map.facets())},
             {"empty_cones", count(empty_cones(part.visibility).size())},
             {"accessible_entries", count(accessible_entries(part.visibility.map))}};
+}
+
+NamedCells blocked_cells(const StudiedPart& part, const StudiedPart& local)
+{
+    const auto left = static_cast<double>(accessible_entries(part.visibility.map));
+    const auto all = static_cast<double>(accessible_entries(local.visibility.map));
+    return {{"blocked_percent", 100 * (1 - left / all)}};
+}
+
+NamedCells group_1_cells(const StudiedPart& part)
+{
+    const PoseSearchResult search =
+        pose_search(part.visibility.map, part.grid.centres, {});
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t cell = 0; cell < part.grid.centres.size(); ++cell) {
+        FittedPose at_cell{};
+        at_cell.cell = cell;
+        std::vector<Vec3> directions = nearest_directions(part, at_cell);
+        directions.push_back(part.grid.centres[cell]);  // reaches all of Group I
+        for (const SectorCandidate& sector :
+             sector_candidates(part.grid.centres[cell], directions, SetupMode::Paper))
+            least = std::min(least, sector.area());
+    }
+    return {{"change_with_group_1", std::abs(least / search.least.value().area - 1)}};
 }
 
 NamedCells saving_cells(const StudiedPart& part)

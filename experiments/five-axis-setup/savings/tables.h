@@ -22,6 +22,14 @@ SetupSavings setup_savings(const StudiedPart& part);
 /// Sizes of the cones: facets, empty_cones, accessible_entries.
 NamedCells cone_cells(const StudiedPart& part);
 
+/// blocked_percent: the share of the entries of `local`, the cones by incidence only, that
+/// other facets of the part block.
+NamedCells blocked_cells(const StudiedPart& part, const StudiedPart& local);
+
+/// change_with_group_1: the relative change of the least area of C,A in the mode `paper`
+/// if the facets that the tool axis reaches are represented too, by the tool axis.
+NamedCells group_1_cells(const StudiedPart& part);
+
 /// Savings of the paper's method: group_1_percent, group_2_mean, nearest_cells_mean;
 /// left_by_best_direction, the number of facets that the best single direction does not
 /// reach; and ca_paper_area_deg2, the least area of C,A in the mode `paper`.

@@ -8,9 +8,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
+#include "five-axis-setup/teapot-grids/comparisons.h"
 #include "five-axis-setup/teapot-grids/tables.h"
 #include "support/dataset_mesh.h"
 #include "support/experiment.h"
@@ -25,6 +28,8 @@ CsvTable table()
     for (const std::string& column : search_columns())
         columns.push_back(column);
     columns.emplace_back("change_relative");
+    for (const std::string& column : comparison_columns())
+        columns.push_back(column);
     return CsvTable{columns};
 }
 
@@ -39,14 +44,29 @@ int main(int argc, char** argv)
         const auto searches = named_searches(run.texts("families"), run.texts("modes"));
         const auto grids = run.texts("grids");
         const auto incidences = run.numbers("incidences_deg");
+        std::vector<GridSetups> compared;
         for (std::size_t k = 0; k < grids.size(); ++k) {
-            const StudiedPart part =
-                studied_part(teapot, grids[k], Angle::degrees(incidences.at(k)));
+            GridSetups one{
+                studied_part(teapot, grids[k], Angle::degrees(incidences.at(k))), {}};
+            one.setups = found_setups(one.part, searches);
             const std::string row =
                 grids[k] + ", " + std::to_string(std::lround(incidences[k])) + ", ";
-            for (const NamedSearch& search : searches)
-                add_named(result, row + search.label(), search_cells(part, search));
+            for (const FoundSetup& setup : one.setups)
+                add_named(result, row + setup.search.label(),
+                          search_cells(one.part, one.setups, setup));
+            if (incidences[k] == 90)
+                compared.push_back(std::move(one));
         }
+        for (const std::string& family : run.texts("families")) {
+            for (const char* mode : {"paper-literal", "paper"})
+                add_named(result, "six grids, 90, " + family + ", " + mode,
+                          spread_cells(compared, family, mode));
+            add_named(result, "four grids of 1200, 90, " + family + ", paper",
+                      agreement_cells(compared, family, 1200));
+        }
+        add_named(result, "a machine A,B that suffices, paper",
+                  machine_cells(compared.front().part, run.numbers("machine_r1_deg"),
+                                run.numbers("machine_r2_deg")));
 
         const std::string grid = run.text("symmetric_grid");
         const StudiedPart part = studied_part(teapot, grid, Angle::degrees(90));
