@@ -37,17 +37,32 @@ NamedCells thrust_cells(const std::vector<SegmentCut>& cuts, const FeedPlan& pla
 {
     double count = 0;
     Vec3 sums{0, 0, 0};  // of depth, lambda, mu
+    double all_depths = 0;
+    for (const SegmentCut& cut : cuts)
+        all_depths += cut.depth_mm;
+    const double mean_depth = all_depths / static_cast<double>(cuts.size());
+    double length = 0;
+    double length_of_all_three = 0;
     for (std::size_t i = 0; i < cuts.size(); ++i)
         if (reported_limit(plan.rows[i]) == FeedLimit::Thrust) {
+            const SegmentCut& cut = cuts[i];
+            const double mu = cut.mu.value_or(0);
             ++count;
-            sums += Vec3{cuts[i].depth_mm, Angle::radians(cuts[i].lambda).degrees(),
-                         Angle::radians(cuts[i].mu.value_or(0)).degrees()};
+            sums += Vec3{cut.depth_mm, Angle::radians(cut.lambda).degrees(),
+                         Angle::radians(mu).degrees()};
+            length += cut.length_mm;
+            if (cut.depth_mm > mean_depth && cut.lambda < 0 && mu < 0)
+                length_of_all_three += cut.length_mm;
         }
     if (count == 0)
         return {};
-    return {{"thrust_depth_mm", sums.x() / count},
-            {"thrust_lambda_deg", sums.y() / count},
-            {"thrust_mu_deg", sums.z() / count}};
+    const Vec3 means = sums / count;
+    return {{"thrust_depth_mm", means.x()},
+            {"thrust_lambda_deg", means.y()},
+            {"thrust_mu_deg", means.z()},
+            {"thrust_deep_downhill",
+             word(means.x() > mean_depth && means.y() < 0 && means.z() < 0)},
+            {"thrust_all_three_percent", 100 * length_of_all_three / length}};
 }
 
 }  // namespace

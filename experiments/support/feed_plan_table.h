@@ -29,7 +29,9 @@ NamedCells limit_claims(const std::vector<FeedPlan>& plans);
 /// Quantities that a change of the model affects: total_min; force_share to
 /// infeasible_share and infeasible; quantiles of R_m over the moves, peak_factor_5, _50,
 /// _95 and _greatest; means over the moves that the thrust limits, thrust_depth_mm,
-/// thrust_lambda_deg and thrust_mu_deg.
+/// thrust_lambda_deg and thrust_mu_deg; thrust_deep_downhill, whether these means are
+/// deeper than the mean of all moves and both negative; thrust_all_three_percent, the
+/// share of the thrust-limited length with all three.
 NamedCells sensitivity_cells(const std::vector<SegmentCut>& cuts, const FeedPlan& plan,
                              double noncut_min);
 

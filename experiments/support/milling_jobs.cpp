@@ -7,10 +7,9 @@ namespace endmill {
 
 MillingJob reference_job(const std::string& material)
 {
-    return {
-        read_material("datasets/materials/" + material + ".json"),
-        milling_tool(read_tool("datasets/tools/ball-10-steel-and-aluminium.json")),
-        read_machine("datasets/machines/milling-machine-" + material + ".json").limits};
+    return {read_material("datasets/materials/" + material + ".json"),
+            milling_tool(read_tool("datasets/tools/ball-10-steel-and-aluminium.json")),
+            read_machine("datasets/machines/milling-machine-steel.json").limits};
 }
 
 MillingJob right_hand_job(const MillingJob& job)

@@ -9,8 +9,8 @@
 
 namespace endmill {
 
-/// The calibrated data set for "steel" or "aluminium": the file of the material, the tool
-/// that both share, and the machine as set for the material.
+/// The calibrated data set for "steel" or "aluminium": the file of the material, and the
+/// tool and the machine that both share.
 /// Source: docs/methods/ball-end-milling.md, section 8.
 MillingJob reference_job(const std::string& material);
 

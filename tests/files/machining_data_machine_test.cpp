@@ -112,9 +112,6 @@ TEST(MachineFile, TheExamplesAreRead)
     const MachineDescription steel = read_machine(folder + "milling-machine-steel.json");
     EXPECT_EQ(steel.limits.max_rpm, 3000);
     EXPECT_NO_THROW(require_sound(steel.limits));
-    const MachineDescription aluminium =
-        read_machine(folder + "milling-machine-aluminium.json");
-    EXPECT_EQ(aluminium.limits.max_rpm, 2000);
     EXPECT_THAT(complaint_of([] { read_machine("no such machine.json"); }),
                 HasSubstr("E_OPEN"));
 }

@@ -121,10 +121,16 @@ TEST(PeakCuttingForces, AreThoseOfAFineTurn)
     const MillingJob job = steel_job();
     const MilledMove move = milled(slot());
     double largest = 0;
-    for (const CuttingForce& force : turn_forces(move, job, 7200))
+    double thrust = 0;
+    for (const CuttingForce& force : turn_forces(move, job, 7200)) {
         largest = std::max(largest, std::hypot(force.x_n, force.y_n));
+        thrust = std::max(thrust, force.z_n);
+    }
     const double peak = peak_cutting_forces({move}, job).front();
     EXPECT_LT(relative_error(peak, largest), 1e-3);
+    const CuttingLoads loads = peak_loads({move}, job).front();
+    EXPECT_EQ(loads.cutting_force_n, peak);
+    EXPECT_LT(relative_error(loads.thrust_n, thrust), 1e-3);
 }
 
 TEST(MilledMoves, HaveTheFeedsOfThePlanOrOne)

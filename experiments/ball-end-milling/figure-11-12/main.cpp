@@ -6,6 +6,7 @@
 //
 // Deterministic, under 2 s. Columns and verdicts: README.md beside this.
 
+#include "ball-end-milling/figure-11-12/comparison.h"
 #include "endmill/figures/tool_path_svg.h"
 #include "support/along_path.h"
 #include "support/milling_jobs.h"
@@ -44,15 +45,32 @@ int main(int argc, char** argv)
 {
     return run_experiment(
         argc, argv, "ball-end-milling/figure-11-12", [](Experiment& run) {
-            CsvTable result{{"row", "least_z_mm", "greatest_z_mm", "area_mm2",
-                             "steepest_deg", "least_radius_mm", "above_stock_percent",
-                             "passes", "segments", "cl_length_mm", "least", "mean",
-                             "greatest", "jumps", "cut_min", "mean_feed_mm_per_min"}};
+            std::vector<std::string> columns{"row",
+                                             "least_z_mm",
+                                             "greatest_z_mm",
+                                             "area_mm2",
+                                             "steepest_deg",
+                                             "least_radius_mm",
+                                             "above_stock_percent",
+                                             "passes",
+                                             "segments",
+                                             "cl_length_mm",
+                                             "least",
+                                             "mean",
+                                             "greatest",
+                                             "largest_step_share",
+                                             "greatest_over_least",
+                                             "jumps",
+                                             "cut_min",
+                                             "mean_feed_mm_per_min"};
+            for (const std::string& column : comparison_columns())
+                columns.push_back(column);
+            CsvTable result{columns};
             const OneWayPasses plan = saddle_passes(run.number("least_depth_mm"));
             const MilledPath milled = milled_path(plan);
-            const FeedPlan feeds =
-                feed_plan(milled.cuts, reference_job(run.text("material")),
-                          {.accuracy = run.number("accuracy")});
+            const MillingJob job = reference_job(run.text("material"));
+            const FeedPlanOptions options{.accuracy = run.number("accuracy")};
+            const FeedPlan feeds = feed_plan(milled.cuts, job, options);
             add_named(result, "surface", surface_cells(plan));
             add_named(result, "path", path_cells(plan));
             add_geometry(result, milled.cuts);
@@ -61,9 +79,13 @@ int main(int argc, char** argv)
                 result, "cutting",
                 {{"cut_min", feeds.totals.cut_min},
                  {"mean_feed_mm_per_min", feeds.totals.length_mm / feeds.totals.cut_min},
-                 {"jumps",
-                  std::int64_t{cap_jumps(milled.cuts, feeds, plan.radius / 2).count}}});
+                 {"jumps", std::int64_t{cap_jumps(milled.cuts, feeds, plan.radius / 2,
+                                                  *job.material.max_feed_per_tooth_mm)
+                                            .count}}});
+            const CsvTable quantiles =
+                add_comparison(result, "saddle", plan, job, options);
             run.write_result(result);
+            run.write("feeds.csv", quantiles.text());
             write_along(run, run.text("material"),
                         "Feed along the path, our saddle, steel", milled.cuts, feeds);
             write_figures(run, plan, milled);

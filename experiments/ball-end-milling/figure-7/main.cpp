@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "ball-end-milling/figure-7/path_figure.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/tool_path_svg.h"
 #include "support/experiment.h"
@@ -26,12 +27,9 @@ void write_figures(Experiment& run, const OneWayPasses& plan)
     const SurfaceDrawing surface{.figure = {.title = "The test surface"},
                                  .spaces_per_patch = 3};
     run.write("surface.svg", surface_svg(dataset_surface(run.text("surface")), surface));
-    const ToolPath path = milled_tool_path(milled_path(plan), plan.radius, safe_z_mm);
-    run.write(
-        "path.svg",
-        tool_path_svg(path, {.title = "Cutter path, tips",
-                             .captions = {"one way, ball of radius 5 mm, cusp 0.2 mm, "
-                                          "outer tolerance 0.01 mm"}}));
+    run.write("path.svg",
+              stroke_path_figure(milled_path(plan), plan.radius, safe_z_mm,
+                                 static_cast<int>(run.number("stroke_pass"))));
 }
 
 }  // namespace

@@ -8,28 +8,34 @@
 
 #include "support/along_path.h"
 #include "support/milling_jobs.h"
+#include "support/path_statistics.h"
 
 using namespace endmill;
 
 int main(int argc, char** argv)
 {
     return run_experiment(argc, argv, "ball-end-milling/figure-8-9", [](Experiment& run) {
-        CsvTable result{
-            {"row", "least", "mean", "greatest", "jumps", "at_the_top", "longest_mm"}};
+        CsvTable result{{"row", "least", "mean", "greatest", "largest_step_share",
+                         "greatest_over_least", "jumps", "at_the_top", "longest_mm",
+                         "passes_with_jump", "at_the_top_share", "shallow_passes_share",
+                         "above_cap", "rank_correlation"}};
         const std::vector<SegmentCut> cuts = milled_path(reference_passes()).cuts;
         add_geometry(result, cuts);
         const double shallow_mm = run.number("shallow_mm");
         const FeedPlanOptions options{.accuracy = run.number("accuracy")};
+        std::vector<std::vector<double>> feeds;
         for (const std::string& material : run.texts("materials")) {
-            const FeedPlan plan = feed_plan(cuts, reference_job(material), options);
+            const MillingJob job = reference_job(material);
+            const FeedPlan plan = feed_plan(cuts, job, options);
             add_feeds(result, material, cuts, plan);
-            const CapJumps jumps = cap_jumps(cuts, plan, shallow_mm);
             add_named(result, material + ", jumps to the cap",
-                      {{"jumps", static_cast<std::int64_t>(jumps.count)},
-                       {"at_the_top", static_cast<std::int64_t>(jumps.at_the_top)},
-                       {"longest_mm", jumps.longest_mm}});
+                      jump_cells(cap_jumps(cuts, plan, shallow_mm,
+                                           *job.material.max_feed_per_tooth_mm)));
             write_along(run, material, "Feed along the path, " + material, cuts, plan);
+            feeds.push_back(table_feeds(plan));
         }
+        add_named(result, "feed of both materials",
+                  {{"rank_correlation", rank_correlation(feeds.at(0), feeds.at(1))}});
         run.write_result(result);
     });
 }

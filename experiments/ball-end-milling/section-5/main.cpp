@@ -38,12 +38,17 @@ int main(int argc, char** argv)
         std::vector<FeedPlan> plans;
         for (std::size_t i = 0; i < printed.materials.size(); ++i) {
             const std::string& material = printed.materials[i];
-            const FeedPlan& plan = plans.emplace_back(
-                feed_plan(reference_cuts(), reference_job(material), options));
+            const MillingJob job = reference_job(material);
+            const FeedPlan& plan =
+                plans.emplace_back(feed_plan(reference_cuts(), job, options));
+            const NamedCells times =
+                time_cells(plan, {noncut_min, printed.feeds_mm_per_min[i]});
             add_named(result, "REF, " + material,
-                      joined(time_cells(plan, {noncut_min, printed.feeds_mm_per_min[i]}),
-                             limit_cells(plan)));
+                      joined(joined(times, saving_cells(times)),
+                             joined(limit_cells(plan), machine_cells(plan, job))));
         }
+        add_named(result, "carbon steel",
+                  {{"names", different_names(run.texts("printed_steel_names"))}});
         add_named(result, "claims", limit_claims(plans));
         run.write_result(result);
     });

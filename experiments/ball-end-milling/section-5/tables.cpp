@@ -2,6 +2,8 @@
 #include "ball-end-milling/section-5/tables.h"
 
 #include <cmath>
+#include <set>
+#include <variant>
 
 #include "endmill/process/fed_path.h"
 
@@ -22,7 +24,9 @@ void add_two_feeds(CsvTable& table, const PrintedTimes& printed)
     add_named(table, "two constant feeds: length",
               {{"length_mm", parts.length_mm},
                {"least", with(e, -e).length_mm},
-               {"greatest", with(-e, e).length_mm}});
+               {"greatest", with(-e, e).length_mm},
+               {"off_over_rounding", std::abs(printed.length_mm - parts.length_mm) /
+                                         (with(-e, e).length_mm - parts.length_mm)}});
     add_named(table, "two constant feeds: not cutting",
               {{"noncut_min", parts.noncut_min},
                {"least", with(-e, e).noncut_min},
@@ -66,6 +70,27 @@ void add_savings(CsvTable& table, const PrintedTimes& printed, double noncut_min
 
 }  // namespace
 
+NamedCells machine_cells(const FeedPlan& plan, const MillingJob& job)
+{
+    return {{"torque_used", plan.totals.max_torque_n_m / *job.tool.limits.torque_n_m},
+            {"power_used", plan.totals.max_power_w / *job.machine.max_power_w}};
+}
+
+NamedCells saving_cells(const NamedCells& times)
+{
+    constexpr double printed_about_percent = 60;  // conclusion 3: "about 60 %"
+    for (const auto& [name, cell] : times)
+        if (name == "saving_percent")
+            return {{"off_60_percent",
+                     std::abs(std::get<double>(cell) - printed_about_percent)}};
+    return {};
+}
+
+std::int64_t different_names(const std::vector<std::string>& names)
+{
+    return static_cast<std::int64_t>(std::set(names.begin(), names.end()).size());
+}
+
 std::vector<std::string> time_columns()
 {
     return {"row",
@@ -74,6 +99,7 @@ std::vector<std::string> time_columns()
             "total_min",
             "saving_percent",
             "saving_cut_off_percent",
+            "off_60_percent",
             "cut_min",
             "mean_feed_mm_per_min",
             "cut_saving_percent",
@@ -94,7 +120,11 @@ std::vector<std::string> time_columns()
             "max_power_w",
             "mostly_force",
             "sometimes_thrust",
-            "never_torque_or_power"};
+            "never_torque_or_power",
+            "torque_used",
+            "power_used",
+            "off_over_rounding",
+            "names"};
 }
 
 void add_accounts(CsvTable& table, const PrintedTimes& printed, double noncut_min)

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "endmill/process/feed_plan.h"
 #include "support/named_cells.h"
 
 namespace endmill {
@@ -30,5 +31,15 @@ std::vector<std::string> time_columns();
 /// the times allows. Fills the columns length_mm to greatest of `time_columns`.
 /// Source: docs/methods/ball-end-milling.md, section 8.
 void add_accounts(CsvTable& table, const PrintedTimes& printed, double noncut_min);
+
+/// Shares of the limits that the largest torque and the largest power of a plan use:
+/// torque_used and power_used.
+NamedCells machine_cells(const FeedPlan& plan, const MillingJob& job);
+
+/// off_60_percent: difference of the saving in `times` from 60 %, in percentage points.
+NamedCells saving_cells(const NamedCells& times);
+
+/// Number of different names among `names`.
+std::int64_t different_names(const std::vector<std::string>& names);
 
 }  // namespace endmill

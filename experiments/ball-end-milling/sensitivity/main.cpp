@@ -51,7 +51,8 @@ int main(int argc, char** argv)
                              "cap_share", "infeasible_share", "infeasible",
                              "peak_factor_5", "peak_factor_50", "peak_factor_95",
                              "peak_factor_greatest", "thrust_depth_mm",
-                             "thrust_lambda_deg", "thrust_mu_deg"}};
+                             "thrust_lambda_deg", "thrust_mu_deg", "thrust_deep_downhill",
+                             "thrust_all_three_percent"}};
             const std::vector<SegmentCut> cuts = reference_cuts();
             const double noncut_min = run.number("noncut_min");
             for (const Choice& choice :

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <variant>
 
 #include "endmill/process/detail/front_load.h"
 #include "endmill/process/detail/segment_load.h"
@@ -43,6 +44,13 @@ void add_engagements(CsvTable& table, const std::vector<SegmentCut>& cuts,
     add_named(table, "idealised", engagement_cells(cuts, idealised, radius));
     add_named(table, "simulated", engagement_cells(cuts, met, radius));
     add_named(table, "stock", {{"removed_mm3", simulated.removed_mm3}});
+    const NamedCells model = engagement_cells(cuts, idealised, radius);
+    const NamedCells stock = engagement_cells(cuts, met, radius);
+    NamedCells ratios;
+    for (std::size_t i = 0; i < model.size(); ++i)
+        ratios.emplace_back(model[i].first, std::get<double>(model[i].second) /
+                                                std::get<double>(stock[i].second));
+    add_named(table, "idealised over simulated", ratios);
 }
 
 CsvTable PeakForceRun::along_table()

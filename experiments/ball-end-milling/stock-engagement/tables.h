@@ -9,7 +9,8 @@
 namespace endmill {
 
 /// Adds `engagement_cells` of both engagements with the exact chip, and the volume that
-/// the simulated stock lost: rows "idealised", "simulated", "stock".
+/// the simulated stock lost: rows "idealised", "simulated", "stock"; and the quotients of
+/// the first two.
 void add_engagements(CsvTable& table, const std::vector<SegmentCut>& cuts,
                      const SimulatedCuts& simulated, double radius);
 

@@ -38,20 +38,29 @@ double larger_magnitude(double a, double b)
     return std::max(std::abs(a), std::abs(b));
 }
 
-// Largest cutting force of each move. `largest_loads` computes the loads of one move from
-// its number, the load model and its feed per tooth.
+// Largest loads of each move. `largest_loads` computes the loads of one move from its
+// number, the load model and its feed per tooth.
 template <typename LargestLoads>
-std::vector<double> peaks_of(const std::vector<MilledMove>& moves, const MillingJob& job,
-                             const LargestLoads& largest_loads)
+std::vector<CuttingLoads> peaks_of(const std::vector<MilledMove>& moves,
+                                   const MillingJob& job,
+                                   const LargestLoads& largest_loads)
 {
     const LoadModel model{job.material, job.tool.radius};
-    std::vector<double> peaks(moves.size());
+    std::vector<CuttingLoads> peaks(moves.size());
     parallel_for(moves.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            peaks[i] =
-                largest_loads(i, model, moves[i].feed_per_tooth_mm).cutting_force_n;
+            peaks[i] = largest_loads(i, model, moves[i].feed_per_tooth_mm);
     });
     return peaks;
+}
+
+std::vector<double> cutting_forces_of(const std::vector<CuttingLoads>& loads)
+{
+    std::vector<double> forces;
+    forces.reserve(loads.size());
+    for (const CuttingLoads& load : loads)
+        forces.push_back(load.cutting_force_n);
+    return forces;
 }
 
 }  // namespace
@@ -147,8 +156,8 @@ double used_life(const std::vector<MilledMove>& moves, const MillingJob& job,
     return used;
 }
 
-std::vector<double> peak_cutting_forces(const std::vector<MilledMove>& moves,
-                                        const MillingJob& job)
+std::vector<CuttingLoads> peak_loads(const std::vector<MilledMove>& moves,
+                                     const MillingJob& job)
 {
     return peaks_of(moves, job, [&](std::size_t i, const LoadModel& model, double feed) {
         const BallEngagement engagement = ball_engagement(moves[i].cut, job.tool.radius);
@@ -160,13 +169,20 @@ std::vector<double> peak_cutting_forces(const std::vector<MilledMove>& moves,
 }
 
 std::vector<double> peak_cutting_forces(const std::vector<MilledMove>& moves,
+                                        const MillingJob& job)
+{
+    return cutting_forces_of(peak_loads(moves, job));
+}
+
+std::vector<double> peak_cutting_forces(const std::vector<MilledMove>& moves,
                                         const std::vector<BallFront>& fronts,
                                         const MillingJob& job)
 {
-    return peaks_of(moves, job, [&](std::size_t i, const LoadModel& model, double feed) {
-        return FrontPattern{fronts[i], ChipModel::Paper, job.tool}.largest_loads(model,
-                                                                                 feed);
-    });
+    return cutting_forces_of(
+        peaks_of(moves, job, [&](std::size_t i, const LoadModel& model, double feed) {
+            return FrontPattern{fronts[i], ChipModel::Paper, job.tool}.largest_loads(
+                model, feed);
+        }));
 }
 
 }  // namespace endmill

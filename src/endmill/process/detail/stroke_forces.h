@@ -62,9 +62,13 @@ StrokeForces stroke_forces(const std::vector<MilledMove>& moves,
 double used_life(const std::vector<MilledMove>& moves, const MillingJob& job,
                  double life_min);
 
-/// Largest cutting force in N of the helical flutes in a spindle revolution of each move,
+/// Largest value of each load of the helical flutes in a spindle revolution of each move,
 /// with the paper's chip and the engagement of the model; 0 for a move in air. Uses all
 /// threads.
+std::vector<CuttingLoads> peak_loads(const std::vector<MilledMove>& moves,
+                                     const MillingJob& job);
+
+/// The cutting forces of `peak_loads`, N.
 std::vector<double> peak_cutting_forces(const std::vector<MilledMove>& moves,
                                         const MillingJob& job);
 
