@@ -30,17 +30,16 @@ DirectionSet directions_of(const StudiedPart& part, RotaryFamily family)
     return {fit.pose.tool_axis, nearest_directions(part, fit)};
 }
 
-// What a chart shows, its pose and its objective, such as "Least double sector, C,A, mode
-// paper, tool axis 11.2° from z: F = 18988 deg²".
+// Family, mode, pose and objective of a chart, such as "C,A, mode paper, tool axis at
+// 11.2°: F = 18988 deg²", where the angle is that with the part's z.
 template <class Candidate>
-std::string title_of(const std::string& what, const DirectionSet& set,
+std::string title_of(const std::string& family, const DirectionSet& set,
                      const Candidate& candidate)
 {
     const double tilt = std::acos(std::min(1.0, set.tool_axis.z()));
     const double tenths = std::round(10 * Angle::radians(tilt).degrees()) / 10;
-    return what + ", tool axis " + to_text(tenths) +
-           "° from z: F = " + to_text(std::round(square_degrees(candidate.area()))) +
-           " deg²";
+    return family + ", mode paper, tool axis at " + to_text(tenths) +
+           "°: F = " + to_text(std::round(square_degrees(candidate.area()))) + " deg²";
 }
 
 }  // namespace
@@ -69,21 +68,14 @@ int main(int argc, char** argv)
             *std::ranges::min_element(paper_sectors, {}, &SectorCandidate::area);
         const RectangleCandidate rectangle = least_area(
             rectangle_candidates(ab.tool_axis, ab.directions, SetupMode::Paper));
-        run.write(
-            "sectors.svg",
-            sector_chart(title_of("Least double sector, C,A, mode paper", ca, sector), ca,
-                         sector));
-        run.write(
-            "rectangle.svg",
-            rectangle_chart(title_of("Least rectangle, A,B, mode paper", ab, rectangle),
-                            ab, rectangle));
-        run.write("gnomonic-hull.svg", hull_chart("Hull of the nearest cells, A,B, mode "
-                                                  "paper, gnomonic projection",
+        run.write("sectors.svg", sector_chart(title_of("C,A", ca, sector), ca, sector));
+        run.write("rectangle.svg",
+                  rectangle_chart(title_of("A,B", ab, rectangle), ab, rectangle));
+        run.write("gnomonic-hull.svg", hull_chart("A,B, mode paper: hull of MD, gnomonic",
                                                   ab, ChartProjection::Gnomonic));
         run.write("orthographic-hull.svg",
-                  hull_chart("Hull of the nearest cells, A,B, mode corrected, "
-                             "orthographic projection",
-                             ab, ChartProjection::Orthographic));
+                  hull_chart("A,B, mode corrected: hull of MD, orthographic", ab,
+                             ChartProjection::Orthographic));
         run.write_result(candidate_summary(ca, sectors, paper_count, ab, rectangles));
     });
 }
