@@ -82,6 +82,21 @@ TEST(StackedChart, OfAConstantDoesNotShowItsRounding)
     EXPECT_THAT(text_of(-4), testing::HasSubstr(">-4.5<"));
 }
 
+// A feed at its cap of 1500 must not lie on the frame.
+TEST(StackedChart, HasRoomBeyondAValueOnATick)
+{
+    const auto text_of = [](double low, double high) {
+        const std::vector<ChartPanel> panels{{"y", {{"line", red, {low, high, high}}}}};
+        return stacked_chart({"capped", {}, "x"}, std::vector<double>{0, 1, 2}, panels);
+    };
+    EXPECT_THAT(text_of(10, 1500), testing::HasSubstr(">2000<"));
+    EXPECT_THAT(text_of(1, 1500), testing::Not(testing::HasSubstr(">-500<")));
+    EXPECT_THAT(text_of(10, 1400), testing::Not(testing::HasSubstr(">2000<")));
+    EXPECT_THAT(text_of(-1000, 400), testing::HasSubstr(">-1500<"));
+    EXPECT_THAT(text_of(0, 1400), testing::Not(testing::HasSubstr(">-500<")))
+        << "0 is the natural end of a scale";
+}
+
 TEST(StackedChart, WithoutValuesIsAFrame)
 {
     const std::vector<ChartPanel> panels{{"y", {{"line", red, {}}}}};

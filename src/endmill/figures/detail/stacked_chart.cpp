@@ -38,6 +38,9 @@ constexpr std::size_t longest_text = 150;
 constexpr double constant_share = 1e-6;
 constexpr double constant_room = 0.1;
 
+// A value that is nearer to the last tick than this share of a step is drawn on the frame.
+constexpr double frame_share = 0.02;
+
 constexpr LineStyle frame_style{"#444444", 1, ""};
 constexpr LineStyle grid_style{"#dddddd", 1, ""};
 constexpr TextStyle small_text{.size_px = 12};
@@ -84,8 +87,17 @@ std::vector<double> ticks_of(const ChartPanel& panel)
     if (low > high)
         return round_ticks(0, 1, ordinate_ticks);
     const double size = std::max(std::abs(low), std::abs(high));
-    if (high - low > constant_share * size)
-        return round_ticks(low, high, ordinate_ticks);
+    if (high - low > constant_share * size) {
+        std::vector<double> ticks = round_ticks(low, high, ordinate_ticks);
+        // A curve that runs along the frame, such as a feed at its cap, would be hidden. Only 0
+        // is a natural end of a scale.
+        const double step = step_of(ticks);
+        if (ticks.back() - high < frame_share * step)
+            ticks.push_back(ticks.back() + step);
+        if (ticks.front() != 0 && low - ticks.front() < frame_share * step)
+            ticks.insert(ticks.begin(), ticks.front() - step);
+        return ticks;
+    }
     const double room = size > 0 ? constant_room * size : 1;
     return round_ticks(low - room, high + room, ordinate_ticks);
 }
