@@ -33,7 +33,7 @@ FeedMeasures feed_measures(const std::vector<MilledMove>& moves, const MillingJo
                            const MeasureRules& rules);
 
 /// A claim of the conclusions 4 and 5 or of the abstract, and the name of its column.
-/// Source: [ParkMaeng].
+/// Source: [ParkMaeng, section 6].
 struct FeedClaim {
     std::string name;
     bool (*holds)(const FeedMeasures& constant, const FeedMeasures& varied);

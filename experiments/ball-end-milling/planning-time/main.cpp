@@ -43,17 +43,18 @@ std::size_t evaluate(const ToolPath& path, const std::vector<Surface>& part,
 // path REF.
 void add_turn(CsvTable& result, const MillingJob& job, int steps)
 {
-    constexpr std::size_t every = 40;  // moves
+    constexpr std::size_t every = 40;       // moves
+    constexpr double short_budget_s = 0.2;  // a turn takes a millisecond
     const std::vector<SegmentCut> all = milled_path(reference_passes()).cuts;
     std::vector<MilledMove> moves;
     for (std::size_t i = every / 2; i < all.size(); i += every)
         moves.push_back({all[i], /*feed_per_tooth_mm=*/0.1, /*spindle_rpm=*/1000});
     double sum = 0;
-    const double turn_s = shortest_cpu_s(budget_s, [&] {
+    const double turn_s = shortest_cpu_s(short_budget_s, [&] {
         for (const MilledMove& move : moves)
             sum += turn_forces(move, job, steps).front().x_n;
     });
-    const double mean_s = shortest_cpu_s(budget_s, [&] {
+    const double mean_s = shortest_cpu_s(short_budget_s, [&] {
         for (const MilledMove& move : moves) {
             const CuttingCoefficients coefficients = cutting_coefficients(
                 ball_engagement(move.cut, job.tool.radius), ChipModel::Paper, 1e-6);
