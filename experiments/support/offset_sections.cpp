@@ -39,14 +39,19 @@ std::vector<PlaneLines> untrimmed_lines(const DrivePlanes& planes,
 }
 
 std::vector<PlaneLines> trimmed_lines(const OffsetSections& sections,
-                                      const std::string& method, FoldDetection detection)
+                                      const std::string& method,
+                                      const TrimmingOptions& options)
 {
-    TrimmingOptions options;
-    options.detection = detection;
+    return trimmed_lines(sections, trimming_method(method), options);
+}
+
+std::vector<PlaneLines> trimmed_lines(const OffsetSections& sections,
+                                      const TrimmingMethod& method,
+                                      const TrimmingOptions& options)
+{
     const DrivePlanes& planes = sections.planes;
     const auto ranges = path_ranges(sections.offset, planes, sections.sections);
-    const auto trimmed =
-        trim_planes(sections.sections, ranges, trimming_method(method), options);
+    const auto trimmed = trim_planes(sections.sections, ranges, method, options);
     std::vector<PlaneLines> lines;
     for (std::size_t k = 0; k < trimmed.size(); ++k)
         lines.push_back(

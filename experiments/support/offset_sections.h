@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "endmill/offset/offset_mesh.h"
-#include "endmill/trimming/trimming.h"
+#include "endmill/trimming/trimming_methods.h"
 
 namespace endmill {
 
@@ -42,9 +42,13 @@ std::vector<PlaneLines> untrimmed_lines(const DrivePlanes& planes,
                                         const std::vector<PlaneSection>& sections);
 
 /// The sections, trimmed and clipped to the part, in space; one list for each plane.
-/// \param method a name in `trimming_methods`. \throws DomainError if there is none.
 std::vector<PlaneLines> trimmed_lines(const OffsetSections& sections,
-                                      const std::string& method, FoldDetection detection);
+                                      const TrimmingMethod& method,
+                                      const TrimmingOptions& options);
+/// The same for a name in `trimming_methods`. \throws DomainError if there is none.
+std::vector<PlaneLines> trimmed_lines(const OffsetSections& sections,
+                                      const std::string& method,
+                                      const TrimmingOptions& options);
 
 /// The lines of every n-th plane, so that the lines of a picture are distinct.
 PlaneLines every_nth(const std::vector<PlaneLines>& planes, std::size_t n);

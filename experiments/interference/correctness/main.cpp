@@ -8,7 +8,7 @@
 
 #include "endmill/core/text.h"
 #include "interference/correctness/family_table.h"
-#include "interference/correctness/trimming_families.h"
+#include "support/trimming_families.h"
 
 using namespace endmill;
 

@@ -20,6 +20,7 @@
 #include "support/experiment.h"
 #include "support/named_cells.h"
 #include "support/offset_sections.h"
+#include "support/printed_search.h"
 #include "support/side_by_side.h"
 #include "support/timed_trimming.h"
 
@@ -55,12 +56,11 @@ struct TrimmedFigure {
 TrimmedFigure trimmed_figure(const PlaneFigure& figure, FoldDetection detection)
 {
     const bool is_literal = detection == FoldDetection::Literal;
-    TrimmingOptions options;
-    options.detection = detection;
+    const TrimmingMethod& method = is_literal ? printed_method_3() : trimming_method("3");
     TrimmedFigure result{"figure " + figure.number + (is_literal ? "" : ", corrected"),
                          "As figure " + figure.number + ": before and after method 3 " +
                              (is_literal ? "as printed" : "with corrected detection"),
-                         trimming_method("3").trim(figure.curves(), options),
+                         method.trim(figure.curves(), {.detection = detection}),
                          {}};
     result.cuts = cut_out(figure.curves(), result.trimmed);
     return result;

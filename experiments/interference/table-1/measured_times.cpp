@@ -4,18 +4,17 @@
 #include <algorithm>
 
 #include "endmill/core/text.h"
+#include "interference/table-1/printed_times.h"
 #include "support/cpu_time.h"
 #include "support/named_cells.h"
 #include "support/offset_sections.h"
+#include "support/printed_search.h"
 #include "support/timed_trimming.h"
 
 namespace endmill {
 namespace {
 
 constexpr double ms = 1e3;
-// Range of t(100 planes) / t(50 planes) that counts as proportional.
-constexpr double proportional_low = 1.7;
-constexpr double proportional_high = 2.3;
 
 // A value for all planes and for half of them.
 template <typename Value>
@@ -43,12 +42,14 @@ Sliced sliced_by_all_and_half(const SectionPlan& plan)
             {slicing_s(offset.planes), slicing_s(fewer)}};
 }
 
-// The methods of params.json, and method 1 with another step.
+// The methods of params.json, method 3 with the printed range of its search, and method 1
+// with another step.
 std::vector<TimedMethod> methods_of(Experiment& run)
 {
     std::vector<TimedMethod> methods;
     for (const std::string& label : run.texts("methods"))
         methods.push_back(timed_method(label, literal_trimming(run.number("step_mm"))));
+    methods.push_back({"3 to end", &printed_method_3(), printed_options});
     methods.push_back(
         timed_method("1", literal_trimming(run.number("calibrated_step_mm"))));
     methods.back().label = "1, calibrated";
@@ -69,8 +70,7 @@ std::vector<AllAndHalf<double>> trimming_times(const Sliced& sliced,
     return pairs;
 }
 
-NamedCells time_cells(const AllAndHalf<double>& trim, const AllAndHalf<double>& slicing,
-                      double by_lines_s)
+NamedCells time_cells(const AllAndHalf<double>& trim, const AllAndHalf<double>& slicing)
 {
     const auto [all, half] = trim;
     const double ratio = all / half;
@@ -79,12 +79,32 @@ NamedCells time_cells(const AllAndHalf<double>& trim, const AllAndHalf<double>& 
     return {{"trim_100_ms", ms * all},
             {"trim_50_ms", ms * half},
             {"ratio_100_to_50", ratio},
-            {"proportional_to_planes",
-             word(proportional_low <= ratio && ratio <= proportional_high)},
-            {"over_method_2", all / by_lines_s},
+            {"proportional_to_planes", word(contains(proportional_ratio, ratio))},
             {"with_slicing_100_ms", ms * all_sliced},
             {"with_slicing_50_ms", ms * half_sliced},
             {"with_slicing_100_to_50", all_sliced / half_sliced}};
+}
+
+// The ratios to the times of method 2, and whether the printed seconds allow them.
+// \param number of the method in the paper.
+NamedCells ratio_cells(const AllAndHalf<double>& trim, const AllAndHalf<double>& by_lines,
+                       std::size_t number)
+{
+    const double all = trim.all / by_lines.all;
+    const double half = trim.half / by_lines.half;
+    const auto is_printed = [&](const char* column, double ratio) {
+        return word(contains(printed_ratio({number, column}, {2, column}), ratio));
+    };
+    return {{"over_method_2", all},
+            {"over_method_2_at_50", half},
+            {"within_print", is_printed(seconds_100, all)},
+            {"within_print_at_50", is_printed(seconds_50, half)}};
+}
+
+// The number in the paper of the method with this label, such as "3 scan".
+std::size_t number_in_paper(const std::string& label)
+{
+    return static_cast<std::size_t>(label.front() - '0');
 }
 
 }  // namespace
@@ -97,21 +117,22 @@ void add_measured(Experiment& run, CsvTable& result, double feed_deg)
     const auto methods = methods_of(run);
     const auto times = trimming_times(sliced, methods);
     const auto by_lines = std::ranges::find(methods, "2", &TimedMethod::label);
-    const double by_lines_s =
-        times[static_cast<std::size_t>(by_lines - methods.begin())].all;
+    const auto& line_times = times[static_cast<std::size_t>(by_lines - methods.begin())];
     const std::string prefix = "at " + to_text(feed_deg) + " deg, ";
     std::string fastest;
     double least_s = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < methods.size(); ++i) {
         const std::string& label = methods[i].label;
-        NamedCells cells = time_cells(times[i], sliced.time_s, by_lines_s);
+        NamedCells cells =
+            joined(time_cells(times[i], sliced.time_s),
+                   ratio_cells(times[i], line_times, number_in_paper(label)));
         if (methods[i].method->name == "1")
             cells.emplace_back("step_mm", methods[i].options.scan_step);
         add_named(result, prefix + "method " + label, cells);
-        const bool is_in_paper = label == "1" || label == "2" || label == "3 scan";
+        const bool is_in_paper = label == "1" || label == "2" || label == "3 to end";
         if (is_in_paper && times[i].all < least_s) {
             least_s = times[i].all;
-            fastest = label.front();
+            fastest = method_name(number_in_paper(label));
         }
     }
     add_named(result, prefix + "fastest", {{"method", fastest}});

@@ -6,6 +6,9 @@
 
 namespace endmill {
 
+/// A planar curve of about 10 mm with the tolerances of a right result.
+TrimmingTrial planar_trial(SectionCurve curve);
+
 /// The hard profiles, sampled at `points`.
 std::vector<TrimmingTrial> hard_trials(int points);
 

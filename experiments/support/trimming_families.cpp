@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "interference/correctness/trimming_families.h"
+#include "support/trimming_families.h"
 
 #include <algorithm>
 
@@ -11,16 +11,6 @@ namespace {
 // Tolerances of a right result, and the step and threshold of method 1.
 // Source: docs/methods/interference.md, section 9.
 constexpr double scan_threshold_in_steps = 8;
-
-TrimmingTrial planar_trial(SectionCurve curve)
-{
-    constexpr double step = 5e-4;  // mm
-    return {std::move(curve),
-            {.gouge_mm = 2e-3, .uncovered = 2e-3},
-            5e-3,
-            step,
-            scan_threshold_in_steps * step};
-}
 
 std::vector<TrimmingTrial> planar_trials(const std::vector<OffsetProfile>& profiles,
                                          int points)
@@ -45,6 +35,16 @@ double extent_of(const SectionCurve& curve)
 }
 
 }  // namespace
+
+TrimmingTrial planar_trial(SectionCurve curve)
+{
+    constexpr double step = 5e-4;  // mm
+    return {std::move(curve),
+            {.gouge_mm = 2e-3, .uncovered = 2e-3},
+            5e-3,
+            step,
+            scan_threshold_in_steps * step};
+}
 
 std::vector<TrimmingTrial> hard_trials(int points)
 {
