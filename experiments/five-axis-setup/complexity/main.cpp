@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <map>
 
 #include "five-axis-setup/complexity/timed_setup.h"
 #include "support/dataset_mesh.h"
@@ -27,9 +28,12 @@ double size_of(const StudiedPart& part, const std::string& sweep)
                                                     : part.visibility.map.cells());
 }
 
+// Times in s of the paper's search for A,B, by row.
+using PaperTimes = std::map<std::string, double>;
+
 // Adds one row for each part up to the size `most`, in ascending order of size.
 void add_sweep(CsvTable& result, const std::string& sweep, const SetupWork& work,
-               const std::vector<StudiedPart>& parts, double most)
+               const std::vector<StudiedPart>& parts, double most, PaperTimes& paper)
 {
     double last_size = 0;
     double last_s = 0;
@@ -44,8 +48,14 @@ void add_sweep(CsvTable& result, const std::string& sweep, const SetupWork& work
         const auto pairs = static_cast<double>(part.visibility.map.facets() *
                                                part.visibility.map.cells());
         const auto count = static_cast<std::int64_t>(size);
-        result.add_row({work.name + ", " + std::to_string(count) + " " + sweep, work.name,
-                        sweep, count, 1e9 * s / pairs, exponent});
+        const std::string at = std::to_string(count) + " " + sweep;
+        if (work.name == "paper AB")
+            paper[at] = s;
+        const auto reference = paper.find(at);
+        const CsvCell ratio =
+            reference == paper.end() ? CsvCell{} : CsvCell{s / reference->second};
+        result.add_row({work.name + ", " + at, work.name, sweep, count, 1e9 * s / pairs,
+                        exponent, s, ratio});
         last_size = size;
         last_s = s;
     }
@@ -69,11 +79,13 @@ int main(int argc, char** argv)
         for (const std::string& finer : run.texts("grids"))
             by_directions.push_back(studied_part(teapot, finer, Angle::degrees(90)));
 
-        CsvTable result{{"row", "work", "sweep", "size", "ns_a_pair", "exponent"}};
+        CsvTable result{{"row", "work", "sweep", "size", "ns_a_pair", "exponent",
+                         "seconds", "over_paper_ab"}};
+        PaperTimes paper;
         for (const SetupWork& work : setup_works()) {
             const double most = work.name == "set AB" ? most_for_set : 1e9;
-            add_sweep(result, "triangles", work, by_triangles, most);
-            add_sweep(result, "directions", work, by_directions, 1e9);
+            add_sweep(result, "triangles", work, by_triangles, most, paper);
+            add_sweep(result, "directions", work, by_directions, 1e9, paper);
         }
         run.write_result(result);
     });
