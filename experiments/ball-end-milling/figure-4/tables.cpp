@@ -42,7 +42,12 @@ std::vector<std::string> tool_life_columns()
             "misfit_percent",
             "v_tg_m_per_min",
             "v_t0_m_per_min",
-            "speed_change_percent"};
+            "speed_change_percent",
+            "fits",
+            "fits_as_printed",
+            "fits_in_order",
+            "alpha_least",
+            "alpha_greatest"};
 }
 
 void add_data(CsvTable& result, const PrintedSpeeds& printed,

@@ -13,6 +13,8 @@ namespace endmill {
 struct PrintedSpeeds {
     std::vector<CuttingSpeedDatum> data;  ///< phi/pi and V
     std::vector<double> phi_deg;          ///< the printed angles, degrees
+    std::vector<double> ln_phi_over_pi;   ///< the printed logarithms
+    std::vector<double> ln_v;             ///< the printed logarithms
     ToolCosts costs;
 };
 
