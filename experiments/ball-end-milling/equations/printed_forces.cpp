@@ -143,6 +143,7 @@ CuttingForce mean_of_turn(const BallEngagement& engagement, const MillingJob& jo
                           double feed_mm)
 {
     std::vector<double> turns;
+    turns.reserve(turn_steps);
     for (int i = 0; i < turn_steps; ++i)
         turns.push_back(2 * pi * i / turn_steps);
     CuttingForce mean{};

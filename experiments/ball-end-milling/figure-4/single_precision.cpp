@@ -20,6 +20,7 @@ float logarithm(double value)
 Floats logarithms(const std::vector<double>& values)
 {
     Floats all;
+    all.reserve(values.size());
     for (const double value : values)
         all.push_back(logarithm(value));
     return all;
@@ -87,43 +88,54 @@ std::vector<Floats> abscissas(const PrintedSpeeds& printed,
     return {logarithms(quotients), logs, logarithms(by_angle), logarithms(by_width)};
 }
 
+// The values in another order.
+Floats ordered(const Floats& values, const std::vector<std::size_t>& order)
+{
+    Floats found;
+    found.reserve(order.size());
+    for (const std::size_t i : order)
+        found.push_back(values[i]);
+    return found;
+}
+
+// Adds the fits of the data in every order of summation.
+void add_orders(SinglePrecisionFits& fits, const Floats& x, const Floats& y,
+                double printed_alpha)
+{
+    constexpr double half_digit = 0.5e-7;
+    std::vector<std::size_t> order(x.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    bool is_printed_order = true;
+    do {
+        for (const float slope : slopes(ordered(x, order), ordered(y, order))) {
+            const double alpha = -static_cast<double>(slope);
+            const bool is_print = std::abs(alpha - printed_alpha) <= half_digit;
+            ++fits.tried;
+            fits.as_printed += is_print ? 1 : 0;
+            fits.in_order += is_print && is_printed_order ? 1 : 0;
+            fits.least = std::min(fits.least, alpha);
+            fits.greatest = std::max(fits.greatest, alpha);
+        }
+        is_printed_order = false;
+    } while (std::ranges::next_permutation(order).found);
+}
+
 }  // namespace
 
 SinglePrecisionFits single_precision_fits(const PrintedSpeeds& printed,
                                           const std::vector<double>& widths,
                                           double printed_pi, double printed_alpha)
 {
-    constexpr double half_digit = 0.5e-7;
     std::vector<double> speeds;
+    speeds.reserve(printed.data.size());
     for (const CuttingSpeedDatum& datum : printed.data)
         speeds.push_back(datum.v_m_per_min);
     const std::vector<Floats> ordinates{logarithms(speeds),
                                         Floats(printed.ln_v.begin(), printed.ln_v.end())};
     SinglePrecisionFits fits;
     for (const Floats& x : abscissas(printed, widths, printed_pi))
-        for (const Floats& y : ordinates) {
-            std::vector<std::size_t> order(x.size());
-            std::iota(order.begin(), order.end(), std::size_t{0});
-            bool is_printed_order = true;
-            do {
-                Floats ordered_x;
-                Floats ordered_y;
-                for (const std::size_t i : order) {
-                    ordered_x.push_back(x[i]);
-                    ordered_y.push_back(y[i]);
-                }
-                for (const float slope : slopes(ordered_x, ordered_y)) {
-                    const double alpha = -static_cast<double>(slope);
-                    const bool is_print = std::abs(alpha - printed_alpha) <= half_digit;
-                    ++fits.tried;
-                    fits.as_printed += is_print ? 1 : 0;
-                    fits.in_order += is_print && is_printed_order ? 1 : 0;
-                    fits.least = std::min(fits.least, alpha);
-                    fits.greatest = std::max(fits.greatest, alpha);
-                }
-                is_printed_order = false;
-            } while (std::ranges::next_permutation(order).found);
-        }
+        for (const Floats& y : ordinates)
+            add_orders(fits, x, y, printed_alpha);
     return fits;
 }
 
