@@ -32,6 +32,41 @@ MillingJob job_of(const MillingJob& reference, double radius, double factor)
     return job;
 }
 
+// The radii, and the options of every plan.
+struct Sweep {
+    std::vector<double> radii;
+    FeedPlanOptions options;
+};
+
+// Adds the times of one data set for every radius, and whether they always fall. \return
+// that.
+bool add_set(CsvTable& result, CsvTable& times, const std::string& material,
+             bool is_scaled, const Sweep& sweep)
+{
+    const MillingJob reference = reference_job(material);
+    const std::string set =
+        material + (is_scaled ? ", limits by r0 squared" : ", limits fixed");
+    std::vector<double> minutes;
+    for (const double radius : sweep.radii) {
+        OneWayPasses passes = reference_passes();
+        passes.radius = radius;
+        const double ratio = radius / reference.tool.radius;
+        const MillingJob job = job_of(reference, radius, is_scaled ? ratio * ratio : 1);
+        const FeedPlanTotals totals =
+            feed_plan(milled_path(passes).cuts, job, sweep.options).totals;
+        minutes.push_back(totals.cut_min);
+        add_named(result, set + ", r0 = " + to_text(radius),
+                  {{"radius_mm", radius},
+                   {"cl_length_mm", totals.length_mm},
+                   {"cut_min", totals.cut_min},
+                   {"infeasible", static_cast<std::int64_t>(totals.infeasible)}});
+        times.add_row({set + " " + to_text(radius), radius, totals.cut_min, set});
+    }
+    const bool falls = std::ranges::is_sorted(minutes, std::ranges::greater{});
+    add_named(result, set, {{"falls_always", word(falls)}});
+    return falls;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -40,44 +75,17 @@ int main(int argc, char** argv)
         argc, argv, "ball-end-milling/cutter-size", [](Experiment& run) {
             CsvTable result{{"row", "radius_mm", "cl_length_mm", "cut_min", "infeasible",
                              "falls_always"}};
-            CsvTable times_table{{"row", "radius_mm", "cut_min", "limits"}};
-            const auto radii = run.numbers("radii_mm");
-            const FeedPlanOptions options{.accuracy = run.number("accuracy")};
+            CsvTable times{{"row", "radius_mm", "cut_min", "limits"}};
+            const Sweep sweep{run.numbers("radii_mm"),
+                              {.accuracy = run.number("accuracy")}};
             bool falls_in_every_set = true;
             for (const std::string& material : run.texts("materials"))
-                for (const bool is_scaled : {false, true}) {
-                    const MillingJob reference = reference_job(material);
-                    const std::string set =
-                        material +
-                        (is_scaled ? ", limits by r0 squared" : ", limits fixed");
-                    std::vector<double> times;
-                    for (const double radius : radii) {
-                        OneWayPasses passes = reference_passes();
-                        passes.radius = radius;
-                        const double ratio = radius / reference.tool.radius;
-                        const MillingJob job =
-                            job_of(reference, radius, is_scaled ? ratio * ratio : 1);
-                        const FeedPlanTotals totals =
-                            feed_plan(milled_path(passes).cuts, job, options).totals;
-                        times.push_back(totals.cut_min);
-                        add_named(result, set + ", r0 = " + to_text(radius),
-                                  {{"radius_mm", radius},
-                                   {"cl_length_mm", totals.length_mm},
-                                   {"cut_min", totals.cut_min},
-                                   {"infeasible",
-                                    static_cast<std::int64_t>(totals.infeasible)}});
-                    }
-                    for (std::size_t i = 0; i < radii.size(); ++i)
-                        times_table.add_row(
-                            {set + " " + to_text(radii[i]), radii[i], times[i], set});
-                    const bool falls =
-                        std::ranges::is_sorted(times, std::ranges::greater{});
-                    falls_in_every_set = falls_in_every_set && falls;
-                    add_named(result, set, {{"falls_always", word(falls)}});
-                }
+                for (const bool is_scaled : {false, true})
+                    falls_in_every_set &=
+                        add_set(result, times, material, is_scaled, sweep);
             add_named(result, "claims in every set",
                       {{"falls_always", word(falls_in_every_set)}});
             run.write_result(result);
-            run.write("times.csv", times_table.text());
+            run.write("times.csv", times.text());
         });
 }
