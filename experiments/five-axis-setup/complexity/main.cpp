@@ -31,14 +31,20 @@ double size_of(const StudiedPart& part, const std::string& sweep)
 // Times in s of the paper's search for A,B, by row.
 using PaperTimes = std::map<std::string, double>;
 
-// Adds one row for each part up to the size `most`, in ascending order of size.
-void add_sweep(CsvTable& result, const std::string& sweep, const SetupWork& work,
-               const std::vector<StudiedPart>& parts, double most, PaperTimes& paper)
+// Parts in ascending order of size.
+struct Sweep {
+    std::string name;  // the quantity that varies
+    std::vector<StudiedPart> parts;
+};
+
+// Adds one row for each part of the sweep up to the size `most`.
+void add_sweep(CsvTable& result, const Sweep& sweep, const SetupWork& work, double most,
+               PaperTimes& paper)
 {
     double last_size = 0;
     double last_s = 0;
-    for (const StudiedPart& part : parts) {
-        const double size = size_of(part, sweep);
+    for (const StudiedPart& part : sweep.parts) {
+        const double size = size_of(part, sweep.name);
         if (size > most)
             break;
         const double s = work_s(work, part, budget_s);
@@ -48,14 +54,14 @@ void add_sweep(CsvTable& result, const std::string& sweep, const SetupWork& work
         const auto pairs = static_cast<double>(part.visibility.map.facets() *
                                                part.visibility.map.cells());
         const auto count = static_cast<std::int64_t>(size);
-        const std::string at = std::to_string(count) + " " + sweep;
+        const std::string at = std::to_string(count) + " " + sweep.name;
         if (work.name == "paper AB")
             paper[at] = s;
         const auto reference = paper.find(at);
         const CsvCell ratio =
             reference == paper.end() ? CsvCell{} : CsvCell{s / reference->second};
-        result.add_row({work.name + ", " + at, work.name, sweep, count, 1e9 * s / pairs,
-                        exponent, s, ratio});
+        result.add_row({work.name + ", " + at, work.name, sweep.name, count,
+                        1e9 * s / pairs, exponent, s, ratio});
         last_size = size;
         last_s = s;
     }
@@ -70,22 +76,23 @@ int main(int argc, char** argv)
         const std::string grid = run.text("grid");
         const double most_for_set = run.number("most_triangles_for_set");
         const TriangleMesh teapot = dataset_mesh(run.text("mesh"));
-        std::vector<StudiedPart> by_triangles;
+        Sweep by_triangles{"triangles", {}};
         for (const double squares : run.numbers("squares_a_patch"))
-            by_triangles.push_back(
+            by_triangles.parts.push_back(
                 studied_part(teapot_of_squares(static_cast<int>(squares) + 1, true), grid,
                              Angle::degrees(90)));
-        std::vector<StudiedPart> by_directions;
+        Sweep by_directions{"directions", {}};
         for (const std::string& finer : run.texts("grids"))
-            by_directions.push_back(studied_part(teapot, finer, Angle::degrees(90)));
+            by_directions.parts.push_back(
+                studied_part(teapot, finer, Angle::degrees(90)));
 
         CsvTable result{{"row", "work", "sweep", "size", "ns_a_pair", "exponent",
                          "seconds", "over_paper_ab"}};
         PaperTimes paper;
         for (const SetupWork& work : setup_works()) {
             const double most = work.name == "set AB" ? most_for_set : 1e9;
-            add_sweep(result, "triangles", work, by_triangles, most, paper);
-            add_sweep(result, "directions", work, by_directions, 1e9, paper);
+            add_sweep(result, by_triangles, work, most, paper);
+            add_sweep(result, by_directions, work, 1e9, paper);
         }
         run.write_result(result);
     });

@@ -53,6 +53,7 @@ double within(double angle, double turn)
 std::vector<PolarAngles> polar_angles(const std::vector<Vec3>& directions)
 {
     std::vector<PolarAngles> found;
+    found.reserve(directions.size());
     for (const Vec3& v : directions)
         found.push_back({within(degrees(std::atan2(v.y(), v.x())), 360),
                          degrees(std::atan2(std::hypot(v.x(), v.y()), v.z()))});

@@ -62,6 +62,7 @@ std::vector<bool> membership(const FeasibleDirections& set, std::span<const Vec3
     std::ranges::sort(in_order, std::greater<>{},
                       [&](const Vec3& cell) { return cell.dot(axis); });
     std::vector<bool> is_in;
+    is_in.reserve(in_order.size());
     for (const Vec3& cell : in_order)
         is_in.push_back(set.contains(cell));
     return is_in;
