@@ -134,6 +134,7 @@ std::string two_feeds_figure(const ChartFrame& frame, std::span<const double> pl
     constexpr LineStyle constant_style{"#0072B2", 1.4, "6 3"};
     constexpr LineStyle varied_style{"#D55E00", 1.4, ""};
     std::vector<ChartPanel> panels;
+    panels.reserve(forces.size());
     for (const TwoFeeds& force : forces)
         panels.push_back({force.label,
                           {{"0.1 mm a tooth", constant_style, force.constant},

@@ -39,6 +39,13 @@ std::size_t evaluate(const ToolPath& path, const std::vector<Surface>& part,
     return feed_plan(found.cuts, job, options).rows.size();
 }
 
+// CPU time of `evaluate`, s.
+double feed_cpu_s(const ToolPath& path, const std::vector<Surface>& part,
+                  const MillingJob& job, const FeedPlanOptions& options)
+{
+    return shortest_cpu_s(budget_s, [&] { return evaluate(path, part, job, options); });
+}
+
 // Times of a turn of forces at `steps` azimuths and of the mean force, for moves along the
 // path REF.
 void add_turn(CsvTable& result, const MillingJob& job, int steps)
@@ -90,18 +97,15 @@ int main(int argc, char** argv)
             const auto add = [&](const std::string& row, const auto& plan) {
                 const ToolPath path = plan();
                 const double plan_s = shortest_cpu_s(budget_s, plan);
-                const auto feed_s = [&](const FeedPlanOptions& options) {
-                    return shortest_cpu_s(
-                        budget_s, [&] { return evaluate(path, part, job, options); });
-                };
-                const double direct_s = feed_s({});
+                const double direct_s = feed_cpu_s(path, part, job, {});
+                const double table_s = feed_cpu_s(path, part, job, {.table = &table});
                 const auto segments =
                     static_cast<std::int64_t>(evaluate(path, part, job, {}));
                 add_named(result, row,
                           {{"segments", segments},
                            {"plan_ms", ms * plan_s},
                            {"feed_ms", ms * direct_s},
-                           {"feed_table_ms", ms * feed_s({.table = &table})},
+                           {"feed_table_ms", ms * table_s},
                            {"feed_over_plan", direct_s / plan_s},
                            {"takes_no_longer", word(direct_s <= plan_s)}});
             };
