@@ -8,9 +8,9 @@
 
 #include <algorithm>
 
+#include "ball-end-milling/figure-10/stroke_comparison.h"
 #include "support/along_path.h"
 #include "support/milling_jobs.h"
-#include "support/stroke_comparison.h"
 
 using namespace endmill;
 

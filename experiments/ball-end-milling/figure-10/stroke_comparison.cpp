@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "support/stroke_comparison.h"
+#include "ball-end-milling/figure-10/stroke_comparison.h"
 
 #include <algorithm>
 #include <cmath>
