@@ -16,6 +16,7 @@ apt-get only if something is missing. The other scripts call it with the groups 
   tests        test framework, checks of format and style, interpreter of G-code
   sanitizers   clang with its sanitizers and fuzzer
   docs         Doxygen and Graphviz
+  paper        LaTeX and Matplotlib: the replication paper
   packaging    makes the Debian package
 
   --no-install   installs nothing. Checks that every program and library exists, from any
@@ -106,6 +107,7 @@ passes() {
             done
             return 1 ;;
         python) /usr/bin/python3 -c "import $subject" >/dev/null 2>&1 ;;
+        tex) command -v kpsewhich >/dev/null && kpsewhich "$subject" >/dev/null ;;
         header) echo "#include <$subject>" | c++ -fsyntax-only -x c++ - >/dev/null 2>&1 ;;
         sanitizer)
             echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char*, unsigned long) { return 0; }' |

@@ -7,7 +7,7 @@ import unittest
 
 from fake_tree import ROOT, FakeTree
 
-GROUPS = ["build", "figures", "benchmarks", "tests", "sanitizers", "docs", "packaging"]
+GROUPS = ["build", "figures", "benchmarks", "tests", "sanitizers", "docs", "paper", "packaging"]
 
 
 class Setup(FakeTree):
@@ -31,7 +31,7 @@ class Setup(FakeTree):
             if line and line[0] not in "#[":
                 package, test, reason = (part.strip() for part in line.split("|"))
                 self.assertTrue(package and reason, line)
-                self.assertRegex(test, r"^(program|cmake|library|python|header|sanitizer) \S")
+                self.assertRegex(test, r"^(program|cmake|library|python|header|sanitizer|tex) \S")
 
     def test_list_prints_the_packages_of_the_groups(self):
         packages = "[a]\none | program sh | x\n[b]\ntwo | program sh | x\nthree | program sh | x\n"
@@ -49,13 +49,13 @@ class Setup(FakeTree):
         packages = ("[a]\none | program no-such-program | first reason\n"
                     "two | cmake NoSuchPackage 3 | second reason\nthree | library no-such-library | third\n"
                     "four | header no/such_header.h | fourth\nfive | python no_such_module | fifth\n"
-                    "six | program sh | there\n")
+                    "six | program sh | there\nseven | tex no-such-file.sty | seventh\n")
         done = self.setup_with(packages, "--no-install", "a")
         self.assertEqual(done.returncode, 1)
-        for package in ("one", "two", "three", "four", "five"):
+        for package in ("one", "two", "three", "four", "five", "seven"):
             self.assertIn(f"(Debian package {package})", done.stderr)
         self.assertNotIn("Debian package six", done.stderr)
-        self.assertIn("5 of 6 requirements are missing", done.stderr)
+        self.assertIn("6 of 7 requirements are missing", done.stderr)
 
     def test_unknown_group_or_option_is_refused(self):
         for argument in ("nonsense", "--nonsense"):
@@ -66,7 +66,7 @@ class Setup(FakeTree):
 
 class Scripts(unittest.TestCase):
     def test_scripts_have_a_help_with_an_example_and_refuse_unknown_options(self):
-        for name in ("setup", "reproduce", "test", "fuzz", "docs", "bench"):
+        for name in ("setup", "reproduce", "test", "fuzz", "docs", "bench", "paper"):
             script = ROOT / f"scripts/{name}.sh"
             helped = subprocess.run([script, "--help"], capture_output=True, text=True, check=False)
             self.assertEqual(helped.returncode, 0, name)
