@@ -41,6 +41,9 @@ constexpr double step_share_of_extent = 1.0 / 1000;
 constexpr double threshold_in_steps = 4;
 constexpr int most_planes = 10'000'000;
 constexpr int most_repetitions = 100'000;
+// The radii for which the clearance can be measured, in mm.
+constexpr double least_radius = 1e-6;
+constexpr double most_radius = 1e6;
 constexpr std::string_view worst_word = "worst";
 constexpr std::size_t shown_characters = 40;  // of a wrong word
 constexpr int most_grid = 46'000;             // N x N vertices must have 32-bit numbers
@@ -282,9 +285,14 @@ void check_curve_options(const TrimOptions& options)
         !has_curves || !options.refine,
         "--refine and --polyline: curves have no surface to refine on; expected one of "
         "the two");
-    if (options.offset)
-        require_within_extent("--offset", options.offset->radius(),
-                              options.common.limits);
+    if (options.offset) {
+        const double radius = options.offset->radius();
+        require_within_extent("--offset", radius, options.common.limits);
+        require_option(least_radius <= radius && radius <= most_radius,
+                       "--offset: found a radius of " + to_text(radius) +
+                           " mm; expected one from " + to_text(least_radius) + " to " +
+                           to_text(most_radius) + " mm");
+    }
     if (has_curves && !options.offset)
         refuse_idle_options(options.common, std::array{"--boundary"},
                             "--polyline without --offset", "--offset, or a PART");

@@ -369,6 +369,7 @@ class Trim(ProgramTest):
                 (("--polyline", curves, "--offset", "-2"), "--offset"),
                 (("--polyline", curves, "--offset", "ball:x"), "--offset"),
                 (("--polyline", curves, "--offset", "2e6"), "--max-extent"),
+                (("--polyline", curves, "--offset", "1e-7"), "a radius of 1e-07 mm; expected one from 1e-06"),
                 (("--polyline", curves, "--boundary", "none"), "--boundary: has no effect"),
                 ((part, "--cutter", "ball:5", "--repeat", "5"), "--repeat: has no effect with --method envelope"),
                 ((part, "--cutter", "ball:5", "--method", "all", "--repeat", "0"), "--repeat"),
