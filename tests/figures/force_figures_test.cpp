@@ -17,7 +17,7 @@
 namespace endmill {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double rad = pi / 180;
 
 const BallEngagement inclined{20 * rad, 10 * rad, 0.4, 0.5};

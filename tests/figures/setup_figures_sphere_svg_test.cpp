@@ -19,7 +19,7 @@ namespace {
 using test::range_deg;
 using test::setup_turned;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 const std::string needed_colour = "#e05a00";
 const std::string rim_colour = "#8a8a8a";
 const std::string cell_sides = "#ffffff";

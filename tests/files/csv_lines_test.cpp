@@ -22,7 +22,7 @@ std::vector<Cells> all_cells(const std::string& text)
     return lines;
 }
 
-std::string complaint_about(const std::string& text)
+std::string csv_lines_complaint(const std::string& text)
 {
     return complaint_of([&] { all_cells(text); });
 }
@@ -58,13 +58,14 @@ TEST(CsvLines, CutAsTheGeneralReaderDoes)
 
 TEST(CsvLines, RefuseQuotesThatDoNotEncloseACellOfOneLine)
 {
-    EXPECT_EQ(complaint_about("a\n\"b\nc\"\n"),
+    EXPECT_EQ(csv_lines_complaint("a\n\"b\nc\"\n"),
               "E_CSV f:2: a quote that is not closed; expected a closing quote");
     for (const char* text : {"a\nb\"c\n", "a\n\"b\"c\n", "a\n\"b\"\"c\"\n", "a\nb,c\"\n"})
-        EXPECT_THAT(complaint_about(text),
+        EXPECT_THAT(csv_lines_complaint(text),
                     testing::StartsWith("E_CSV f:2: a quote inside"))
             << text;
-    EXPECT_THAT(complaint_about("a\rb\n"), testing::HasSubstr("f:1: a carriage return"));
+    EXPECT_THAT(csv_lines_complaint("a\rb\n"),
+                testing::HasSubstr("f:1: a carriage return"));
 }
 
 TEST(CsvLines, ReturnTheTextAfterTheLine)

@@ -101,7 +101,7 @@ TEST(ParseCsv, GivesBackTheTextOfATableThatWasRead)
         EXPECT_EQ(parse_csv(text, "f").text(), text);
 }
 
-std::string complaint_about(const std::string& text)
+std::string csv_complaint(const std::string& text)
 {
     try {
         const CsvTable table = parse_csv(text, "f");
@@ -116,19 +116,19 @@ std::string complaint_about(const std::string& text)
 
 TEST(ParseCsv, StatesTheLineOfAnError)
 {
-    EXPECT_EQ(complaint_about("a,b\n1,2\n3\n"), "f:3: row has 1 cells; expected 2");
-    EXPECT_EQ(complaint_about("a,b\n1,2,3\n"), "f:2: row has 3 cells; expected 2");
-    EXPECT_THAT(complaint_about("a,b\n\"1\n\n2\",2\n3\n"), testing::StartsWith("f:5: "));
-    EXPECT_THAT(complaint_about("a,b\n1,2\n\"3,4\n5,6\n"),
+    EXPECT_EQ(csv_complaint("a,b\n1,2\n3\n"), "f:3: row has 1 cells; expected 2");
+    EXPECT_EQ(csv_complaint("a,b\n1,2,3\n"), "f:2: row has 3 cells; expected 2");
+    EXPECT_THAT(csv_complaint("a,b\n\"1\n\n2\",2\n3\n"), testing::StartsWith("f:5: "));
+    EXPECT_THAT(csv_complaint("a,b\n1,2\n\"3,4\n5,6\n"),
                 testing::StartsWith("f:3: a quote that is never closed"));
-    EXPECT_THAT(complaint_about("a\nx\"y\n"), testing::StartsWith("f:2: a quote inside"));
-    EXPECT_THAT(complaint_about("a\n\"x\"y\n"), testing::StartsWith("f:2: "));
-    EXPECT_THAT(complaint_about("a\rb\n"), testing::StartsWith("f:1: a carriage return"));
-    EXPECT_THAT(complaint_about("a,,b\n"), testing::StartsWith("f:1: a column without"));
-    EXPECT_THAT(complaint_about("a,a\n"), testing::StartsWith("f:1: two columns named"));
-    EXPECT_THAT(complaint_about("a,b\nx,1\ny,1;5\n"),
+    EXPECT_THAT(csv_complaint("a\nx\"y\n"), testing::StartsWith("f:2: a quote inside"));
+    EXPECT_THAT(csv_complaint("a\n\"x\"y\n"), testing::StartsWith("f:2: "));
+    EXPECT_THAT(csv_complaint("a\rb\n"), testing::StartsWith("f:1: a carriage return"));
+    EXPECT_THAT(csv_complaint("a,,b\n"), testing::StartsWith("f:1: a column without"));
+    EXPECT_THAT(csv_complaint("a,a\n"), testing::StartsWith("f:1: two columns named"));
+    EXPECT_THAT(csv_complaint("a,b\nx,1\ny,1;5\n"),
                 testing::StartsWith("f:3: b is \"1;5\"; expected a number"));
-    EXPECT_THAT(complaint_about("a\nnan\n"), HasSubstr("expected a number"));
+    EXPECT_THAT(csv_complaint("a\nnan\n"), HasSubstr("expected a number"));
 }
 
 TEST(ParseCsv, StatesWhichColumnIsMissing)

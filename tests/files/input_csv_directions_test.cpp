@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string complaint_about(const std::string& text)
+std::string input_csv_directions_complaint(const std::string& text)
 {
     return complaint_of([&] { parse_directions(text, "f"); });
 }
@@ -32,14 +32,15 @@ TEST(DirectionsCsv, AreUnitVectorsByAzimuthAndPolarAngle)
 
 TEST(DirectionsCsv, NameTheWrongLine)
 {
-    EXPECT_THAT(complaint_about("azimuth_deg,polar_deg\n"), HasSubstr("no row"));
-    EXPECT_THAT(complaint_about("azimuth_deg,polar_deg\n1,181\n"),
+    EXPECT_THAT(input_csv_directions_complaint("azimuth_deg,polar_deg\n"),
+                HasSubstr("no row"));
+    EXPECT_THAT(input_csv_directions_complaint("azimuth_deg,polar_deg\n1,181\n"),
                 HasSubstr("f:2: polar_deg is \"181\"; expected a number from 0 to 180"));
-    EXPECT_THAT(complaint_about("azimuth_deg,polar_deg\n1,2\nnan,2\n"),
+    EXPECT_THAT(input_csv_directions_complaint("azimuth_deg,polar_deg\n1,2\nnan,2\n"),
                 HasSubstr("f:3: azimuth_deg is \"nan\""));
-    EXPECT_THAT(complaint_about("azimuth_deg,polar_deg\n1,\n"),
+    EXPECT_THAT(input_csv_directions_complaint("azimuth_deg,polar_deg\n1,\n"),
                 HasSubstr("polar_deg is empty"));
-    EXPECT_THAT(complaint_about("azimuth_de,polar_deg\n1,2\n"),
+    EXPECT_THAT(input_csv_directions_complaint("azimuth_de,polar_deg\n1,2\n"),
                 HasSubstr("did you mean \"azimuth_deg\"?"));
 }
 

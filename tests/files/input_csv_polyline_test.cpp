@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using Points = std::vector<SectionPoint>;
 
-std::string complaint_about(const std::string& text)
+std::string input_csv_polyline_complaint(const std::string& text)
 {
     return complaint_of([&] { parse_polylines(text, "f.csv"); });
 }
@@ -38,32 +38,38 @@ TEST(PolylineCsv, TurnsMergesClosesAndOrders)
 
 TEST(PolylineCsv, StatesTheLineOfAnError)
 {
-    EXPECT_THAT(complaint_about(""), HasSubstr("f.csv:1: no column s_mm"));
-    EXPECT_THAT(complaint_about("s_mm\n"), HasSubstr("no column z_mm"));
-    EXPECT_THAT(complaint_about("s_mm,z\n"), HasSubstr("unknown column \"z\""));
-    EXPECT_THAT(complaint_about("s_mm,z_mm,s_mm\n"), HasSubstr("column s_mm twice"));
-    EXPECT_THAT(complaint_about("s_mm,z_mm\n"), HasSubstr("no row after the header"));
-    EXPECT_THAT(complaint_about("s_mm,z_mm\n1,2\n3\n"),
+    EXPECT_THAT(input_csv_polyline_complaint(""), HasSubstr("f.csv:1: no column s_mm"));
+    EXPECT_THAT(input_csv_polyline_complaint("s_mm\n"), HasSubstr("no column z_mm"));
+    EXPECT_THAT(input_csv_polyline_complaint("s_mm,z\n"),
+                HasSubstr("unknown column \"z\""));
+    EXPECT_THAT(input_csv_polyline_complaint("s_mm,z_mm,s_mm\n"),
+                HasSubstr("column s_mm twice"));
+    EXPECT_THAT(input_csv_polyline_complaint("s_mm,z_mm\n"),
+                HasSubstr("no row after the header"));
+    EXPECT_THAT(input_csv_polyline_complaint("s_mm,z_mm\n1,2\n3\n"),
                 HasSubstr("f.csv:3: row has 1 cell"));
-    EXPECT_THAT(complaint_about("s_mm,z_mm\n1,nan\n"),
+    EXPECT_THAT(input_csv_polyline_complaint("s_mm,z_mm\n1,nan\n"),
                 HasSubstr("f.csv:2: z_mm is \"nan\""));
-    EXPECT_THAT(complaint_about("s_mm,z_mm\n,2\n"), HasSubstr("s_mm is empty"));
-    EXPECT_THAT(complaint_about("s_mm,z_mm\n1e7,2\n"), HasSubstr("s_mm is 1e+07"));
-    EXPECT_THAT(complaint_about("s_mm,z_mm,curve\n1,2,x\n"),
+    EXPECT_THAT(input_csv_polyline_complaint("s_mm,z_mm\n,2\n"),
+                HasSubstr("s_mm is empty"));
+    EXPECT_THAT(input_csv_polyline_complaint("s_mm,z_mm\n1e7,2\n"),
+                HasSubstr("s_mm is 1e+07"));
+    EXPECT_THAT(input_csv_polyline_complaint("s_mm,z_mm,curve\n1,2,x\n"),
                 HasSubstr("curve is \"x\"; expected a whole number"));
 }
 
 TEST(PolylineCsv, RefusesACurveWithoutTwoDifferentPoints)
 {
-    EXPECT_THAT(complaint_about("s_mm,z_mm\n1,2\n1,2\n"),
+    EXPECT_THAT(input_csv_polyline_complaint("s_mm,z_mm\n1,2\n1,2\n"),
                 HasSubstr("f.csv:2: a curve with 1 different point"));
-    EXPECT_THAT(complaint_about("s_mm,z_mm,curve\n0,0,1\n1,0,1\n5,5,2\n"),
+    EXPECT_THAT(input_csv_polyline_complaint("s_mm,z_mm,curve\n0,0,1\n1,0,1\n5,5,2\n"),
                 HasSubstr("f.csv:4: a curve with 1 different point"));
 }
 
 TEST(PolylineCsv, RefusesACurveThatComesAgain)
 {
-    EXPECT_THAT(complaint_about("s_mm,z_mm,curve\n0,0,1\n1,0,1\n0,1,2\n1,1,2\n0,3,1\n"),
+    EXPECT_THAT(input_csv_polyline_complaint(
+                    "s_mm,z_mm,curve\n0,0,1\n1,0,1\n0,1,2\n1,1,2\n0,3,1\n"),
                 HasSubstr("f.csv:6: curve 1 occurs again after another curve"));
 }
 

@@ -15,14 +15,14 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-std::string complaint_about(const std::string& text)
+std::string input_csv_tool_life_complaint(const std::string& text)
 {
     return complaint_of([&] { parse_cutting_speeds(text, "f.csv"); });
 }
 
 std::string complaint_about_rows(const std::string& rows)
 {
-    return complaint_about("phi_over_pi,v_m_per_min\n" + rows);
+    return input_csv_tool_life_complaint("phi_over_pi,v_m_per_min\n" + rows);
 }
 
 TEST(ToolLifeCsv, ReadsColumnsInAnyOrder)
@@ -35,15 +35,16 @@ TEST(ToolLifeCsv, ReadsColumnsInAnyOrder)
 
 TEST(ToolLifeCsv, StatesTheLineOfAnError)
 {
-    EXPECT_THAT(complaint_about(""), HasSubstr("f.csv:1: no column phi_over_pi"));
-    EXPECT_THAT(complaint_about("phi_over_pi\n0.1\n"),
+    EXPECT_THAT(input_csv_tool_life_complaint(""),
+                HasSubstr("f.csv:1: no column phi_over_pi"));
+    EXPECT_THAT(input_csv_tool_life_complaint("phi_over_pi\n0.1\n"),
                 HasSubstr("no column v_m_per_min"));
-    EXPECT_THAT(complaint_about("phi_over_pi,v_m_per_mim\n"),
+    EXPECT_THAT(input_csv_tool_life_complaint("phi_over_pi,v_m_per_mim\n"),
                 HasSubstr("did you mean \"v_m_per_min\"?"));
-    EXPECT_THAT(complaint_about("x,v_m_per_min\n"),
+    EXPECT_THAT(input_csv_tool_life_complaint("x,v_m_per_min\n"),
                 testing::EndsWith("unknown column \"x\"; expected phi_over_pi and "
                                   "v_m_per_min"));
-    EXPECT_THAT(complaint_about("phi_over_pi,phi_over_pi\n"),
+    EXPECT_THAT(input_csv_tool_life_complaint("phi_over_pi,phi_over_pi\n"),
                 HasSubstr("column phi_over_pi twice"));
     EXPECT_THAT(complaint_about_rows("0.1,64\n0.2\n"),
                 HasSubstr("E_CSV f.csv:3: row has 1 cell; expected 2"));

@@ -16,7 +16,7 @@ using std::string_literals::operator""s;
 using testing::HasSubstr;
 
 // The error in `text` as "PLACE: …"; "accepted" if there is none.
-std::string complaint_about(const std::string& text)
+std::string json_tree_complaint(const std::string& text)
 {
     try {
         json_tree(text, "f", {});
@@ -38,7 +38,7 @@ class MalformedJson : public testing::TestWithParam<BadText> {};
 
 TEST_P(MalformedJson, IsRefusedAtItsPlace)
 {
-    const std::string complaint = complaint_about(GetParam().text);
+    const std::string complaint = json_tree_complaint(GetParam().text);
     EXPECT_THAT(complaint, testing::StartsWith(GetParam().place + ": "));
     EXPECT_THAT(complaint, HasSubstr(GetParam().found));
     for (const char character : complaint)
@@ -86,23 +86,24 @@ TEST(JsonTree, NamesTheInvalidNumber)
     for (const std::string word :
          {"NaN", "nan", "-NaN", "Infinity", "-Infinity", "+Infinity", "inf", "-inf"}) {
         EXPECT_EQ(
-            complaint_about("{\"x\":\n[1, " + word + ", 2]}"),
+            json_tree_complaint("{\"x\":\n[1, " + word + ", 2]}"),
             "2:5: f:2:5: " + word + " is not a JSON number; expected a finite number");
-        EXPECT_EQ(complaint_about(word), "1:1: f:1:1: " + word +
-                                             " is not a JSON number; expected a finite "
-                                             "number");
+        EXPECT_EQ(json_tree_complaint(word),
+                  "1:1: f:1:1: " + word +
+                      " is not a JSON number; expected a finite "
+                      "number");
     }
     for (const std::string word : {"nano", "1-Infinity", "Nan0", "bezier", "-", "nul"})
-        EXPECT_THAT(complaint_about("[" + word + "]"),
+        EXPECT_THAT(json_tree_complaint("[" + word + "]"),
                     testing::Not(HasSubstr("a finite number")))
             << word;
 }
 
 TEST(JsonTree, AcceptsAByteOrderMarkAndZerosOfAnySpelling)
 {
-    EXPECT_EQ(complaint_about("\xef\xbb\xbf{}"), "accepted");
-    EXPECT_EQ(complaint_about("[0, -0, 0.000, 0e5, 0e-999, 5e-324]"), "accepted");
-    EXPECT_EQ(complaint_about("[{\"a\": 1}, {\"a\": 1}]"), "accepted");
+    EXPECT_EQ(json_tree_complaint("\xef\xbb\xbf{}"), "accepted");
+    EXPECT_EQ(json_tree_complaint("[0, -0, 0.000, 0e5, 0e-999, 5e-324]"), "accepted");
+    EXPECT_EQ(json_tree_complaint("[{\"a\": 1}, {\"a\": 1}]"), "accepted");
 }
 
 TEST(JsonTree, NestsSixtyFourDeepAndNoDeeper)
@@ -110,10 +111,10 @@ TEST(JsonTree, NestsSixtyFourDeepAndNoDeeper)
     const auto nested = [](int depth) {
         return std::string(depth, '[') + std::string(depth, ']');
     };
-    EXPECT_EQ(complaint_about(nested(64)), "accepted");
-    EXPECT_THAT(complaint_about(nested(65)), testing::StartsWith("1:65: "));
-    EXPECT_THAT(complaint_about(std::string(1000000, '[')), HasSubstr("64 levels"));
-    EXPECT_EQ(complaint_about("\"" + std::string(100, '[') + "\""), "accepted");
+    EXPECT_EQ(json_tree_complaint(nested(64)), "accepted");
+    EXPECT_THAT(json_tree_complaint(nested(65)), testing::StartsWith("1:65: "));
+    EXPECT_THAT(json_tree_complaint(std::string(1000000, '[')), HasSubstr("64 levels"));
+    EXPECT_EQ(json_tree_complaint("\"" + std::string(100, '[') + "\""), "accepted");
 }
 
 TEST(JsonTree, RefusesATreeBeyondTheMemoryLimit)

@@ -16,7 +16,7 @@ using testing::ElementsAre;
 
 const std::string obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 2\nf 1 2 3\nf 1 3 4\n";
 
-std::string complaint_about(const std::string& content, const std::string& path)
+std::string mesh_file_complaint(const std::string& content, const std::string& path)
 {
     return complaint_of([&] { parse_mesh(content, path); });
 }
@@ -51,43 +51,44 @@ TEST(ReadMesh, ReportsFilesThatCannotBeRead)
 TEST(ReadMesh, RefusesUnknownExtensions)
 {
     EXPECT_EQ(
-        complaint_about(obj, "part.objs"),
+        mesh_file_complaint(obj, "part.objs"),
         "E_FORMAT part.objs: unknown extension \".objs\", content looks like OBJ; "
         "expected \".stl\", \".obj\", \".ply\" or \".off\"; did you mean \".obj\"?");
-    EXPECT_EQ(complaint_about("hello", "dir.stl/part"),
+    EXPECT_EQ(mesh_file_complaint("hello", "dir.stl/part"),
               "E_FORMAT dir.stl/part: no extension; "
               "expected \".stl\", \".obj\", \".ply\" or \".off\"");
 }
 
 TEST(ReadMesh, RefusesContentThatContradictsTheExtension)
 {
-    EXPECT_EQ(complaint_about(obj, "part.stl"),
+    EXPECT_EQ(mesh_file_complaint(obj, "part.stl"),
               "E_FORMAT part.stl: content looks like OBJ; expected that of a .stl file");
     const TriangleMesh box = test::box_mesh({0, 0, 0}, {1, 2, 3});
-    EXPECT_EQ(complaint_about(mesh_text(box, MeshFormat::Stl), "a.ply"),
+    EXPECT_EQ(mesh_file_complaint(mesh_text(box, MeshFormat::Stl), "a.ply"),
               "E_FORMAT a.ply: content looks like STL; expected that of a .ply file");
-    EXPECT_EQ(complaint_about(mesh_text(box, MeshFormat::Ply), "a.OFF"),
+    EXPECT_EQ(mesh_file_complaint(mesh_text(box, MeshFormat::Ply), "a.OFF"),
               "E_FORMAT a.OFF: content looks like PLY; expected that of a .off file");
-    EXPECT_EQ(complaint_about("{}", "a.obj"),
+    EXPECT_EQ(mesh_file_complaint("{}", "a.obj"),
               "E_FORMAT a.obj: content looks like JSON; expected that of a .obj file");
-    EXPECT_EQ(complaint_about("hello", "a.off"),
+    EXPECT_EQ(mesh_file_complaint("hello", "a.off"),
               "E_OFF_SYNTAX a.off:1: \"hello\"; expected \"OFF\"");
 }
 
 // Files without triangles, and files whose triangles are all degenerate.
 TEST(ReadMesh, RefusesAMeshWithoutATriangle)
 {
-    EXPECT_EQ(complaint_about("v 0 0 0\nv 1 0 0\nv 3 0 0\nf 1 2 3\n", "a.obj"),
+    EXPECT_EQ(mesh_file_complaint("v 0 0 0\nv 1 0 0\nv 3 0 0\nf 1 2 3\n", "a.obj"),
               "E_DEGENERATE a.obj: the only triangle has no area; "
               "expected triangles whose corners are not on one line");
-    EXPECT_EQ(complaint_about("v 0 0 0\nv 1 0 0\nv 1 0 0\nf 1 2 3\nf 3 2 1\n", "a.obj"),
-              "E_DEGENERATE a.obj: none of the 2 triangles has an area; "
-              "expected triangles whose corners are not on one line");
-    EXPECT_EQ(complaint_about("v 0 0 0\n", "a.obj"),
+    EXPECT_EQ(
+        mesh_file_complaint("v 0 0 0\nv 1 0 0\nv 1 0 0\nf 1 2 3\nf 3 2 1\n", "a.obj"),
+        "E_DEGENERATE a.obj: none of the 2 triangles has an area; "
+        "expected triangles whose corners are not on one line");
+    EXPECT_EQ(mesh_file_complaint("v 0 0 0\n", "a.obj"),
               "E_EMPTY a.obj: mesh has no triangles; expected at least one");
-    EXPECT_EQ(complaint_about(std::string(84, '\0'), "a.stl"),
+    EXPECT_EQ(mesh_file_complaint(std::string(84, '\0'), "a.stl"),
               "E_EMPTY a.stl: mesh has no triangles; expected at least one");
-    EXPECT_EQ(complaint_about("solid\nendsolid\n", "a.stl"),
+    EXPECT_EQ(mesh_file_complaint("solid\nendsolid\n", "a.stl"),
               "E_EMPTY a.stl: mesh has no triangles; expected at least one");
 }
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-std::string complaint_about(const Vec3& coordinates, double mm_per_unit = 1,
-                            double max_extent_mm = 1e6)
+std::string mesh_source_complaint(const Vec3& coordinates, double mm_per_unit = 1,
+                                  double max_extent_mm = 1e6)
 {
     const MeshSource source{"", "f", {.max_extent_mm = max_extent_mm}, mm_per_unit};
     return complaint_of([&] { point_mm(source, coordinates, FilePlace::byte(96)); });
@@ -29,23 +29,23 @@ TEST(PointMm, ConvertsCoordinatesWithinTheLimit)
 {
     const MeshSource inch{"", "f", {}, 25.4};
     EXPECT_EQ(point_mm(inch, {1, -2, 0}, FilePlace::line(1)), Vec3(25.4, -50.8, 0));
-    EXPECT_EQ(complaint_about({1e6, -1e6, 0}), "accepted");
-    EXPECT_EQ(complaint_about({1e7, 0, 0}, 1, 1e7), "accepted");
+    EXPECT_EQ(mesh_source_complaint({1e6, -1e6, 0}), "accepted");
+    EXPECT_EQ(mesh_source_complaint({1e7, 0, 0}, 1, 1e7), "accepted");
 }
 
 TEST(PointMm, RefusesCoordinatesThatAreNotFiniteOrBeyondTheLimit)
 {
-    EXPECT_EQ(complaint_about({0, std::numeric_limits<double>::quiet_NaN(), 0}),
+    EXPECT_EQ(mesh_source_complaint({0, std::numeric_limits<double>::quiet_NaN(), 0}),
               "E_NONFINITE f@96: coordinate NaN; expected a finite number");
-    EXPECT_EQ(complaint_about({0, 0, -infinity}, 1, infinity),
+    EXPECT_EQ(mesh_source_complaint({0, 0, -infinity}, 1, infinity),
               "E_NONFINITE f@96: coordinate -infinity; expected a finite number");
     EXPECT_EQ(
-        complaint_about({1000001, 0, 0}),
+        mesh_source_complaint({1000001, 0, 0}),
         "E_RANGE f@96: coordinate 1000001; expected at most 1e+06 mm (--max-extent)");
-    EXPECT_EQ(complaint_about({0, -50000, 0}, 25.4),
+    EXPECT_EQ(mesh_source_complaint({0, -50000, 0}, 25.4),
               "E_RANGE f@96: coordinate -50000 (-1270000 mm); "
               "expected at most 1e+06 mm (--max-extent)");
-    EXPECT_EQ(complaint_about({0, 1e308, 0}, 25.4, infinity),
+    EXPECT_EQ(mesh_source_complaint({0, 1e308, 0}, 25.4, infinity),
               "E_RANGE f@96: coordinate 1e+308 (infinity mm); "
               "expected at most infinity mm (--max-extent)");
 }

@@ -22,7 +22,7 @@ CsvLines at_header(const std::string& text)
     return lines;
 }
 
-std::string complaint_about(const std::string& text)
+std::string named_columns_complaint(const std::string& text)
 {
     return complaint_of([&] {
         CsvLines lines = at_header(text);
@@ -56,12 +56,14 @@ TEST(NamedColumns, MayLackThoseThatAreNotNeeded)
 
 TEST(NamedColumns, ReportErrorsOfHeadersAndRows)
 {
-    EXPECT_THAT(complaint_about("s_mm,zmm\n"), HasSubstr("f:1: unknown column \"zmm\""));
-    EXPECT_THAT(complaint_about("s_mm,zmm\n"), HasSubstr("did you mean \"z_mm\"?"));
-    EXPECT_THAT(complaint_about("s_mm,s_mm\n"), HasSubstr("column s_mm twice"));
-    EXPECT_THAT(complaint_about("s_mm,curve\n"),
+    EXPECT_THAT(named_columns_complaint("s_mm,zmm\n"),
+                HasSubstr("f:1: unknown column \"zmm\""));
+    EXPECT_THAT(named_columns_complaint("s_mm,zmm\n"),
+                HasSubstr("did you mean \"z_mm\"?"));
+    EXPECT_THAT(named_columns_complaint("s_mm,s_mm\n"), HasSubstr("column s_mm twice"));
+    EXPECT_THAT(named_columns_complaint("s_mm,curve\n"),
                 HasSubstr("no column z_mm; expected s_mm and z_mm"));
-    EXPECT_THAT(complaint_about("s_mm,z_mm\n1,2\n1\n"),
+    EXPECT_THAT(named_columns_complaint("s_mm,z_mm\n1,2\n1\n"),
                 HasSubstr("f:3: row has 1 cell; expected 2"));
 }
 

@@ -25,7 +25,7 @@ std::vector<Triangle> triangles_of(const std::string& text)
     return {raw.mesh.triangles().begin(), raw.mesh.triangles().end()};
 }
 
-std::string complaint_about(const std::string& text)
+std::string obj_complaint(const std::string& text)
 {
     return complaint_of([&] { read(text); });
 }
@@ -74,18 +74,18 @@ TEST(ParseObj, IgnoresStatementsThatDoNotAffectTheShape)
 
 TEST(ParseObj, RefusesOtherContent)
 {
-    EXPECT_EQ(complaint_about("cstype bezier\n" + points),
+    EXPECT_EQ(obj_complaint("cstype bezier\n" + points),
               "E_OBJ_SYNTAX f.obj:1: free-form statement \"cstype\"; "
               "expected a mesh of points (v) and faces (f)");
     EXPECT_EQ(
-        complaint_about(points + "face 1 2 3\n"),
+        obj_complaint(points + "face 1 2 3\n"),
         "E_OBJ_SYNTAX f.obj:5: \"face\"; expected an OBJ statement, such as v or f");
-    EXPECT_EQ(complaint_about("v 0 0\n"),
+    EXPECT_EQ(obj_complaint("v 0 0\n"),
               "E_OBJ_SYNTAX f.obj:1: end of line; expected a number");
-    EXPECT_EQ(complaint_about("v 0 0,5 1\n"),
+    EXPECT_EQ(obj_complaint("v 0 0,5 1\n"),
               "E_OBJ_SYNTAX f.obj:1: \"0,5\"; expected a number, with \".\" as decimal "
               "sign");
-    EXPECT_EQ(complaint_about("v 0 0 0 white\n"),
+    EXPECT_EQ(obj_complaint("v 0 0 0 white\n"),
               "E_OBJ_SYNTAX f.obj:1: \"white\"; expected a number");
     for (const std::string corner : {"x", "1/", "1//", "1/2/", "1/2/3/4", "/1", "1.0",
                                      "1/a", "1\\", "\\", "99999999999999999999"}) {
@@ -93,7 +93,7 @@ TEST(ParseObj, RefusesOtherContent)
         text += "f 1 2 ";
         text += corner;
         text += "\n";
-        EXPECT_EQ(complaint_about(text),
+        EXPECT_EQ(obj_complaint(text),
                   "E_OBJ_SYNTAX f.obj:5: \"" + corner +
                       "\"; expected a corner: v, v/vt, v//vn or v/vt/vn");
     }
@@ -102,38 +102,38 @@ TEST(ParseObj, RefusesOtherContent)
 TEST(ParseObj, RefusesIndicesOfNoPoint)
 {
     const auto with = [](const std::string& index) {
-        return complaint_about(points + "f 1 2 " + index + "\nv 7 7 7\n");
+        return obj_complaint(points + "f 1 2 " + index + "\nv 7 7 7\n");
     };
     const std::string expected = "; expected 1 to 4, or -1 to -4, for the points above";
     EXPECT_EQ(with("0"), "E_INDEX f.obj:5: index 0" + expected);
     EXPECT_EQ(with("5"), "E_INDEX f.obj:5: index 5" + expected);
     EXPECT_EQ(with("-5"), "E_INDEX f.obj:5: index -5" + expected);
     EXPECT_EQ(with("4294967297/1"), "E_INDEX f.obj:5: index 4294967297" + expected);
-    EXPECT_EQ(complaint_about("f 1 2 3\n" + points),
+    EXPECT_EQ(obj_complaint("f 1 2 3\n" + points),
               "E_INDEX f.obj:1: index 1; expected points (v) above the faces");
 }
 
 TEST(ParseObj, RefusesInvalidFacesAndEndlessLines)
 {
-    EXPECT_EQ(complaint_about(points + "f 1 2\n"),
+    EXPECT_EQ(obj_complaint(points + "f 1 2\n"),
               "E_DEGENERATE f.obj:5: a face of 2 corners; expected at least 3");
-    EXPECT_EQ(complaint_about(points + "f 1 1 2\n"),
+    EXPECT_EQ(obj_complaint(points + "f 1 1 2\n"),
               "E_DEGENERATE f.obj:5: a face names a point twice; "
               "expected different corners");
-    EXPECT_THAT(complaint_about(points + "f 1 3 2 4\n"),
+    EXPECT_THAT(obj_complaint(points + "f 1 3 2 4\n"),
                 StartsWith("E_POLYGON f.obj:5: a face of 4 corners that is far from"));
-    EXPECT_EQ(complaint_about(points + "g " + std::string(1U << 20U, 'x') + "\n"),
+    EXPECT_EQ(obj_complaint(points + "g " + std::string(1U << 20U, 'x') + "\n"),
               "E_LIMIT f.obj:5: line is longer than 1 MiB; "
               "expected lines of at most 1048576 bytes");
 }
 
 TEST(ParseObj, RefusesInvalidCoordinates)
 {
-    EXPECT_EQ(complaint_about("v 0 0 0\nv 0 nan 0\n"),
+    EXPECT_EQ(obj_complaint("v 0 0 0\nv 0 nan 0\n"),
               "E_NONFINITE f.obj:2: coordinate NaN; expected a finite number");
-    EXPECT_EQ(complaint_about("v 0 inf 0\n"),
+    EXPECT_EQ(obj_complaint("v 0 inf 0\n"),
               "E_NONFINITE f.obj:1: coordinate infinity; expected a finite number");
-    EXPECT_EQ(complaint_about("v 0 0 1e39\n"),
+    EXPECT_EQ(obj_complaint("v 0 0 1e39\n"),
               "E_RANGE f.obj:1: coordinate 1e+39; expected at most 1e+06 mm "
               "(--max-extent)");
 }

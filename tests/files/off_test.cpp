@@ -32,14 +32,14 @@ std::vector<Triangle> triangles_of(const std::string& text)
     return {raw.mesh.triangles().begin(), raw.mesh.triangles().end()};
 }
 
-std::string complaint_about(const std::string& text)
+std::string off_complaint(const std::string& text)
 {
     return complaint_of([&] { read(text); });
 }
 
 std::string complaint_with(const std::string& from, const std::string& to)
 {
-    return complaint_about(replaced(sample, from, to));
+    return off_complaint(replaced(sample, from, to));
 }
 
 TEST(ParseOff, ReadsPointsAndFaces)
@@ -89,7 +89,7 @@ TEST(ParseOff, RefusesOtherKindsOfOff)
               "E_OFF_SYNTAX f.off:1: binary OFF; expected OFF in ASCII");
     EXPECT_EQ(complaint_with("OFF\n", ""),
               "E_OFF_SYNTAX f.off:1: \"4\"; expected \"OFF\"");
-    EXPECT_EQ(complaint_about("OFF\n"),
+    EXPECT_EQ(off_complaint("OFF\n"),
               "E_OFF_SYNTAX f.off:1: end of file; expected the numbers of points, faces "
               "and edges");
     EXPECT_EQ(complaint_with("4 2 5", "4 2"),

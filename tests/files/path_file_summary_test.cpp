@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string complaint_about(const std::string& summary)
+std::string path_file_summary_complaint(const std::string& summary)
 {
     const TemporaryFolder folder;
     folder.put("summary.json", summary);
@@ -59,17 +59,18 @@ TEST(PathSummary, MayHaveAToleranceOfZeroOnOneSide)
 
 TEST(PathSummary, IsReadStrictly)
 {
-    EXPECT_THAT(complaint_about("{"), HasSubstr("E_JSON"));
-    EXPECT_THAT(complaint_about("[1]"), HasSubstr("E_JSON"));
-    EXPECT_THAT(complaint_about(R"({"cutter": "bal:10"})"),
+    EXPECT_THAT(path_file_summary_complaint("{"), HasSubstr("E_JSON"));
+    EXPECT_THAT(path_file_summary_complaint("[1]"), HasSubstr("E_JSON"));
+    EXPECT_THAT(path_file_summary_complaint(R"({"cutter": "bal:10"})"),
                 HasSubstr("summary.json:/cutter: \"bal:10\"; expected ball:DIAMETER"));
-    EXPECT_THAT(complaint_about(R"({"cutter": 10})"), HasSubstr(":/cutter: 10"));
-    EXPECT_THAT(complaint_about(R"({"name": 1})"), HasSubstr(":/name: 1"));
-    EXPECT_THAT(complaint_about(R"({"chord_tolerance_mm": 0})"),
+    EXPECT_THAT(path_file_summary_complaint(R"({"cutter": 10})"),
+                HasSubstr(":/cutter: 10"));
+    EXPECT_THAT(path_file_summary_complaint(R"({"name": 1})"), HasSubstr(":/name: 1"));
+    EXPECT_THAT(path_file_summary_complaint(R"({"chord_tolerance_mm": 0})"),
                 HasSubstr(":/chord_tolerance_mm: 0; expected a number above 0"));
-    EXPECT_THAT(complaint_about(R"({"inner_tolerance_mm": -0.1})"),
+    EXPECT_THAT(path_file_summary_complaint(R"({"inner_tolerance_mm": -0.1})"),
                 HasSubstr(":/inner_tolerance_mm: -0.1; expected a number from 0"));
-    EXPECT_THAT(complaint_about(R"({"feed_mm_per_min": "fast"})"),
+    EXPECT_THAT(path_file_summary_complaint(R"({"feed_mm_per_min": "fast"})"),
                 HasSubstr(":/feed_mm_per_min: \"fast\"; expected a number"));
 }
 

@@ -9,14 +9,14 @@
 namespace endmill {
 namespace {
 
-std::string complaint_about(const std::string& text)
+std::string ply_header_complaint(const std::string& text)
 {
     return complaint_of([&] { parse_ply_header({text, "f.ply"}); });
 }
 
 std::string complaint_with(const std::string& from, const std::string& to)
 {
-    return complaint_about(replaced(ascii_ply, from, to));
+    return ply_header_complaint(replaced(ascii_ply, from, to));
 }
 
 TEST(PlyHeader, NamesElementsAndPropertiesInOrder)
@@ -69,9 +69,9 @@ TEST(PlyHeader, TakesCommentsAndCarriageReturns)
 
 TEST(PlyHeader, RefusesInvalidHeaders)
 {
-    EXPECT_EQ(complaint_about("plyx\n"),
+    EXPECT_EQ(ply_header_complaint("plyx\n"),
               "E_PLY_SYNTAX f.ply:1: \"plyx\"; expected \"ply\"");
-    EXPECT_EQ(complaint_about("ply\n"),
+    EXPECT_EQ(ply_header_complaint("ply\n"),
               "E_PLY_SYNTAX f.ply:1: end of file; expected \"format\"");
     EXPECT_EQ(complaint_with("ascii", "text"),
               "E_PLY_SYNTAX f.ply:2: \"text\"; expected \"ascii\", "
@@ -81,7 +81,7 @@ TEST(PlyHeader, RefusesInvalidHeaders)
     EXPECT_EQ(complaint_with("element camera", "elements camera"),
               "E_PLY_SYNTAX f.ply:4: \"elements\"; expected \"element\", \"property\" or "
               "\"end_header\"");
-    EXPECT_EQ(complaint_about(ascii_ply.substr(0, ascii_ply.find("end_header"))),
+    EXPECT_EQ(ply_header_complaint(ascii_ply.substr(0, ascii_ply.find("end_header"))),
               "E_PLY_SYNTAX f.ply:16: end of file; expected \"element\", \"property\" or "
               "\"end_header\"");
     EXPECT_EQ(complaint_with("element camera 1\n", ""),
@@ -122,7 +122,7 @@ TEST(PlyHeader, RefusesCountsThatTheFileCannotHold)
     EXPECT_EQ(complaint_with("vertex 4", "vertex -4"),
               "E_COUNT f.ply:6: header claims -4 items; expected 0 or more");
     const std::string binary = replaced(binary_ply(false), "face 2", "face 10");
-    EXPECT_EQ(complaint_about(binary),
+    EXPECT_EQ(ply_header_complaint(binary),
               "E_COUNT f.ply:12: header claims 10 items, file of " +
                   std::to_string(binary.size()) + " bytes can hold at most 8");
 }
@@ -132,8 +132,8 @@ TEST(PlyHeader, HasAtMostAThousandProperties)
     std::string text = "ply\nformat ascii 1.0\nelement a 0\n";
     for (int i = 0; i < 999; ++i)
         text += "property int x" + std::to_string(i) + "\n";
-    EXPECT_EQ(complaint_about(text + "end_header\n"), "accepted");
-    EXPECT_EQ(complaint_about(text + "property int y\nend_header\n"),
+    EXPECT_EQ(ply_header_complaint(text + "end_header\n"), "accepted");
+    EXPECT_EQ(ply_header_complaint(text + "property int y\nend_header\n"),
               "E_LIMIT f.ply:1003: over 1000 elements and properties; "
               "expected at most 1000");
 }

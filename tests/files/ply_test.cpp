@@ -22,14 +22,14 @@ RawMesh read(const std::string& text)
     return parse_ply({text, "f.ply"});
 }
 
-std::string complaint_about(const std::string& text)
+std::string ply_complaint(const std::string& text)
 {
     return complaint_of([&] { read(text); });
 }
 
 std::string complaint_with(const std::string& from, const std::string& to)
 {
-    return complaint_about(replaced(ascii_ply, from, to));
+    return ply_complaint(replaced(ascii_ply, from, to));
 }
 
 // A binary file with three points whose only face has the bytes `face`.
@@ -105,9 +105,9 @@ TEST(ParsePly, RefusesAHeaderWithoutAMesh)
                              "element face 0\nproperty list uchar int vertex_index\n"),
               "E_PLY_SYNTAX f.ply:12: \"face\"; expected every element once");
     EXPECT_EQ(
-        complaint_about("ply\nformat ascii 1.0\nelement face 0\nproperty list uchar int "
-                        "vertex_index\nelement vertex 0\nproperty int x\nproperty int y\n"
-                        "property int z\nend_header\n"),
+        ply_complaint("ply\nformat ascii 1.0\nelement face 0\nproperty list uchar int "
+                      "vertex_index\nelement vertex 0\nproperty int x\nproperty int y\n"
+                      "property int z\nend_header\n"),
         "E_PLY_SYNTAX f.ply:3: the faces come before the points; "
         "expected element vertex, then element face");
 }
@@ -121,12 +121,12 @@ TEST(ParsePly, RefusesMoreOrFewerItemsThanClaimed)
     for (const bool is_big_endian : {false, true}) {
         const std::string text = binary_ply(is_big_endian);
         const std::string end = "E_COUNT f.ply@" + std::to_string(text.size());
-        EXPECT_EQ(complaint_about(text + '\n'),
+        EXPECT_EQ(ply_complaint(text + '\n'),
                   end + ": file goes on after all items that the header claims");
-        EXPECT_EQ(complaint_about(text.substr(0, text.size() - 1)),
+        EXPECT_EQ(ply_complaint(text.substr(0, text.size() - 1)),
                   "E_COUNT f.ply@" + std::to_string(text.size() - 4) +
                       ": end of file within an item; expected 4 bytes of a number");
-        EXPECT_EQ(complaint_about(text.substr(0, text.size() - 4)),
+        EXPECT_EQ(ply_complaint(text.substr(0, text.size() - 4)),
                   "E_COUNT f.ply@" + std::to_string(text.size() - 4) +
                       ": header claims 1 items \"edge\", file ends after 0");
     }
@@ -136,15 +136,14 @@ TEST(ParsePly, RefusesListsBeyondTheEnd)
 {
     const std::string text =
         binary_with_face("uchar int", "\xff" + std::string(12, '\0'));
-    EXPECT_EQ(complaint_about(text),
+    EXPECT_EQ(ply_complaint(text),
               "E_COUNT f.ply@" + std::to_string(text.size() - 13) +
                   ": a list of 255 numbers where 12 bytes can hold at most 3");
-    EXPECT_EQ(
-        complaint_about(binary_with_face("char int", "\xff" + std::string(12, '\0'))),
-        "E_COUNT f.ply@" + std::to_string(text.size() - 14) +
-            ": a list of -1 numbers; expected 0 or more");
-    EXPECT_EQ(complaint_about(binary_with_face(
-                  "uint char", "\xff\xff\xff\xff" + std::string(4, '\0'))),
+    EXPECT_EQ(ply_complaint(binary_with_face("char int", "\xff" + std::string(12, '\0'))),
+              "E_COUNT f.ply@" + std::to_string(text.size() - 14) +
+                  ": a list of -1 numbers; expected 0 or more");
+    EXPECT_EQ(ply_complaint(binary_with_face("uint char",
+                                             "\xff\xff\xff\xff" + std::string(4, '\0'))),
               "E_COUNT f.ply@" + std::to_string(text.size() - 13) +
                   ": a list of 4294967295 numbers where 4 bytes can hold at most 4");
     EXPECT_EQ(
@@ -168,9 +167,9 @@ TEST(ParsePly, RefusesIndicesOfNoPoint)
               "E_INDEX f.ply:24: index 1000000; expected 0 to 3");
     const std::string face{"\3\0\0\0\0\1\0\0\0\xfb\xff\xff\xff", 13};
     const std::string text = binary_with_face("uchar int", face);
-    EXPECT_EQ(complaint_about(text), "E_INDEX f.ply@" + std::to_string(text.size() - 4) +
-                                         ": index -5; expected 0 to 2");
-    EXPECT_EQ(complaint_about(replaced(text, "uchar int", "uchar uint")),
+    EXPECT_EQ(ply_complaint(text), "E_INDEX f.ply@" + std::to_string(text.size() - 4) +
+                                       ": index -5; expected 0 to 2");
+    EXPECT_EQ(ply_complaint(replaced(text, "uchar int", "uchar uint")),
               "E_INDEX f.ply@" + std::to_string(text.size() - 3) +
                   ": index 4294967291; expected 0 to 2");
     EXPECT_EQ(complaint_with("3 0 2 3 0.8", "3 0 2 2 0.8"),
@@ -193,9 +192,8 @@ TEST(ParsePly, RefusesInvalidCoordinates)
     append_number(text, 1.0F, true);
     append_number(text, INFINITY, true);
     append_number(text, 0.0F, true);
-    EXPECT_EQ(
-        complaint_about(text),
-        "E_NONFINITE f.ply@" + place + ": coordinate infinity; expected a finite number");
+    EXPECT_EQ(ply_complaint(text), "E_NONFINITE f.ply@" + place +
+                                       ": coordinate infinity; expected a finite number");
 }
 
 TEST(ParsePly, RefusesWhatNeedsMoreMemoryThanTheLimit)

@@ -51,7 +51,7 @@ std::vector<Corners> read(const std::string& text)
     return parse_stl({text, "f.stl"});
 }
 
-std::string complaint_about(const std::string& text)
+std::string stl_complaint(const std::string& text)
 {
     return complaint_of([&] { read(text); });
 }
@@ -96,45 +96,45 @@ TEST(ParseStl, RecognisesBinaryFilesByTheirLengthEvenIfTheyBeginWithSolid)
 
 TEST(ParseStl, RefusesABinaryFileWhoseLengthContradictsItsHeader)
 {
-    EXPECT_EQ(complaint_about("binary"s + std::string(44, '\0')),
+    EXPECT_EQ(stl_complaint("binary"s + std::string(44, '\0')),
               "E_STL_SIZE f.stl: file has 50 bytes and does not begin with \"solid\"; "
               "expected at least 84 bytes of a binary STL");
-    EXPECT_EQ(complaint_about(binary(0xffffffff, 2, some_corners)),
+    EXPECT_EQ(stl_complaint(binary(0xffffffff, 2, some_corners)),
               "E_STL_SIZE f.stl@80: header says 4294967295 triangles (214748364834 "
               "bytes), file has 184");
-    EXPECT_EQ(complaint_about(binary(1, 2, some_corners)),
+    EXPECT_EQ(stl_complaint(binary(1, 2, some_corners)),
               "E_STL_SIZE f.stl@80: header says 1 triangles (134 bytes), file has 184");
-    EXPECT_EQ(complaint_about(binary(2, 2, some_corners).substr(0, 170)),
+    EXPECT_EQ(stl_complaint(binary(2, 2, some_corners).substr(0, 170)),
               "E_STL_SIZE f.stl@80: header says 2 triangles (184 bytes), file has 170");
-    EXPECT_EQ(complaint_about(binary(2, 2, some_corners) + "\n"),
+    EXPECT_EQ(stl_complaint(binary(2, 2, some_corners) + "\n"),
               "E_STL_SIZE f.stl@80: header says 2 triangles (184 bytes), file has 185");
-    EXPECT_EQ(complaint_about(binary(2, 2, some_corners, "solid a").substr(0, 183)),
+    EXPECT_EQ(stl_complaint(binary(2, 2, some_corners, "solid a").substr(0, 183)),
               "E_STL_SIZE f.stl@80: header says 2 triangles (184 bytes), file has 183");
 }
 
 TEST(ParseStl, RefusesAsciiThatIsNotStl)
 {
-    EXPECT_EQ(complaint_about(replaced(ascii, "  endfacet\n", "")),
+    EXPECT_EQ(stl_complaint(replaced(ascii, "  endfacet\n", "")),
               "E_STL_SYNTAX f.stl:8: \"endsolid\"; expected \"endfacet\"");
-    EXPECT_EQ(complaint_about("solid a\n" + facet),
+    EXPECT_EQ(stl_complaint("solid a\n" + facet),
               "E_STL_SYNTAX f.stl:8: end of file; expected \"facet\" or \"endsolid\"");
-    EXPECT_EQ(complaint_about(replaced(ascii, "      vertex 1.5 0 0\n", "")),
+    EXPECT_EQ(stl_complaint(replaced(ascii, "      vertex 1.5 0 0\n", "")),
               "E_STL_SYNTAX f.stl:6: \"endloop\"; expected \"vertex\"");
-    EXPECT_EQ(complaint_about(replaced(ascii, "endloop", "vertex 1 2 3\nendloop")),
+    EXPECT_EQ(stl_complaint(replaced(ascii, "endloop", "vertex 1 2 3\nendloop")),
               "E_STL_SYNTAX f.stl:7: \"vertex\"; expected \"endloop\"");
-    EXPECT_EQ(complaint_about(replaced(ascii, "1.5", "one")),
+    EXPECT_EQ(stl_complaint(replaced(ascii, "1.5", "one")),
               "E_STL_SYNTAX f.stl:5: \"one\"; expected a number");
-    EXPECT_EQ(complaint_about(replaced(ascii, "1.5", "1,5")),
+    EXPECT_EQ(stl_complaint(replaced(ascii, "1.5", "1,5")),
               "E_STL_SYNTAX f.stl:5: \"1,5\"; expected a number, with \".\" as decimal "
               "sign");
-    EXPECT_EQ(complaint_about(replaced(ascii, "1.5 0 0", "1.5 0")),
+    EXPECT_EQ(stl_complaint(replaced(ascii, "1.5 0 0", "1.5 0")),
               "E_STL_SYNTAX f.stl:5: end of line; expected a number");
     EXPECT_EQ(
-        complaint_about(ascii + "more"),
+        stl_complaint(ascii + "more"),
         "E_STL_SYNTAX f.stl:10: \"more\"; expected \"solid\" or the end of the file");
-    EXPECT_EQ(complaint_about("solid"),
+    EXPECT_EQ(stl_complaint("solid"),
               "E_STL_SYNTAX f.stl:1: end of file; expected \"facet\" or \"endsolid\"");
-    EXPECT_EQ(complaint_about(replaced(ascii, "outer", "inner")),
+    EXPECT_EQ(stl_complaint(replaced(ascii, "outer", "inner")),
               "E_STL_SYNTAX f.stl:3: \"inner\"; expected \"outer\"");
 }
 
@@ -143,7 +143,7 @@ TEST(ParseStl, RefusesInvalidCoordinates)
     const auto with = [](float z) {
         std::array<float, 9> corners = some_corners;
         corners[5] = z;
-        return complaint_about(binary(1, 1, corners));
+        return stl_complaint(binary(1, 1, corners));
     };
     EXPECT_EQ(with(std::nanf("")),
               "E_NONFINITE f.stl@108: coordinate NaN; expected a finite number");
@@ -153,7 +153,7 @@ TEST(ParseStl, RefusesInvalidCoordinates)
               "E_RANGE f.stl@108: coordinate 2e+06; expected at most 1e+06 mm "
               "(--max-extent)");
     const auto spelled = [](const std::string& number) {
-        return complaint_about(replaced(ascii, "1.5", number));
+        return stl_complaint(replaced(ascii, "1.5", number));
     };
     EXPECT_EQ(spelled("nan"),
               "E_NONFINITE f.stl:5: coordinate NaN; expected a finite number");
@@ -170,7 +170,7 @@ TEST(ParseStl, RefusesInvalidCoordinates)
 
 TEST(ParseStl, IgnoresNormals)
 {
-    EXPECT_EQ(complaint_about(replaced(ascii, "normal 0 0 1", "normal nan 0 -inf")),
+    EXPECT_EQ(stl_complaint(replaced(ascii, "normal 0 0 1", "normal nan 0 -inf")),
               "accepted");
 }
 
@@ -181,7 +181,7 @@ TEST(ParseStl, RefusesWhatNeedsMoreMemoryThanTheLimit)
     EXPECT_THROW(parse_stl({text, "f", {.max_memory_gib = 1e-4}}), LimitError);
     std::string long_line = ascii;
     long_line.insert(20, std::string(1U << 20U, ' '));
-    EXPECT_EQ(complaint_about(long_line),
+    EXPECT_EQ(stl_complaint(long_line),
               "E_LIMIT f.stl:2: line is longer than 1 MiB; expected lines of at most "
               "1048576 bytes");
 }

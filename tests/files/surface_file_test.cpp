@@ -64,7 +64,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 }
 
 // "CODE message" of the error in `text`; "accepted" if there is none.
-std::string complaint_about(const std::string& text)
+std::string surface_file_complaint(const std::string& text)
 {
     try {
         parse_surface(text, "f.json");
@@ -116,13 +116,13 @@ TEST(ReadSurface, ConvertsInchesAndAddsANote)
 
 TEST(ReadSurface, RefusesRowsOfTheWrongNumberOrLength)
 {
-    EXPECT_THAT(complaint_about(surface_text("", 6, 4)),
+    EXPECT_THAT(surface_file_complaint(surface_text("", 6, 4)),
                 testing::AllOf(testing::StartsWith("E_SURFACE f.json:/control_points/0:"),
                                HasSubstr("row has 6 points; expected 7")));
-    EXPECT_THAT(complaint_about(surface_text("", 7, 5)),
+    EXPECT_THAT(surface_file_complaint(surface_text("", 7, 5)),
                 testing::AllOf(testing::StartsWith("E_SURFACE f.json:/control_points:"),
                                HasSubstr("5 rows; expected 4")));
-    EXPECT_THAT(complaint_about(
+    EXPECT_THAT(surface_file_complaint(
                     replaced(surface_text(), point_text(6, 2), point_text(6, 2) + ", 1")),
                 HasSubstr("/control_points/2: row has 8 points"));
 }
@@ -132,11 +132,11 @@ TEST(ReadSurface, ReportsAHugeDeclaredSizeWithoutAllocatingMemory)
     const std::string big =
         replaced(surface_text(), "\"patches_u\": 2", "\"patches_u\": 10000");
     EXPECT_THAT(
-        complaint_about(replaced(big, "\"patches_v\": 1", "\"patches_v\": 10000")),
+        surface_file_complaint(replaced(big, "\"patches_v\": 1", "\"patches_v\": 10000")),
         HasSubstr("expected 30001"));
     for (const std::string count : {"0", "-1", "10001", "4294967298", "2.0", "1e1"})
-        EXPECT_THAT(complaint_about(replaced(surface_text(), "\"patches_u\": 2",
-                                             "\"patches_u\": " + count)),
+        EXPECT_THAT(surface_file_complaint(replaced(surface_text(), "\"patches_u\": 2",
+                                                    "\"patches_u\": " + count)),
                     testing::AllOf(testing::StartsWith("E_JSON f.json:/patches_u:"),
                                    HasSubstr("whole number from 1 to 10000")))
             << count;
@@ -145,7 +145,7 @@ TEST(ReadSurface, ReportsAHugeDeclaredSizeWithoutAllocatingMemory)
 TEST(ReadSurface, NamesThePlaceOfABadCoordinate)
 {
     const auto with = [](const std::string& text) {
-        return complaint_about(replaced(surface_text(), point_text(2, 3), text));
+        return surface_file_complaint(replaced(surface_text(), point_text(2, 3), text));
     };
     EXPECT_THAT(with("[1, 2, 1e7]"),
                 testing::StartsWith("E_RANGE f.json:/control_points/3/2/2:"));
@@ -170,7 +170,7 @@ TEST(ReadSurface, MeasuresTheExtentInMmAndAgainstTheLimitGiven)
     const std::string text = replaced(surface_text("\"units\": \"inch\", "),
                                       point_text(0, 0), "[50000, 0, 0]");
     EXPECT_THAT(
-        complaint_about(text),
+        surface_file_complaint(text),
         testing::AllOf(testing::StartsWith("E_RANGE f.json:/control_points/0/0/0"),
                        HasSubstr("--max-extent")));
     EXPECT_NO_THROW(parse_surface(text, "f", {.max_extent_mm = 2e6}));
@@ -180,18 +180,20 @@ TEST(ReadSurface, MeasuresTheExtentInMmAndAgainstTheLimitGiven)
 
 TEST(ReadSurface, RefusesOtherFiles)
 {
-    EXPECT_THAT(complaint_about("solid a\n"), HasSubstr("content looks like STL"));
-    EXPECT_THAT(complaint_about("v 0 0 0\n"), HasSubstr("content looks like OBJ"));
-    EXPECT_THAT(complaint_about("hello"), testing::AllOf(testing::StartsWith("E_FORMAT"),
-                                                         HasSubstr("expected JSON")));
-    EXPECT_THAT(complaint_about("[1]"), HasSubstr("expected an object"));
-    EXPECT_THAT(complaint_about("{}"), HasSubstr("\"format\" is missing"));
+    EXPECT_THAT(surface_file_complaint("solid a\n"), HasSubstr("content looks like STL"));
+    EXPECT_THAT(surface_file_complaint("v 0 0 0\n"), HasSubstr("content looks like OBJ"));
+    EXPECT_THAT(
+        surface_file_complaint("hello"),
+        testing::AllOf(testing::StartsWith("E_FORMAT"), HasSubstr("expected JSON")));
+    EXPECT_THAT(surface_file_complaint("[1]"), HasSubstr("expected an object"));
+    EXPECT_THAT(surface_file_complaint("{}"), HasSubstr("\"format\" is missing"));
 }
 
 TEST(ReadSurface, DistinguishesANewerFormatFromAnother)
 {
     const auto with = [](const std::string& format) {
-        return complaint_about(replaced(surface_text(), "endmill-surface/1", format));
+        return surface_file_complaint(
+            replaced(surface_text(), "endmill-surface/1", format));
     };
     EXPECT_THAT(with("endmill-surface/2"),
                 testing::AllOf(testing::StartsWith("E_JSON f.json:/format:"),
@@ -204,17 +206,18 @@ TEST(ReadSurface, DistinguishesANewerFormatFromAnother)
 
 TEST(ReadSurface, SuggestsAKindForAnUnknownOne)
 {
-    EXPECT_THAT(complaint_about(replaced(surface_text(), "\"bezier\"", "\"beizer\"")),
-                HasSubstr("did you mean \"bezier\"?"));
+    EXPECT_THAT(
+        surface_file_complaint(replaced(surface_text(), "\"bezier\"", "\"beizer\"")),
+        HasSubstr("did you mean \"bezier\"?"));
 }
 
 TEST(ReadSurface, RefusesUnknownAndReservedKeys)
 {
-    EXPECT_THAT(complaint_about(surface_text("\"patch_u\": 2, ")),
+    EXPECT_THAT(surface_file_complaint(surface_text("\"patch_u\": 2, ")),
                 testing::AllOf(testing::StartsWith("E_JSON f.json:/patch_u: unknown key"),
                                HasSubstr("did you mean \"patches_u\"?")));
     EXPECT_THAT(
-        complaint_about(surface_text("\"trim_loops\": [], ")),
+        surface_file_complaint(surface_text("\"trim_loops\": [], ")),
         testing::AllOf(testing::StartsWith("E_SURFACE"), HasSubstr("trim_loops")));
 }
 
@@ -223,11 +226,12 @@ TEST(ReadSurface, RefusesANetThatIsOnePoint)
     std::string net = "[";
     for (int j = 0; j < 4; ++j)
         net += std::string{j == 0 ? "" : ", "} + "[[1,2,3], [1,2,3], [1,2,3], [1,2,3]]";
-    EXPECT_THAT(complaint_about(R"({"format": "endmill-surface/1", "type": "bezier",
+    EXPECT_THAT(
+        surface_file_complaint(R"({"format": "endmill-surface/1", "type": "bezier",
                                    "patches_u": 1, "patches_v": 1, "control_points": )" +
-                                net + "]}"),
-                testing::AllOf(testing::StartsWith("E_SURFACE"),
-                               HasSubstr("all control points are equal")));
+                               net + "]}"),
+        testing::AllOf(testing::StartsWith("E_SURFACE"),
+                       HasSubstr("all control points are equal")));
 }
 
 TEST(ReadSurface, AcceptsAPoleWithANote)

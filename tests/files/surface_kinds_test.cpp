@@ -39,7 +39,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
     return text.replace(at, from.size(), to);
 }
 
-std::string complaint_about(const std::string& text)
+std::string surface_kinds_complaint(const std::string& text)
 {
     try {
         parse_surface(text, "f.json");
@@ -88,7 +88,7 @@ TEST(SurfaceKinds, HeightGridTakesItsHeightsInMm)
 TEST(SurfaceKinds, RefuseUnsoundKnotsDegreesAndWeights)
 {
     const auto with = [](const std::string& from, const std::string& to) {
-        return complaint_about(replaced(quarter, from, to));
+        return surface_kinds_complaint(replaced(quarter, from, to));
     };
     EXPECT_EQ(with("\"degree_u\": 1", "\"degree_u\": 0"),
               "E_SURFACE f.json:/degree_u: degree 0; expected 1 to 25");
@@ -125,14 +125,14 @@ TEST(SurfaceKinds, RefuseUnsoundKnotsDegreesAndWeights)
 TEST(SurfaceKinds, RefuseInvalidNets)
 {
     const auto with = [](const std::string& from, const std::string& to) {
-        return complaint_about(replaced(two_patches, from, to));
+        return surface_kinds_complaint(replaced(two_patches, from, to));
     };
     EXPECT_EQ(with("[[0, 1, 0], [1, 1, 2]]", "[[0, 1, 0]]"),
               "E_SURFACE f.json:/patches/0/1: row has 1 point; expected 2 (as in row 0)");
     EXPECT_EQ(with(", [[0, 1, 0], [1, 1, 2]]", ""),
               "E_SURFACE f.json:/patches/0: net has 1 row, degree 0; expected degree 1 "
               "to 25");
-    EXPECT_EQ(complaint_about(start + R"("bezier-patches", "patches": []})"),
+    EXPECT_EQ(surface_kinds_complaint(start + R"("bezier-patches", "patches": []})"),
               "E_SURFACE f.json:/patches: no patches; expected at least one");
     std::string row = "[0, 0, 0]";
     for (int k = 1; k <= 26; ++k)
@@ -150,7 +150,7 @@ TEST(SurfaceKinds, RefuseInvalidNets)
 TEST(SurfaceKinds, RefuseInvalidGrids)
 {
     const auto with = [](const std::string& from, const std::string& to) {
-        return complaint_about(replaced(grid, from, to));
+        return surface_kinds_complaint(replaced(grid, from, to));
     };
     EXPECT_EQ(with("[0, 1, 2]", "[0, 2, 2]"),
               "E_SURFACE f.json:/x/2: 2 after 2; expected grid lines that rise, each by "

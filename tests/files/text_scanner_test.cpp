@@ -20,7 +20,7 @@ TextScanner scanner(std::string_view text)
 
 // "CODE message" of the error when `read` reads the first line of `text`.
 template <class Read>
-std::string complaint_about(std::string_view text, const Read& read)
+std::string text_scanner_complaint(std::string_view text, const Read& read)
 {
     TextScanner words = scanner(text);
     words.next_line();
@@ -29,12 +29,12 @@ std::string complaint_about(std::string_view text, const Read& read)
 
 std::string complaint_about_number(std::string_view text)
 {
-    return complaint_about(text, [](TextScanner& words) { words.number(); });
+    return text_scanner_complaint(text, [](TextScanner& words) { words.number(); });
 }
 
 std::string complaint_about_whole_number(std::string_view text)
 {
-    return complaint_about(text, [](TextScanner& words) { words.whole_number(); });
+    return text_scanner_complaint(text, [](TextScanner& words) { words.whole_number(); });
 }
 
 double number_in(std::string_view text)
@@ -115,14 +115,14 @@ TEST(TextScanner, RefusesWordsThatAreNotNumbers)
               "E_RANGE f.txt:1: \"1e999\"; expected a number that a double can hold");
     EXPECT_EQ(complaint_about_number("1e-999"),
               "E_RANGE f.txt:1: \"1e-999\"; expected a number that a double can hold");
-    EXPECT_EQ(
-        complaint_about("1", [](TextScanner& words) { words.number(), words.number(); }),
-        "E_TEXT f.txt:1: end of line; expected a number");
-    EXPECT_EQ(complaint_about("1\n",
-                              [](TextScanner& words) {
-                                  words.next_line();
-                                  words.number();
-                              }),
+    EXPECT_EQ(text_scanner_complaint(
+                  "1", [](TextScanner& words) { words.number(), words.number(); }),
+              "E_TEXT f.txt:1: end of line; expected a number");
+    EXPECT_EQ(text_scanner_complaint("1\n",
+                                     [](TextScanner& words) {
+                                         words.next_line();
+                                         words.number();
+                                     }),
               "E_TEXT f.txt:1: end of file; expected a number");
     for (const auto word : {"+-1"sv, "++1"sv, "1x"sv, "0x10"sv, "1.2.3"sv, "-"sv, "1_0"sv,
                             "1\0"sv, "nano"sv})
@@ -144,9 +144,9 @@ TEST(TextScanner, RefusesWordsThatAreNotWholeNumbers)
 
 TEST(TextScanner, RefusesMoreWordsThanExpected)
 {
-    EXPECT_EQ(
-        complaint_about("a  b", [](TextScanner& words) { words.expect_line_end(); }),
-        "E_TEXT f.txt:1: \"a\"; expected the end of the line");
+    EXPECT_EQ(text_scanner_complaint("a  b",
+                                     [](TextScanner& words) { words.expect_line_end(); }),
+              "E_TEXT f.txt:1: \"a\"; expected the end of the line");
 }
 
 TEST(TextScanner, ShowsNoControlCharactersAndNoLongWords)

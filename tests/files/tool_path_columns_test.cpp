@@ -21,7 +21,7 @@ PathColumns columns_of(const std::string& header)
     return path_columns(lines);
 }
 
-std::string complaint_about(const std::string& header)
+std::string tool_path_columns_complaint(const std::string& header)
 {
     return complaint_of([&] { columns_of(header); });
 }
@@ -55,41 +55,44 @@ TEST(PathColumns, AreNamedInTheOrderOfTheFormat)
 
 TEST(PathColumns, RefuseAMissingUnit)
 {
-    EXPECT_EQ(complaint_about("tip_x,tip_y_mm,tip_z_mm"),
+    EXPECT_EQ(tool_path_columns_complaint("tip_x,tip_y_mm,tip_z_mm"),
               "E_CSV f:1: column \"tip_x\" without its unit; expected \"tip_x_mm\"");
-    EXPECT_THAT(complaint_about("tip_x_mm,tip_y_mm,tip_z_mm,feed"),
+    EXPECT_THAT(tool_path_columns_complaint("tip_x_mm,tip_y_mm,tip_z_mm,feed"),
                 HasSubstr("expected \"feed_mm_per_min\""));
-    EXPECT_THAT(complaint_about("tip_x_mm,tip_y_mm,tip_z_mm,spindle"),
+    EXPECT_THAT(tool_path_columns_complaint("tip_x_mm,tip_y_mm,tip_z_mm,spindle"),
                 HasSubstr("expected \"spindle_rpm\""));
 }
 
 TEST(PathColumns, RefuseUnknownNamesWithASuggestion)
 {
-    EXPECT_THAT(complaint_about("tip_x_mm,tip_y_mm,tip_z_nm"),
+    EXPECT_THAT(tool_path_columns_complaint("tip_x_mm,tip_y_mm,tip_z_nm"),
                 HasSubstr("unknown column \"tip_z_nm\""));
-    EXPECT_THAT(complaint_about("tip_x_mm,tip_y_mm,tip_z_nm"),
+    EXPECT_THAT(tool_path_columns_complaint("tip_x_mm,tip_y_mm,tip_z_nm"),
                 HasSubstr("did you mean \"tip_z_mm\"?"));
-    EXPECT_THAT(complaint_about("plane,curve"), HasSubstr("unknown column \"plane\""));
-    EXPECT_THAT(complaint_about(std::string(100000, 'x')), HasSubstr("unknown column"));
-    EXPECT_THAT(complaint_about("1,2,3"), HasSubstr("unknown column \"1\""));
+    EXPECT_THAT(tool_path_columns_complaint("plane,curve"),
+                HasSubstr("unknown column \"plane\""));
+    EXPECT_THAT(tool_path_columns_complaint(std::string(100000, 'x')),
+                HasSubstr("unknown column"));
+    EXPECT_THAT(tool_path_columns_complaint("1,2,3"), HasSubstr("unknown column \"1\""));
 }
 
 TEST(PathColumns, RefuseMissingAndRepeatedColumns)
 {
     EXPECT_EQ(
-        complaint_about("tip_x_mm,tip_z_mm"),
+        tool_path_columns_complaint("tip_x_mm,tip_z_mm"),
         "E_CSV f:1: no column \"tip_y_mm\"; expected a header with tip_x_mm, tip_y_mm "
         "and tip_z_mm");
-    EXPECT_THAT(complaint_about("pass,point"), HasSubstr("no column \"tip_x_mm\""));
-    EXPECT_THAT(complaint_about(""), HasSubstr("no column \"tip_x_mm\""));
-    EXPECT_THAT(complaint_about("\n"), HasSubstr("a column without a name"));
-    EXPECT_THAT(complaint_about("tip_x_mm,tip_y_mm,tip_z_mm,"),
+    EXPECT_THAT(tool_path_columns_complaint("pass,point"),
+                HasSubstr("no column \"tip_x_mm\""));
+    EXPECT_THAT(tool_path_columns_complaint(""), HasSubstr("no column \"tip_x_mm\""));
+    EXPECT_THAT(tool_path_columns_complaint("\n"), HasSubstr("a column without a name"));
+    EXPECT_THAT(tool_path_columns_complaint("tip_x_mm,tip_y_mm,tip_z_mm,"),
                 HasSubstr("without a name"));
-    EXPECT_THAT(complaint_about("tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_z"),
+    EXPECT_THAT(tool_path_columns_complaint("tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_z"),
                 HasSubstr("no column \"axis_y\"; expected all columns of a vector"));
-    EXPECT_THAT(complaint_about("tip_x_mm,tip_y_mm,tip_z_mm,v"),
+    EXPECT_THAT(tool_path_columns_complaint("tip_x_mm,tip_y_mm,tip_z_mm,v"),
                 HasSubstr("no column \"u\""));
-    EXPECT_THAT(complaint_about("tip_x_mm,tip_y_mm,tip_z_mm,tip_x_mm"),
+    EXPECT_THAT(tool_path_columns_complaint("tip_x_mm,tip_y_mm,tip_z_mm,tip_x_mm"),
                 HasSubstr("two columns named \"tip_x_mm\""));
 }
 

@@ -20,7 +20,8 @@ using testing::HasSubstr;
 const std::string header =
     "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z";
 
-std::string complaint_about(const std::string& text, const ReadLimits& limits = {})
+std::string tool_path_reader_complaint(const std::string& text,
+                                       const ReadLimits& limits = {})
 {
     return complaint_of([&] { parse_tool_path(text, "f.csv", limits); });
 }
@@ -91,7 +92,7 @@ TEST(ToolPathReader, ReadsALongPathExactlyAndReportsItsFirstError)
         for (std::size_t line = 0; line <= row; ++line)
             at = text.find('\n', at) + 1;
         text[at] = 'x';
-        EXPECT_THAT(complaint_about(text),
+        EXPECT_THAT(tool_path_reader_complaint(text),
                     HasSubstr("f.csv:" + std::to_string(row + 2) + ": pass is \"x"));
     }
 }
@@ -163,7 +164,7 @@ TEST(ToolPathReader, RefusesBadCellsWithTheLine)
              {"0,1,\"cut,0,0,0,0,0,1", "a quote that is not closed"}}) {
         std::string text = header + "\n0,0,cut,0,0,0,0,0,1\n";
         text += row + '\n';
-        const std::string found = complaint_about(text);
+        const std::string found = tool_path_reader_complaint(text);
         EXPECT_THAT(found, HasSubstr(" f.csv:3: ")) << row;
         EXPECT_THAT(found, HasSubstr(complaint)) << row;
     }
@@ -172,7 +173,7 @@ TEST(ToolPathReader, RefusesBadCellsWithTheLine)
 TEST(ToolPathReader, RefusesConditionsOutOfTheirDomain)
 {
     const auto about = [](const std::string& cells) {
-        return complaint_about(
+        return tool_path_reader_complaint(
             "tip_x_mm,tip_y_mm,tip_z_mm,feed_mm_per_min,spindle_rpm,tool\n"
             "0,0,0," +
             cells + "\n");
@@ -193,29 +194,31 @@ TEST(ToolPathReader, RefusesAContactThatIsNotWhole)
     const std::string all =
         "tip_x_mm,tip_y_mm,tip_z_mm,u,v,contact_x_mm,contact_y_mm,"
         "contact_z_mm,normal_x,normal_y,normal_z\n";
-    EXPECT_EQ(complaint_about(all + "0,0,0,.5,.5,1,2,3,0,0,1\n"), "accepted");
-    EXPECT_THAT(complaint_about(all + "0,0,0,,.5,1,2,3,0,0,1\n"),
+    EXPECT_EQ(tool_path_reader_complaint(all + "0,0,0,.5,.5,1,2,3,0,0,1\n"), "accepted");
+    EXPECT_THAT(tool_path_reader_complaint(all + "0,0,0,,.5,1,2,3,0,0,1\n"),
                 HasSubstr("u is empty"));
-    EXPECT_THAT(complaint_about(all + "0,0,0,.5,.5,,,,0,0,1\n"),
+    EXPECT_THAT(tool_path_reader_complaint(all + "0,0,0,.5,.5,,,,0,0,1\n"),
                 HasSubstr("contact_x_mm is empty; expected all of u, v, contact"));
-    EXPECT_THAT(complaint_about(all + "0,0,0,.5,.5,1,2,3,0,0,2\n"),
+    EXPECT_THAT(tool_path_reader_complaint(all + "0,0,0,.5,.5,1,2,3,0,0,2\n"),
                 HasSubstr("length 2"));
-    EXPECT_THAT(complaint_about(all + "0,0,0,.5,.5,1,2,3e6,0,0,1\n"),
+    EXPECT_THAT(tool_path_reader_complaint(all + "0,0,0,.5,.5,1,2,3e6,0,0,1\n"),
                 HasSubstr("E_RANGE"));
 }
 
 TEST(ToolPathReader, RefusesATableWithoutRows)
 {
-    EXPECT_THAT(complaint_about(header + "\n"),
+    EXPECT_THAT(tool_path_reader_complaint(header + "\n"),
                 HasSubstr("f.csv:1: no row after the header"));
-    EXPECT_THAT(complaint_about(""), HasSubstr("f.csv:1: no column \"tip_x_mm\""));
+    EXPECT_THAT(tool_path_reader_complaint(""),
+                HasSubstr("f.csv:1: no column \"tip_x_mm\""));
 }
 
 TEST(ToolPathReader, KeepsItsLimits)
 {
     const std::string text = tool_path_csv(wavy_path(10, 1000));
-    EXPECT_THAT(complaint_about(text, {.max_memory_gib = 1e-4}), HasSubstr("E_LIMIT"));
-    EXPECT_THAT(complaint_about(text, {.max_extent_mm = 100}),
+    EXPECT_THAT(tool_path_reader_complaint(text, {.max_memory_gib = 1e-4}),
+                HasSubstr("E_LIMIT"));
+    EXPECT_THAT(tool_path_reader_complaint(text, {.max_extent_mm = 100}),
                 HasSubstr("(--max-extent)"));
 }
 

@@ -9,8 +9,8 @@
 namespace endmill {
 namespace {
 
+using std::numbers::pi;
 using testing::HasSubstr;
-constexpr double pi = std::numbers::pi;
 
 TEST(AxisLimits, ContainTheirEnds)
 {

@@ -15,7 +15,7 @@
 namespace endmill {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const std::vector<DirectionCurve> the_pole{{Vec3{0, 0, 1}}};
 

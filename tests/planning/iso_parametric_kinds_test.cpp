@@ -18,7 +18,7 @@
 namespace endmill {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct CrossSection {
     double rho;   // radius of curvature, mm; positive where convex

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double rho = 20;
 constexpr double radius = 5;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // Passes across a cylinder, outside or inside, whose chords keep the tolerance delta.
 MotionError error_on_cylinder(double from, double to, double delta)

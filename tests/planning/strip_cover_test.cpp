@@ -15,7 +15,7 @@ namespace {
 
 constexpr double radius = 5;
 constexpr double height = 0.4;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The moves of a pass with contacts at `us`.
 SweptPass pass_through(const MarchedSurface& marched, double v,

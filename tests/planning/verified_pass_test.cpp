@@ -15,7 +15,7 @@ namespace {
 
 constexpr double radius = 5;
 constexpr double rho = 20;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // A surface for passes along u, with the tests of its moves.
 struct Planned {

@@ -19,7 +19,7 @@
 namespace endmill {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double rounding = 1e-10;  // mm
 
 // Deviation of the lines of all steps from the swept ball, mm along the distance: above 0

@@ -12,8 +12,8 @@
 namespace endmill {
 namespace {
 
+using std::numbers::pi;
 using test::relative_error;
-constexpr double pi = std::numbers::pi;
 
 FeedRules rules(const LoadLimits& limits)
 {

@@ -21,8 +21,8 @@
 namespace endmill {
 namespace {
 
+using std::numbers::pi;
 using test::relative_error;
-constexpr double pi = std::numbers::pi;
 
 MillingJob steel_job()
 {

@@ -15,8 +15,8 @@
 namespace endmill {
 namespace {
 
+using std::numbers::pi;
 using test::relative_error;
-constexpr double pi = std::numbers::pi;
 
 SegmentCut cut_of(double mu, double lambda, double pick_feed_ratio, double depth_ratio)
 {

@@ -14,7 +14,7 @@
 namespace endmill {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A problem with few cells and cones, so that all pairs of levels can be tried.

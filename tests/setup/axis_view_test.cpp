@@ -13,7 +13,7 @@
 namespace endmill {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(AxisView, GivesAzimuthsAndLevelsAboutTheAxis)
 {

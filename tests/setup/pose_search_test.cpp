@@ -21,7 +21,7 @@
 namespace endmill {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 using test::degree;
 using test::direction;

@@ -14,7 +14,7 @@ namespace {
 using test::degree;
 using test::up;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::vector<Vec3> anywhere(test::Random& random, int count)
 {

@@ -16,7 +16,7 @@
 namespace endmill {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double degree = pi / 180;
 
 /// Cones of a convex part: caps about the normals of its faces.

@@ -18,7 +18,7 @@
 namespace endmill {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // N_{i,p}(t) directly by the recursion of Cox and de Boor.
 double b_spline(const std::vector<double>& knots, int i, int p, double t)

@@ -20,7 +20,7 @@
 namespace endmill {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 SampledSurface sampled_up(const std::vector<Surface>& surfaces, double tolerance)
 {

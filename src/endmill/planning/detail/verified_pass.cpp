@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <string>
 #include <utility>
 
@@ -345,8 +344,9 @@ bool halve_step(VerifiedPass& pass, std::size_t step, const VerifiedSurface& sur
         const SurfaceContact on_line =
             ContactLine{surface.marched, pass.v, surface.direction}.at(middle);
         // The lowest contact that keeps the tolerances removes the most material.
-        for (const double offset : surface.offsets | std::views::reverse) {
-            const SurfaceContact contact = offset_contact(on_line, offset);
+        for (auto offset = surface.offsets.rbegin(); offset != surface.offsets.rend();
+             ++offset) {
+            const SurfaceContact contact = offset_contact(on_line, *offset);
             if (!keep_tolerances({from, contact, to}, pass.v, surface))
                 continue;
             piece.insert(piece.begin() + static_cast<std::ptrdiff_t>(step) + 1, contact);
