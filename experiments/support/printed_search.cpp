@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/printed_search.h"
 
+#include "support/timed_trimming.h"
+
 namespace endmill {
 namespace {
 
