@@ -34,6 +34,7 @@ int main(int argc, char** argv)
             {"(13): solid angle at least F", area_against_solid_angle},
             {"CA_Type: choice of CR2", choice_of_second_end},
             {"CA_Type: theta_j", width_of_procedure},
+            {"CA_Type: parts of the width", parts_of_width},
             {"CA_Type: phi", length_of_procedure},
             {"CA_Type: strict comparisons", strict_comparisons},
             {"CA_Type: reported pose", reported_sector},
@@ -45,6 +46,8 @@ int main(int argc, char** argv)
             {"(18): projections", projection_roots},
             {"(19): extremes over the hull's vertices", extremes_over_vertices},
             {"(20): limits without signs", unsigned_limits},
+            {"AB_Type: one index", ranges_by_one_index},
+            {"AB_Type: strict comparisons", strict_rectangle_comparisons},
             {"AB_Type: reported pose", reported_rectangle},
             {"(21): solid angle at least F", rectangle_against_solid_angle},
             {"near optimal rectangles", near_optimal_rectangles}};

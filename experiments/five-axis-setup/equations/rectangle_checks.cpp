@@ -52,9 +52,10 @@ void for_edges(const std::vector<Vec3>& hull, const Check& check)
         check(hull[k], hull[(k + 1) % hull.size()]);
 }
 
+// A direction within 90 degrees of the pole. Directions farther away have no hull.
 Vec3 random_direction(RandomSets& random)
 {
-    const double z = random.number(-1, 1);
+    const double z = random.number(0, 1);
     const double azimuth = random.number(0, 2 * std::numbers::pi);
     const double across = std::sqrt(1 - z * z);
     return {across * std::cos(azimuth), across * std::sin(azimuth), z};
@@ -72,6 +73,25 @@ bool fits_unsigned(const RotaryRange& needed, const RotaryRange& limits)
     const auto need = magnitudes(needed);
     const auto most = magnitudes(limits);
     return need[0] <= most[0] + tolerance && need[1] <= most[1] + tolerance;
+}
+
+// As `fits_unsigned`, by < and not <=.
+bool is_below(const RotaryRange& needed, const RotaryRange& limits)
+{
+    const auto need = magnitudes(needed);
+    const auto most = magnitudes(limits);
+    return need[0] < most[0] && need[1] < most[1];
+}
+
+RotaryRange spanned(const RotaryRange& one, const RotaryRange& other)
+{
+    return {std::min(one.from, other.from), std::max(one.to, other.to)};
+}
+
+bool are_equal(const RotaryRange& one, const RotaryRange& other)
+{
+    return std::abs(one.from - other.from) <= rounding &&
+           std::abs(one.to - other.to) <= rounding;
 }
 
 }  // namespace
@@ -220,6 +240,42 @@ NamedCells unsigned_limits(RandomSets random, int pairs)
             fits_unsigned(rectangle.beta, limits.theta))
             tally.add(!fits_rigidly(rectangle, limits));
     }
+    return tally.cells();
+}
+
+NamedCells ranges_by_one_index(RandomSets random, int sets)
+{
+    Tally tally;
+    for (int k = 0; k < sets; ++k) {
+        const std::vector<Vec3> hull = hull_of(random.directions());
+        RotaryRange alpha{0, 0};
+        RotaryRange beta{0, 0};
+        for_edges(hull, [&](const Vec3& begin, const Vec3& end) {
+            const Vec3 r1 = pole.cross(begin.cross(end)).normalized();
+            const RectangleCandidate own =
+                rectangle_about(pole, r1, std::span{&begin, 1});
+            alpha = spanned(alpha, own.alpha);
+            beta = spanned(beta, own.beta);
+            const RectangleCandidate all = rectangle_about(pole, r1, hull);
+            tally.add(!are_equal(alpha, all.alpha) || !are_equal(beta, all.beta));
+        });
+    }
+    return tally.cells();
+}
+
+NamedCells strict_rectangle_comparisons(RandomSets random, int sets)
+{
+    Tally tally;
+    for (int k = 0; k < sets; ++k)
+        for (const RectangleCandidate& found :
+             rectangle_candidates(pole, random.directions(), SetupMode::Paper)) {
+            const RectangleCandidate& machine = found;  // exactly these ranges
+            const bool by_text = fits_unsigned(found.alpha, machine.alpha) &&
+                                 fits_unsigned(found.beta, machine.beta);
+            const bool as_printed = is_below(found.alpha, machine.alpha) &&
+                                    is_below(found.beta, machine.beta);
+            tally.add(as_printed != by_text);
+        }
     return tally.cells();
 }
 

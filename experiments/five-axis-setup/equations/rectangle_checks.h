@@ -27,12 +27,12 @@ NamedCells supporting_vertices(RandomSets random, int sets);
 /// (15), (16): largest_residual of the four perpendicular pairs, at every hull edge.
 NamedCells axis_residuals(RandomSets random, int sets);
 
-/// (17): directions of the whole sphere whose beta changes its sign if it is taken about
+/// (17): directions within 90 degrees of the tool axis whose beta changes its sign if it is taken about
 /// R2 at zero and not about the turned R2.
 NamedCells signs_about_initial_axis(RandomSets random, int directions);
 
 /// (18): the number of unit vectors on the basis circle that satisfy it, `as_printed`,
-/// equal for all directions.
+/// equal for all directions within 90 degrees of the tool axis.
 NamedCells projection_roots(RandomSets random, int directions);
 
 /// (19): rectangles at hull edges whose range of beta is larger over all directions than
@@ -43,6 +43,15 @@ NamedCells extremes_over_vertices(RandomSets random, int sets);
 /// part turned by 180 degrees about the tool axis fits. `cases` counts those for which it
 /// holds.
 NamedCells unsigned_limits(RandomSets random, int pairs);
+
+/// AB_Type: the ranges at a hull edge if one index counts edges and vertices, so that each
+/// vertex is turned about the axes of its own edge, against (19). R1 and R2, which the
+/// procedure lacks, are those of (15) and (16). `cases` counts hull edges.
+NamedCells ranges_by_one_index(RandomSets random, int sets);
+
+/// AB_Type: strict comparisons against <= of (20), on a machine with exactly the ranges of
+/// the candidate.
+NamedCells strict_rectangle_comparisons(RandomSets random, int sets);
 
 /// AB_Type: as `reported_sector`, with the limits of (20).
 NamedCells reported_rectangle(RandomSets random, int sets);

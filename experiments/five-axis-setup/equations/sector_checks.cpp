@@ -218,6 +218,22 @@ NamedCells width_of_procedure(RandomSets random, int sets)
     return tally.cells();
 }
 
+NamedCells parts_of_width(RandomSets random, int sets)
+{
+    Tally tally;
+    for_steps(random, sets, [&](const Step& step, const auto&) {
+        const double most_deg = random.number(90, 180);  // Theta_L
+        const double least_deg = random.number(10, 90);  // Theta_S
+        double larger = most_deg;
+        double smaller = least_deg;
+        larger = step.width() * larger / (larger + smaller);
+        smaller = step.width() * smaller / (larger + smaller);
+        const double by_ratio = step.width() * least_deg / (most_deg + least_deg);
+        tally.add(std::abs(smaller - by_ratio) > equal_deg);
+    });
+    return tally.cells();
+}
+
 NamedCells length_of_procedure(RandomSets random, int sets)
 {
     Tally tally;

@@ -33,6 +33,11 @@ NamedCells choice_of_second_end(RandomSets random, int sets);
 /// CA_Type: theta_j as printed there against (8).
 NamedCells width_of_procedure(RandomSets random, int sets);
 
+/// CA_Type: theta_L and theta_S as printed there, each computed from both lower-case
+/// thetas, against (9); one random machine for each candidate, whose ranges the thetas
+/// have at first.
+NamedCells parts_of_width(RandomSets random, int sets);
+
 /// CA_Type: phi_L and phi_S as maxima of alpha against maxima of beta, (11).
 NamedCells length_of_procedure(RandomSets random, int sets);
 
