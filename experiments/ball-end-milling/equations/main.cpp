@@ -38,6 +38,7 @@ int main(int argc, char** argv)
         const double feed = run.number("feed_per_tooth_mm");
         const auto cuts = engagements(run);
         add_force_equations(result, cuts, job, feed);
+        add_printed_limits(result, cuts, job, feed);
         add_geometry_equations(result,
                                {.feed_turn_deg = run.number("feed_turn_deg"),
                                 .cylinder_radius_mm = run.number("cylinder_radius_mm"),

@@ -216,4 +216,32 @@ void add_force_equations(CsvTable& result, const std::vector<BallEngagement>& en
     add_named(result, "appendix B, end", {{"deviation", axial}});
 }
 
+void add_printed_limits(CsvTable& result, const std::vector<BallEngagement>& engagements,
+                        const MillingJob& job, double feed_mm)
+{
+    const CuttingMaterial& m = job.material;
+    const double unit_n =
+        job.tool.flutes * job.tool.radius * m.specific_resistance_n_per_mm2;
+    double thrust = 0;
+    double torque = 0;
+    double end_torque = 0;
+    double end_edge = 0;
+    for (const BallEngagement& engagement : engagements) {
+        const CuttingCoefficients c = cutting_coefficients(engagement);
+        const CuttingForce mean = mean_force(c, m, job.tool, feed_mm, Milling::Up);
+        const double printed_n =
+            unit_n * (feed_mm * m.r3 * c.I5 + m.edge_thickness_mm * m.r4 * c.I6);
+        const double printed_n_m = unit_n * job.tool.radius *
+                                   (feed_mm * c.I7 + m.edge_thickness_mm * c.I8) / 1000;
+        thrust = std::max(thrust, std::abs(printed_n / mean.z_n - 1));
+        torque = std::max(torque, std::abs(printed_n_m / mean.torque_n_m - 1));
+        end_torque = std::max(end_torque, std::abs(c.I5 - c.I7));
+        end_edge = std::max({end_edge, std::abs(c.I4 - c.I3), std::abs(c.I7 - c.I6)});
+    }
+    add_named(result, "eq. (16)", {{"deviation", thrust}});
+    add_named(result, "eq. (17)", {{"deviation", torque}});
+    add_named(result, "appendix B, end, torque", {{"deviation", end_torque}});
+    add_named(result, "appendix B, end, edge", {{"deviation", end_edge}});
+}
+
 }  // namespace endmill

@@ -26,4 +26,15 @@ namespace endmill {
 void add_force_equations(CsvTable& result, const std::vector<BallEngagement>& engagements,
                          const MillingJob& job, double feed_mm);
 
+/// Adds:
+///
+/// - "eq. (16)", "eq. (17)": thrust and torque as printed, without R_m, against those of
+///   the mean force of appendix A; relative.
+/// - "appendix B, end, torque": C5 as torque coefficient of the chip, as printed, against
+///   C7, for a radius of 1.
+/// - "appendix B, end, edge": C4, C3 and C7 in the edge term, as printed, against C3, C4
+///   and C6, for a radius of 1.
+void add_printed_limits(CsvTable& result, const std::vector<BallEngagement>& engagements,
+                        const MillingJob& job, double feed_mm);
+
 }  // namespace endmill

@@ -6,6 +6,8 @@
 //
 // Deterministic, under 0.1 s. Columns and verdicts: README.md beside this.
 
+#include <cmath>
+
 #include "ball-end-milling/figure-4/single_precision.h"
 #include "ball-end-milling/figure-4/tables.h"
 #include "endmill/files/input_csv.h"
@@ -31,6 +33,8 @@ int main(int argc, char** argv)
         add_data(result, printed, widths, printed_pi);
         const SpeedLine line = fitted_speed_line(printed.data);
         add_line(result, "refit", printed, line);
+        add_named(result, "refit over print",
+                  {{"alpha_off", std::abs(line.alpha / alpha - 1)}});
         add_line(result, "printed exponent", printed,
                  fitted_speed_line(printed.data, alpha));
         const SinglePrecisionFits fits =

@@ -36,6 +36,7 @@ std::vector<std::string> tool_life_columns()
             "phi_over_pi",
             "ln_phi_over_pi",
             "alpha",
+            "alpha_off",
             "t0_min",
             "cb",
             "v1_m_per_min",
