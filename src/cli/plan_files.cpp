@@ -179,6 +179,7 @@ std::vector<MeasuredPath> plan_directions(const PlanTask& task,
             plans[k] = plan_direction(task, directions[k], progress);
     });
     std::vector<MeasuredPath> finished;
+    finished.reserve(plans.size());
     for (std::optional<MeasuredPath>& plan : plans)
         finished.push_back(std::move(plan).value());
     return finished;
