@@ -193,6 +193,7 @@ class OneSidedTolerance(ProgramTest):
             self.assertEqual(facts["uncovered_places"], 0)
         self.assertLess(facts["max_scallop_mm"], 0.2 + 0.001)
 
+    @long_work
     def test_each_step_deviates_to_the_allowed_side(self):
         radius = 7.5
         for inner, outer in ((0, 0.05), (0.05, 0)):
@@ -214,6 +215,7 @@ class OneSidedTolerance(ProgramTest):
             self.assertLessEqual(greatest, outer + 1e-9)
             self.assertGreater(greatest - least, 0.045)
 
+    @long_work
     def test_other_commands_take_the_path(self):
         self.planned(0, 0.05, "-o", "out")
         done = endmill("post", "out/toolpath.csv", "--feed", "800", "--spindle-rpm", "5000", "-o", "program",

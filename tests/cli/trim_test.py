@@ -223,6 +223,7 @@ class Trim(ProgramTest):
         return self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--tolerance",
                             "0.05", "--method", "all", "--repeat", repeat, "-o", "out", *words)["comparison"]
 
+    @long_work
     def test_comparison_states_the_quartiles_of_the_measured_times(self):
         facts = self.compared(repeat=5)
         self.assertEqual(facts["repetitions"], 5)
@@ -237,6 +238,7 @@ class Trim(ProgramTest):
                                   ("greatest_ms", max(times))):
                 self.assertAlmostEqual(stated[key], expected, delta=1e-12, msg=method + " " + key)
 
+    @long_work
     def test_comparison_is_deterministic_but_for_the_times(self):
         first = self.compared("--figure", "worst", "--mode", "paper")
         kept = {name: (self.folder / "out" / name).read_bytes() for name in
