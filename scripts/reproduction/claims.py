@@ -41,13 +41,13 @@ def holds(measured, condition):
     """
     match = CONDITION.fullmatch(condition)
     if not match:
-        raise Fault(f"holds_if {condition!r}, expected <, <=, >, >= or = and a value")
+        raise Fault(f"condition {condition!r} in column published, expected <, <=, >, >= or = and a value")
     sign, text = match.groups()
     limit, value = number(text), number(measured)
     if sign == "=":
         return measured == text if limit is None or value is None else value == limit
     if limit is None or value is None:
-        raise Fault(f"holds_if {condition!r} needs two numbers, found {measured!r}")
+        raise Fault(f"condition {condition!r} in column published needs two numbers, found {measured!r}")
     return {"<": value < limit, "<=": value <= limit, ">": value > limit, ">=": value >= limit}[sign]
 
 
