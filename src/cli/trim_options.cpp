@@ -122,8 +122,8 @@ void add_polyline_options(CLI::App& command, TrimOptions& options)
             [&options](const std::string& word) {
                 options.offset = offset_argument(word);
             },
-            "offset the curves of --polyline first, as profiles with the tool on their "
-            "left: by R mm for a ball, or for CUTTER")
+            "offset the curves of --polyline before trimming; the tool is on their left. "
+            "R: radius of a ball in mm; CUTTER: as --cutter")
         ->type_name("R|CUTTER");
 }
 
