@@ -5,7 +5,7 @@ import math
 import re
 import unittest
 
-from program import ROOT, SURFACES, ProgramTest, long_work
+from program import ROOT, SURFACES, ProgramTest
 
 README = (SURFACES / "README.md").read_text(encoding="utf-8")
 TABLES = ROOT / "experiments/economic-cl-data"
@@ -71,7 +71,6 @@ class SurfacesReadme(ProgramTest):
             self.assert_rounds_to(math.hypot(*cells) / 6, rms, name)
             self.assert_rounds_to(max(map(abs, cells)), worst, name)
 
-    @long_work
     def test_facts_of_surfaces_with_a_closed_form(self):
         told = 0
         for name, (surface, known) in described("Surfaces with a closed form").items():

@@ -10,7 +10,7 @@ import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
-from program import ENDMILL, SURFACES, ProgramTest, endmill, long_work, plane
+from program import ENDMILL, SURFACES, ProgramTest, endmill, plane
 
 # On a plane a ball of radius 5 leaves a scallop of 1 mm between passes 6 mm apart.
 PAPER = ["--mode", "paper"]
@@ -117,7 +117,6 @@ class PlanOnAPlane(ProgramTest):
 
 
 class VerifiedPlan(ProgramTest):
-    @long_work
     def test_verified_plan_keeps_one_sided_tolerances(self):
         facts = self.summary("plan", SURFACES / "wavy.json", "--cutter", "ball:6", "--mode", "verified",
                              "--chord-tolerance", "0.1", "--inner-tolerance", "0.03",
@@ -193,7 +192,6 @@ class OneSidedTolerance(ProgramTest):
             self.assertEqual(facts["uncovered_places"], 0)
         self.assertLess(facts["max_scallop_mm"], 0.2 + 0.001)
 
-    @long_work
     def test_each_step_deviates_to_the_allowed_side(self):
         radius = 7.5
         for inner, outer in ((0, 0.05), (0.05, 0)):
@@ -215,7 +213,6 @@ class OneSidedTolerance(ProgramTest):
             self.assertLessEqual(greatest, outer + 1e-9)
             self.assertGreater(greatest - least, 0.045)
 
-    @long_work
     def test_other_commands_take_the_path(self):
         self.planned(0, 0.05, "-o", "out")
         done = endmill("post", "out/toolpath.csv", "--feed", "800", "--spindle-rpm", "5000", "-o", "program",
@@ -249,14 +246,12 @@ class KnownGouge(ProgramTest):
         facts = json.loads((self.folder / "net_rot24_7D-plan/summary.json").read_text())
         self.assertGreater(facts["max_motion_gouge_mm"], facts["inner_tolerance_mm"])
 
-    @long_work
     def test_gouge_is_reported_with_quiet_and_as_json(self):
         done = endmill("plan", NET, *BALL, "--direction", "u", "--quiet", "--json-errors", cwd=self.folder)
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         error = json.loads(done.stderr)["error"]
         self.assertEqual((error["code"], error["exit"]), ("E_GOUGE", 1))
 
-    @long_work
     def test_gouges_of_both_directions_give_one_line(self):
         done = endmill("plan", NET, *BALL, cwd=self.folder)
         self.assertEqual((done.returncode, len(done.stderr.splitlines())), (1, 1), done.stderr)
@@ -269,7 +264,6 @@ class BetterMode(ProgramTest):
         self.assertLessEqual(len(lines), 1)
         return lines[0] if lines else ""
 
-    @long_work
     def test_paper_run_names_the_limits_that_it_misses_and_mode_verified(self):
         line = self.line(SURFACES / "saddle.json", *PAPER, "--direction", "u", "-o", "out")
         facts = json.loads((self.folder / "out/summary.json").read_text())
@@ -279,7 +273,6 @@ class BetterMode(ProgramTest):
         self.assertIn("--mode verified", line)
         self.assertTrue(line.endswith("limits missed along u: chord error, remaining stock"), line)
 
-    @long_work
     def test_both_directions_have_one_line(self):
         line = self.line(NET, *PAPER)
         self.assertIn("along u: ", line)
@@ -291,7 +284,6 @@ class BetterMode(ProgramTest):
         self.assertIn("--mode verified", line)
         self.assertNotIn("missed", line)
 
-    @long_work
     def test_verified_run_has_no_better_mode(self):
         self.assertEqual(self.line(self.file(plane(size=(60, 30)))), "")
 
@@ -323,7 +315,6 @@ class IdleOptions(ProgramTest):
 
 
 class PlanOnTheExample(ProgramTest):
-    @long_work
     def test_defaults_are_sensible_and_reported(self):
         done = endmill("plan", NET, cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -337,7 +328,6 @@ class PlanOnTheExample(ProgramTest):
             self.assertLessEqual(facts[direction]["max_motion_error_mm"], 0.01 * (1 + 1e-9))
             self.assertLessEqual(facts[direction]["max_gouge_mm"], 0.011)
 
-    @long_work
     def test_text_is_rounded_and_files_are_not(self):
         done = endmill("plan", NET, *COARSE, "--direction", "v", cwd=self.folder)
         for number in re.findall(r"-?\d+\.\d+", done.stdout):
@@ -352,7 +342,6 @@ class PlanOnTheExample(ProgramTest):
         self.assert_refused(endmill("plan", path, *BALL, cwd=self.folder), 2, "not empty", "--force")
         self.summary("plan", path, *BALL, "--force")
 
-    @long_work
     def test_files_do_not_depend_on_the_number_of_threads(self):
         for mode, options, status in (("paper", PAPER, 1), ("verified", COARSE, 0)):
             for threads in (1, 4):
@@ -361,7 +350,6 @@ class PlanOnTheExample(ProgramTest):
                 twin = self.folder / f"{mode}4" / path.relative_to(self.folder / f"{mode}1")
                 self.assertEqual(path.read_bytes(), twin.read_bytes(), path)
 
-    @long_work
     def test_files_do_not_depend_on_the_memory_limit(self):
         self.summary("plan", NET, *COARSE, "-o", "together")
         self.summary("plan", NET, *COARSE, "-o", "one-by-one", "--max-memory", "0.005")
@@ -369,7 +357,6 @@ class PlanOnTheExample(ProgramTest):
             twin = self.folder / "one-by-one" / path.relative_to(self.folder / "together")
             self.assertEqual(path.read_bytes(), twin.read_bytes(), path)
 
-    @long_work
     def test_files_are_well_formed_and_finite(self):
         self.summary("plan", NET, *COARSE, "--direction", "v", "-o", "out")
         ElementTree.parse(self.folder / "out/toolpath.svg")
@@ -416,7 +403,6 @@ class PlanMemory(ProgramTest):
         return summary, 1024 * usage.ru_maxrss
 
     @unittest.skipIf(b"__asan_init" in Path(ENDMILL).read_bytes(), "sanitizers take memory of their own")
-    @long_work
     def test_memory_per_point_stays_within_the_stated_amount(self):
         few, peak_of_few = self.plan("--chord-tolerance", "1", "-o", "few")
         many, peak = self.plan("--chord-tolerance", "0.005", "-o", "many")

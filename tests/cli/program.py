@@ -11,11 +11,6 @@ ROOT = Path(__file__).resolve().parents[2]
 SURFACES = ROOT / "datasets/surfaces"
 ENDMILL = os.environ.get("ENDMILL", str(ROOT / "build/release/src/cli/endmill"))
 
-# For tests that run for seconds, and for minutes under sanitizers: scripts/test.sh leaves them out there
-# unless --all is given.
-long_work = unittest.skipIf("ENDMILL_SHORT" in os.environ, "long under sanitizers, see scripts/test.sh --all")
-
-
 def endmill(*arguments, **options):
     """Runs the program and returns the finished process. The limit of ten minutes allows for sanitizers."""
     command = [ENDMILL, *map(str, arguments)]

@@ -5,7 +5,7 @@ import pty
 import subprocess
 import unittest
 
-from program import ENDMILL, ROOT, SURFACES, ProgramTest, long_work
+from program import ENDMILL, ROOT, SURFACES, ProgramTest
 
 NET = SURFACES / "net_rot24_7D.json"
 # Commands that take more than a second, and words that their progress line must show.
@@ -36,7 +36,6 @@ class Progress(ProgramTest):
         os.close(parent)
         return status, shown.decode()
 
-    @long_work
     def test_long_work_shows_and_removes_its_line(self):
         for number, (arguments, words) in enumerate(LONG):
             with self.subTest(command=arguments[0]):
@@ -46,7 +45,6 @@ class Progress(ProgramTest):
                 self.assertRegex(shown, r", \d+ s|: \d+ s")
                 self.assertEqual(shown.rsplit("\r\x1b[K", 1)[1].strip(), "", shown[-200:])
 
-    @long_work
     def test_quiet_or_quick_work_shows_no_line(self):
         status, shown = self.on_terminal("plan", NET, "--chord-tolerance", "0.05", "--quiet", "-o", "quiet")
         self.assertEqual((status, shown), (0, ""))

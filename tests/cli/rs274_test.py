@@ -6,7 +6,7 @@ import re
 import subprocess
 import unittest
 
-from program import ROOT, SURFACES, ProgramTest, endmill, long_work
+from program import ROOT, SURFACES, ProgramTest, endmill
 
 # The tool table of rs274 is always in inches.
 TOOLS = "T1 P1 D0.3937 Z0.0 ;ball\nT12 P12 D0.3937 Z1.0 ;another\n"
@@ -82,7 +82,6 @@ class Interpreter(ProgramTest):
     def test_one_way_over_the_default_net(self):
         self.judge([*COARSE, "--order", "one-way"], ["--line-numbers"])
 
-    @long_work
     def test_decimals_bound_the_rounding(self):
         for decimals in (2, 3, 6, 9):
             self.judge(COARSE, ["--line-numbers"], decimals)
@@ -92,7 +91,6 @@ class Interpreter(ProgramTest):
         self.summary("post", plan, "--feed", "10", "--decimals", "0", "-o", "out")
         self.assertEqual(self.interpret(self.folder / "out/p.ngc").returncode, 0)
 
-    @long_work
     def test_paths_on_other_surfaces_are_accepted(self):
         self.judge([*FINE, "--cutter", "ball:6"], surface="torus")
         self.judge([*FINE, "--cutter", "ball:6", "--order", "one-way"], ["--comments", "no"], surface="valley")

@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from program import ENDMILL, ROOT, ProgramTest, endmill, long_work
+from program import ENDMILL, ROOT, ProgramTest, endmill
 
 TEAPOT = ROOT / "datasets/meshes/teapot-288.off"
 MACHINES = ROOT / "datasets/machines"
@@ -115,7 +115,6 @@ class Setup(ProgramTest):
             self.assertAlmostEqual(found["area_deg2"], area, delta=0.005)
             self.assertGreater(found["tool_axis"][0], 0)  # the tool axis leans towards the spout
 
-    @long_work
     def test_mode_set_keeps_the_gap_to_its_bound(self):
         found = self.found(TEAPOT, "--family", "AB", "--mode", "set")
         self.assertLessEqual(found["lower_bound_deg2"], 931.92)  # a pose of section 8.4
@@ -123,7 +122,6 @@ class Setup(ProgramTest):
         self.assertLessEqual(found["objective_deg2"], 1.05 * found["lower_bound_deg2"] * (1 + 1e-12))
         self.assertAlmostEqual(found["floored_area_deg2"], found["objective_deg2"], delta=1e-9)
 
-    @long_work
     def test_cube_is_set_up_on_machines_of_all_kinds(self):
         cube = self.file(CUBE, "cube.off")
         cone = ("--incidence-deg", 80)
@@ -246,7 +244,6 @@ class Setup(ProgramTest):
         points = self.file(HEADER + "0,60\n", "points.csv")
         self.refused("--points", points, "--family", "CA", "--within-travel", words=("--within-travel", "PART"))
 
-    @long_work
     def test_teapot_is_set_up_within_the_travel(self):
         free = self.found(TEAPOT, "--machine", MACHINES / "ca-head-head.json", status=1)
         self.assertFalse(free["travel_ok"])
@@ -339,7 +336,6 @@ class Setup(ProgramTest):
         self.assertEqual([whole[key] for key in keys], [fitted[key] for key in keys])
         self.assertEqual((whole["machine"], whole["type"]), (fitted["machine"], fitted["type"]))
 
-    @long_work
     def test_options_without_effect_are_refused(self):
         five, four, three = (("--machine", f"W/{axes}/T") for axes in ("caxyBz", "axyBz", "xyBz"))
         search = (("--gap", 0.1), ("--max-nodes", 9), ("--objective", "tilt"))

@@ -7,7 +7,7 @@ import statistics
 import struct
 import unittest
 
-from program import ROOT, ProgramTest, endmill, long_work, plane
+from program import ROOT, ProgramTest, endmill, plane
 
 VALLEY = ROOT / "datasets/surfaces/valley.json"
 # docs/methods/interference.md, section 11, T1: one symmetric loop that crosses itself at (0, 0).
@@ -167,7 +167,6 @@ class Trim(ProgramTest):
                           for row in table(self.folder / method / "trimmed.csv")])
         self.assertEqual(paths[0], paths[1])
 
-    @long_work
     def test_removed_loops_end_at_trimmed_points(self):
         for number, words in enumerate(((), ("--refine",), ("--method", "3r", "--direction-deg", "-15"))):
             out = self.folder / str(number)
@@ -179,7 +178,6 @@ class Trim(ProgramTest):
             for loop in loops:
                 self.assertIn((loop["plane"], loop["s_mm"], loop["z_mm"]), left, words)
 
-    @long_work
     def test_drop_cutter_follows_a_mesh(self):
         mesh = ROOT / "datasets/meshes"
         part = sorted(mesh.glob("*.stl"))[0]
@@ -194,7 +192,6 @@ class Trim(ProgramTest):
         self.assertEqual(list(facts["methods"]), ["envelope"])
         self.assertEqual(facts["not_run"][:5], ["1", "2", "3", "3r", "winding"])
 
-    @long_work
     def test_files_do_not_depend_on_the_number_of_threads(self):
         texts = []
         for threads in ("1", "2", "3"):
@@ -205,7 +202,6 @@ class Trim(ProgramTest):
         self.assertEqual(texts[0], texts[1])
         self.assertEqual(texts[0], texts[2])
 
-    @long_work
     def test_contacts_on_the_border_prevent_gouges(self):
         # docs/methods/interference.md, section 11, A10. The grid of 100 lines has four times the chord
         # error of the 200 lines there.
@@ -223,7 +219,6 @@ class Trim(ProgramTest):
         return self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--tolerance",
                             "0.05", "--method", "all", "--repeat", repeat, "-o", "out", *words)["comparison"]
 
-    @long_work
     def test_comparison_states_the_quartiles_of_the_measured_times(self):
         facts = self.compared(repeat=5)
         self.assertEqual(facts["repetitions"], 5)
@@ -238,7 +233,6 @@ class Trim(ProgramTest):
                                   ("greatest_ms", max(times))):
                 self.assertAlmostEqual(stated[key], expected, delta=1e-12, msg=method + " " + key)
 
-    @long_work
     def test_comparison_is_deterministic_but_for_the_times(self):
         first = self.compared("--figure", "worst", "--mode", "paper")
         kept = {name: (self.folder / "out" / name).read_bytes() for name in

@@ -12,7 +12,7 @@ import time
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-from program import ENDMILL, ROOT, SURFACES, ProgramTest, endmill, long_work, plane
+from program import ENDMILL, ROOT, SURFACES, ProgramTest, endmill, plane
 
 PLAN = ["--cutter", "ball:10", "--chord-tolerance", "0.05", "--scallop", "0.2", "--direction", "u"]
 HOLDER = ROOT / "datasets/tools/ball-10-shrink-fit.json"
@@ -153,7 +153,6 @@ class Verdicts(VerifyTest):
         facts = self.judged(passes([15]), "--stock", "rest.vti")
         self.assertEqual((facts["verdict"], facts["earlier_moves"], facts["removed_mm3"]), ("clean", 64, 0))
 
-    @long_work
     def test_stock_without_history_bounds_a_gouge(self):
         for dip in (None, 10):
             self.rest_of(passes(range(31), dip=dip), status=0 if dip is None else 1)
@@ -179,7 +178,6 @@ class Verdicts(VerifyTest):
         width = 2 * (1 - math.sqrt(25 - 4.95 ** 2))  # of the region between the neighbouring balls
         self.assertAlmostEqual(facts["uncut_area_mm2"], 60 * width, delta=60 * 0.25)
 
-    @long_work
     def test_refining_never_changes_a_decided_verdict(self):
         self.file(plane())
         for name, tips, truth in (("g", passes(range(31)), "clean"), ("d", passes(range(31), dip=10), "gouged"),
@@ -398,7 +396,6 @@ class Origins(VerifyTest):
         facts = self.verify("apt/toolpath.apt", "--part", "surface.json", "--scallop", "0.25", "--resolution", "1")
         self.assertEqual(facts["cutter"], "ball:10")
 
-    @long_work
     def test_files_do_not_depend_on_the_number_of_threads(self):
         self.summary("plan", SURFACES / "net_rot24_7D.json", "--mode", "paper", "--direction", "v", "-o", "plan", status=1)
         found = set()
