@@ -72,7 +72,9 @@ void add_scallop(NamedNumbers& numbers, const std::string& how, const Deviation&
 constexpr int continuum_samples = 500;
 constexpr int planar_feeds = 36;  // directions of drive planes
 
-void add_continuum(NamedNumbers& numbers, const Surface& surface, const PlanToJudge& plan)
+// `planned_mm` is the travel of the planned path without links.
+void add_continuum(NamedNumbers& numbers, const Surface& surface, const PlanToJudge& plan,
+                   double planned_mm)
 {
     const ScallopRequest request{plan.ball, plan.tolerance};
     const ContinuumTravel travel =
@@ -87,6 +89,8 @@ void add_continuum(NamedNumbers& numbers, const Surface& surface, const PlanToJu
     numbers.emplace_back("continuum: planes, direction of the least, deg",
                          planes.least_at_deg);
     numbers.emplace_back("continuum: planes, most, mm", planes.greatest);
+    numbers.emplace_back("continuum: iso-parametric saves, %",
+                         100 * (1 - travel.iso / planned_mm));
     numbers.emplace_back("continuum: own interval everywhere saves, %",
                          100 * (1 - travel.local / travel.iso));
     numbers.emplace_back("continuum: best planes save, %",
@@ -118,8 +122,9 @@ NamedNumbers weaknesses(const Surface& surface, const PlanToJudge& plan, double 
     numbers.emplace_back("points", points);
     numbers.emplace_back("points, verified steps on these passes", fewest);
     numbers.emplace_back("points, verified steps save, %", 100 * (1 - fewest / points));
-    numbers.emplace_back("points, chords that hold on these passes",
-                         double(greedy_points(surface, judged.path, settings, {})));
+    const auto chords = double(greedy_points(surface, judged.path, settings, {}));
+    numbers.emplace_back("points, chords that hold on these passes", chords);
+    numbers.emplace_back("points, chords that hold save, %", 100 * (1 - chords / points));
     numbers.emplace_back("points, chords and motions that hold on these passes",
                          double(greedy_points(surface, judged.path, settings,
                                               {LimitedCurves::ContactsAndCentres})));
@@ -131,7 +136,7 @@ NamedNumbers weaknesses(const Surface& surface, const PlanToJudge& plan, double 
     numbers.emplace_back("passes", double(judged.economy.passes));
     numbers.emplace_back("passes, verified plan", double(verified.economy.passes));
     numbers.emplace_back("travel without links, mm", judged.economy.cut.contact_mm);
-    add_continuum(numbers, surface, plan);
+    add_continuum(numbers, surface, plan, judged.economy.cut.contact_mm);
     return numbers;
 }
 
