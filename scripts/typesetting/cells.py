@@ -14,7 +14,8 @@ from .claims_table import merged, shown_verdict
 from .numbers import escape, fixed, formatted, grouped, significant
 
 MOST_DECIMALS = 4  # more than the print's, to show a difference that its digits would hide
-DEFAULT_DIGITS = 3  # significant, of numbers that were not published
+DEFAULT_DIGITS = 3
+SCIENTIFIC_BELOW = 1e-4  # smaller numbers are shown with a power of ten  # significant, of numbers that were not published
 
 
 def differing(published, computed, digits):
@@ -93,6 +94,8 @@ class Cells:
         for line in self.published_rows_or_none(experiment).get((row, column), []):
             if not is_claim(line) and number(line[2]) is not None:
                 return differing(number(line[2]), value, int(line[3]))
+        if 0 < abs(value) < SCIENTIFIC_BELOW:
+            return formatted(value, f"e{DEFAULT_DIGITS - 1}")
         return grouped(text) if re.fullmatch(r"-?\d+", text) else significant(value, DEFAULT_DIGITS)
 
     def published_rows_or_none(self, experiment):
