@@ -128,7 +128,7 @@ def claims_table(rows):
         group = list(group)
         checked = [row for row in group if row["verdict"] != DEFINITION]
         defined = [row for row in group if row["verdict"] == DEFINITION]
-        parts.append(rf"\section{{{escape(PAPERS[paper])}}}" + "\n{\\claimsize\n" + HEAD)
+        parts.append(rf"\pagebreak[3]\section{{{escape(PAPERS[paper])}}}" + "\n{\\claimsize\n" + HEAD)
         parts += [line_of(row) for row in merged(checked)]
         parts.append(r"\end{longtable}" + "\n}")
         if defined:

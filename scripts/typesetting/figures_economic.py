@@ -85,7 +85,6 @@ def noise(data):
         label(one, "radius of the section, m", "relative error of $l$",
               f"({'ab'[precision == 'single']}) {precision} precision, $R$ = {radius:g}, $h$ = {scallop:g} mm")
         one.legend()
-    axes[1].set_ylabel("")
     return figure
 
 
@@ -107,7 +106,7 @@ def verified(data):
     axes.set_xticks([k + 0.5 for k, text in enumerate(shown) if text], [text for text in shown if text], rotation=45,
                     ha="right", rotation_mode="anchor", fontsize=7)
     axes.grid(False, axis="x")
-    label(axes, "", "motion gouge / tolerance")
+    label(axes, "surface; left along u, right along v", "motion gouge / tolerance")
     axes.legend(loc="lower right", ncols=2)
     return figure
 

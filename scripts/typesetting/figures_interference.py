@@ -50,7 +50,7 @@ def other_cutter(data):
         for one, name in zip(axes, ("stock", "gouge")):
             one.plot(slopes, column(rows, f"{name}_mm"), **{**look(i), "marker": ""}, label=f"{text}: closed form")
             one.plot(slopes, column(rows, f"{name}_plane_mm"), linestyle="", marker="os"[i], color=COLOURS[i],
-                     label="simulated, plane")
+                     markerfacecolor="none", label="simulated, plane")
             one.plot(slopes, column(rows, f"{name}_valley_mm"), linestyle="", marker="x", color=COLOURS[i],
                      label="simulated, valley")
     label(axes[0], "slope, degrees", "stock along the normal, mm", "(a) reference points equated")
@@ -94,7 +94,7 @@ def correctness(data):
               for text, name in (("3, literal", "literal 3"), ("3, guarded", "guarded 3"), ("3r", "3r"))}
     bars(axes, names, shares)
     axes.tick_params(axis="x", labelsize=6.5)
-    label(axes, "", "curves trimmed wrongly, %")
+    label(axes, "set of curves", "curves trimmed wrongly, %")
     axes.legend()
     return figure
 
@@ -125,7 +125,7 @@ def gouges(data):
                                                     for name in names]
     bars(axes, ["untrimmed", "1", "2", "3", "3, guarded", "3r", "envelope", "envelope,\nborder"], series)
     axes.set(yscale="log", ylim=(5e-4, 20))
-    label(axes, "", "deepest gouge, mm")
+    label(axes, "method", "deepest gouge, mm")
     axes.legend(ncols=2, loc="upper right")
     return figure
 

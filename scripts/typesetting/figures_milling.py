@@ -56,7 +56,7 @@ def feed_along_path(data):
         axes[1].plot(ends, column(rows, "pick_feed_mm"), **{**look(0), "marker": ""}, label="$f_p$")
         axes[1].plot(ends, column(rows, "pick_feed_horizontal_mm"), **{**look(2), "marker": ""}, label="horizontal")
         axes[2].plot(ends, column(rows, "depth_mm"), **{**look(0), "marker": ""})
-    for one, text in zip(axes, ("degrees", "mm", "depth $l$, mm", "feed $f_t$, mm")):
+    for one, text in zip(axes, ("slope, degrees", "pick feed, mm", "depth $l$, mm", "feed $f_t$, mm")):
         one.set_ylabel(text)
         if one.get_legend_handles_labels()[0]:
             one.legend(loc="upper left", bbox_to_anchor=(1.01, 1), borderaxespad=0)
@@ -74,7 +74,7 @@ def forces(data):
                 one.plot(column(rows, "travel_mm"), [v / 1000 for v in column(rows, f"{side}_{axis}_n")],
                          **{**look(i), "marker": ""}, label=feed if side == "least" else None)
     for one, axis in zip(axes, "xyz"):
-        label(one, "travel, mm", "" if axis != "x" else "force, kN", f"$F_{axis}$")
+        label(one, "travel, mm", "force, kN", f"$F_{axis}$")
     axes[2].legend(fontsize=7)
     return figure
 

@@ -76,7 +76,7 @@ def candidates(data):
         axes[1].plot(column(rows, "r1_azimuth_deg"), [v / 1000 for v in column(rows, "area_deg2")], linestyle="",
                      marker="os"[i], color=COLOURS[1 + i], markerfacecolor=COLOURS[1] if i == 0 else "none",
                      label=kind)
-    label(axes[1], "azimuth of R1, degrees", "", "(b) A,B: rectangles")
+    label(axes[1], "azimuth of R1, degrees", "$F$, 1000 square degrees", "(b) A,B: rectangles")
     axes[1].legend()
     return figure
 

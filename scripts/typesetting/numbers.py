@@ -6,6 +6,8 @@ import re
 from reproduction.fault import Fault
 
 FORM = re.compile(r"(s|e|p|)(\d)")
+# A straight quotation mark behind a letter is an apostrophe.
+QUOTATION = re.compile(r"""(?<!\w)(?:'([^']+)'(?!\w)|"([^"]+)")""")
 # What pdfTeX cannot read, and what LaTeX would take for a command.
 LETTERS = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#",
@@ -31,7 +33,7 @@ LETTERS = {
 def escape(text):
     """`text` for LaTeX. Raises Fault for a letter that the fonts of the paper lack."""
     escaped = []
-    for letter in text:
+    for letter in QUOTATION.sub(lambda match: f"“{match[1] or match[2]}”", text):
         if letter in LETTERS:
             escaped.append(LETTERS[letter])
         elif ord(letter) < 0x250:
