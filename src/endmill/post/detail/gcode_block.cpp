@@ -20,11 +20,9 @@ namespace {
 
 constexpr std::string_view known_letters = "ABCDFGHIJKLMNPQRSTXYZ";
 constexpr std::string_view expand_first =
-    "plain numbers: expand them with rs274 -g and give its output";
+    "plain numbers: --interpreter linuxcnc expands them";
 constexpr std::string_view expand_subroutines =
-    "moves alone: expand subroutines with rs274 -g and give its output, and leave out "
-    "the "
-    "number of the program";
+    "moves alone: --interpreter linuxcnc expands subroutines";
 constexpr double g_steps = 10;  // G codes are stored in tenths
 constexpr double largest_g_code = 999;
 constexpr double largest_m_code = 999;
@@ -45,6 +43,13 @@ char capital(char byte)
 bool is_letter(char byte)
 {
     return 'A' <= capital(byte) && capital(byte) <= 'Z';
+}
+
+// Whether a screen does not show the byte: a control character or a part of a character
+// outside ASCII, such as a no-break space.
+bool is_hidden(char byte)
+{
+    return !(' ' <= byte && byte <= '~');
 }
 
 class BlockParser {
@@ -191,13 +196,25 @@ private:
                                    "a plain decimal number without exponent");
         if (byte == ',' && is_in_number)
             throw lines_.complaint("decimal comma " + shown, "\".\" as decimal sign");
+        if (byte == '@' || byte == '^')
+            throw lines_.complaint("polar coordinates " + shown,
+                                   "X and Y: --interpreter linuxcnc expands them");
         if (byte == ')')
             throw lines_.complaint(shown, "a ( before the )");
         if (is_letter(byte))
             throw lines_.complaint("unknown word " + shown,
                                    "words of " + std::string{known_letters});
         refuse_if_centre_point();
+        if (is_hidden(byte))
+            refuse_hidden(at_);
         throw lines_.complaint(shown, "a word: a letter and a number");
+    }
+
+    [[noreturn]] void refuse_hidden(const char* from) const
+    {
+        throw lines_.complaint("a hidden character in " +
+                                   quoted({from, static_cast<std::size_t>(end_ - from)}),
+                               "words of letters and numbers");
     }
 
     // The letter has been read, and no number follows.
@@ -206,6 +223,8 @@ private:
         refuse_if_centre_point();
         if (at_ != end_ && (*at_ == '#' || *at_ == '[' || *at_ == ']'))
             refuse_character();
+        if (at_ != end_ && is_hidden(*at_))
+            refuse_hidden(at_ - 1);
         throw lines_.complaint(quoted(std::string_view{&letter, 1}) + " without a number",
                                "a plain decimal number after the letter");
     }
