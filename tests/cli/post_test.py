@@ -188,7 +188,7 @@ class BadInput(ProgramTest):
 
     def test_bad_programs_are_refused(self):
         for text, name, *words in (("G21\nG1 X1 Y1 Z1\n", "p.ngc", "p.ngc:2"),
-                                   ("G21\n#1=5\nG0 X#1\n", "p.ngc", "p.ngc:2", "rs274 -g"),
+                                   ("G21\n#1=5\nG0 X#1\n", "p.ngc", "p.ngc:2", "--interpreter linuxcnc"),
                                    ("UNITS/MM\nGODLTA/1,2,3\n", "p.apt", "p.apt:2: statement"),
                                    ("G21\n(" + "x" * 2**20 + ")\n", "p.ngc", "p.ngc:2: line is longer than 1 MiB")):
             self.refuse(text, 3, *words, name=name)

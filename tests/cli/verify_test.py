@@ -441,7 +441,7 @@ class BadInput(VerifyTest):
     def test_bad_files_are_refused(self):
         self.refuse(3, 'p.csv:3: tip_y_mm is "NaN"', content=COLUMNS + "0,0,0\n1,NaN,2\n")
         self.refuse(3, "p.ngc:3: cutter compensation G41", content="G21 G90\nG1 X0 Y0 Z1 F100\nG41 X3\n", name="p.ngc")
-        self.refuse(3, "p.ngc:2", "rs274 -g", content="G21\n#1=5\n", name="p.ngc")
+        self.refuse(3, "p.ngc:2", "--interpreter linuxcnc", content="G21\n#1=5\n", name="p.ngc")
         self.refuse(3, "none.json", "No such file", options=("--cutter", "ball:10", "--part", "none.json"))
         self.refuse(3, "none.json", "No such file", options=("--tool", "none.json"))
         self.refuse(3, "none.stl", "No such file", options=("--cutter", "ball:10", "--stock", "none.stl"))
