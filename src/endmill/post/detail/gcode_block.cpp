@@ -162,18 +162,17 @@ private:
     // `steps` is the number of codes per unit: 10 for G codes, 1 for M codes.
     void enter_code(char letter, double value, double steps, double largest)
     {
-        const std::string shown = letter + brief(value);
         const double code = std::round(value * steps);
         // Parsing the decimal and dividing by 10 are both correctly rounded, so a valid
         // code gives the same double.
         if (!(code / steps == value && 0 <= value && value <= largest))
-            throw lines_.complaint("unknown code " + shown, letter == 'G'
-                                                                ? "a G code of the subset"
-                                                                : "M0 to M999");
+            throw lines_.complaint(
+                "unknown code " + (letter + brief(value)),
+                letter == 'G' ? "a G code of the subset" : "M0 to M999");
         GcodeCodes& codes = letter == 'G' ? block_.g : block_.m;
         if (codes.is_full() || codes.contains(static_cast<int>(code)))
             throw lines_.complaint(
-                shown + " twice in a block, or with too many other codes",
+                letter + brief(value) + " twice in a block, or with too many other codes",
                 "one code of each modal group");
         codes.add(static_cast<int>(code));
         block_.set(letter, value);

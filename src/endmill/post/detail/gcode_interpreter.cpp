@@ -155,17 +155,27 @@ private:
     void execute(const GcodeBlock& block)
     {
         has_words_ = true;
-        const GcodeModes before = modes_;
-        modes_.apply(block, lines_);
-        check_m_codes(block, lines_);
+        if (block.has('G'))
+            change_modes(block);
+        if (block.has('M'))
+            check_m_codes(block, lines_);
         check_words(block, modes_, lines_);
-        remarks_.note_modes(block, before, modes_, lines_, builder_);
-        if (modes_.feed != before.feed)
-            feed_.reset();
+        if (modes_.unit == GcodeUnit::Unsaid)
+            remarks_.note_unsaid_lengths(block);
         set_feed(block);
         set_spindle_and_tool(block);
         run_motion(block);
-        end_program(block);
+        if (block.has('M'))
+            end_program(block);
+    }
+
+    void change_modes(const GcodeBlock& block)
+    {
+        const GcodeModes before = modes_;
+        modes_.apply(block, lines_);
+        remarks_.note_modes(block, before, modes_, lines_, builder_);
+        if (modes_.feed != before.feed)
+            feed_.reset();
     }
 
     void run_motion(const GcodeBlock& block)
@@ -211,6 +221,8 @@ private:
         set_spindle_speed(block);
         if (block.has('T'))
             builder_.select_tool(tool_number(block.value('T')));
+        if (!block.has('M'))
+            return;
         if (block.m.contains(6))
             builder_.change_tool();
         if (block.m.contains(3) || block.m.contains(4))

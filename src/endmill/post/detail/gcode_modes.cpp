@@ -303,7 +303,7 @@ std::string g_name(int tenths)
 
 bool is_idle_g_code(int code)
 {
-    return std::ranges::binary_search(idle_g_codes, code);
+    return code >= idle_g_codes.front() && std::ranges::binary_search(idle_g_codes, code);
 }
 
 ReferenceMove reference_move(const GcodeBlock& block)
@@ -387,7 +387,8 @@ void check_words(const GcodeBlock& block, const GcodeModes& modes, const TextLin
                 letter + brief(block.value(letter)),
                 letter + std::string{"0: turning axes are not read yet"});
     for (const int code : block.g.all())
-        if (std::ranges::binary_search(lonely_g_codes, code) && block.has_any("XYZ"))
+        if (is_idle_g_code(code) && std::ranges::binary_search(lonely_g_codes, code) &&
+            block.has_any("XYZ"))
             throw lines.complaint("X, Y or Z beside " + g_name(code), "the code alone");
     if (is_cycle(block, modes))
         return check_cycle_words(block, modes, lines);

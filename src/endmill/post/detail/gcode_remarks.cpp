@@ -31,10 +31,8 @@ void GcodeRemarks::note_modes(const GcodeBlock& block, const GcodeModes& before,
     for (const int code : block.g.all())
         if (is_idle_g_code(code))
             count(idle_codes_, code, lines);
-    const bool has_length = block.has_any("XYZIJKRF");
-    if (after.unit == GcodeUnit::Unsaid)
-        has_unsaid_lengths_ = has_unsaid_lengths_ || has_length;
-    else if (before.unit == GcodeUnit::Unsaid && has_unsaid_lengths_)
+    if (after.unit != GcodeUnit::Unsaid && before.unit == GcodeUnit::Unsaid &&
+        has_unsaid_lengths_)
         first_unit_line_ = lines.number();
     has_inches_ = has_inches_ || after.unit == GcodeUnit::Inch;
     if (after.coordinate_system != before.coordinate_system && builder.has_position())
@@ -48,6 +46,11 @@ void GcodeRemarks::note_modes(const GcodeBlock& block, const GcodeModes& before,
     if (after.has_surface_speed && !before.has_surface_speed)
         builder.remark(
             "G96: S is a cutting speed, so the path has no spindle speed until G97");
+}
+
+void GcodeRemarks::note_unsaid_lengths(const GcodeBlock& block)
+{
+    has_unsaid_lengths_ = has_unsaid_lengths_ || block.has_any("XYZIJKRF");
 }
 
 void GcodeRemarks::note_reference(const GcodeBlock& block, const TextLines& lines)

@@ -17,7 +17,10 @@ namespace endmill {
 /// made once, so that their number does not grow with the file.
 class GcodeRemarks {
 public:
-    /// Notes the modes of a block.
+    /// Notes the lengths of a block before any G20 or G21.
+    void note_unsaid_lengths(const GcodeBlock& block);
+
+    /// Notes the modes of a block with G codes.
     /// \param block the block at the current line.
     /// \param before modes before the block.
     /// \param after modes with the codes of the block in force.
