@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "endmill/post/fed_gcode.h"
 #include "read_program.h"
 
 namespace endmill {
@@ -88,6 +89,17 @@ TEST_P(ListedProgram, IsReadOrRefusedAsListed)
     EXPECT_NEAR((program.path.points.back().location.tip - last).norm(), 0, 1e-9);
     EXPECT_THAT(testing::PrintToString(program.remarks),
                 testing::HasSubstr(listed.words));
+
+    // The program with half of its feeds has the same points.
+    ToolPath slower = program.path;
+    for (PathPoint& point : slower.points)
+        if (point.conditions.feed_mm_per_min)
+            *point.conditions.feed_mm_per_min /= 2;
+    const Program again = read_gcode(fed_gcode(text, "f.ngc", {}, slower));
+    EXPECT_EQ(tips(again), tips(program));
+    for (std::size_t i = 0; i < slower.points.size(); ++i)
+        EXPECT_NEAR(again.path.points[i].conditions.feed_mm_per_min.value_or(-1),
+                    slower.points[i].conditions.feed_mm_per_min.value_or(-1), 1e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(Dialects, ListedProgram, testing::ValuesIn(listed_programs()));
