@@ -195,7 +195,7 @@ bool has_group(std::uint32_t groups, Group group)
     return ((groups >> group) & 1U) != 0;
 }
 
-void set_mode(GcodeModes& modes, int code)
+void set_motion(GcodeModes& modes, int code)
 {
     switch (code) {
         case 0:
@@ -210,6 +210,16 @@ void set_mode(GcodeModes& modes, int code)
         case 30:
             modes.motion = GcodeMotion::CounterclockwiseArc;
             break;
+        default:
+            modes.motion = GcodeMotion::Cycle;
+            modes.cycle = code / 10;
+            break;
+    }
+}
+
+void set_mode(GcodeModes& modes, int code)
+{
+    switch (code) {
         case 170:
             modes.plane = ArcPlane::Xy;
             break;
@@ -255,10 +265,6 @@ void set_mode(GcodeModes& modes, int code)
             modes.retract = code == 980 ? RetractLevel::Initial : RetractLevel::R;
             break;
         default:  // others, such as G4, G40, G49 and G61, do not change the path
-            if (is_canned_cycle(code)) {
-                modes.motion = GcodeMotion::Cycle;
-                modes.cycle = code / 10;
-            }
             break;
     }
 }
@@ -272,6 +278,19 @@ unsigned m_group(int code)
     if (code <= 2 || code == 30 || code == 60)
         return stops;
     return 3 <= code && code <= 5 ? spindle : 0;
+}
+
+void check_axis_words(const GcodeBlock& block, const TextLines& lines)
+{
+    for (const char letter : {'A', 'B', 'C'})
+        if (block.has(letter) && block.value(letter) != 0)
+            throw lines.complaint(
+                letter + brief(block.value(letter)),
+                letter + std::string{"0: turning axes are not read yet"});
+    for (const int code : block.g.all())
+        if (is_idle_g_code(code) && std::ranges::binary_search(lonely_g_codes, code) &&
+            block.has_any("XYZ"))
+            throw lines.complaint("X, Y or Z beside " + g_name(code), "the code alone");
 }
 
 // P, the dwell, moves nothing and may be missing. K is the number of holes where L is
@@ -332,6 +351,8 @@ void GcodeModes::apply(const GcodeBlock& block, const TextLines& lines)
         groups |= 1U << group;
         if (group == SystemGroup)
             set_coordinate_system(*this, code, lines);
+        else if (group == MotionGroup)
+            set_motion(*this, code);
         else
             set_mode(*this, code);
     }
@@ -381,15 +402,7 @@ bool is_cycle(const GcodeBlock& block, const GcodeModes& modes)
 
 void check_words(const GcodeBlock& block, const GcodeModes& modes, const TextLines& lines)
 {
-    for (const char letter : {'A', 'B', 'C'})
-        if (block.has(letter) && block.value(letter) != 0)
-            throw lines.complaint(
-                letter + brief(block.value(letter)),
-                letter + std::string{"0: turning axes are not read yet"});
-    for (const int code : block.g.all())
-        if (is_idle_g_code(code) && std::ranges::binary_search(lonely_g_codes, code) &&
-            block.has_any("XYZ"))
-            throw lines.complaint("X, Y or Z beside " + g_name(code), "the code alone");
+    check_axis_words(block, lines);
     if (is_cycle(block, modes))
         return check_cycle_words(block, modes, lines);
     const bool dwells = block.g.contains(40);
