@@ -299,7 +299,7 @@ class Feed(ProgramTest):
         self.refused(4, "5e+06 mm deep", "--peak constant", "point 2 of pass 0",
                      options=[*common, "--stock-top", "5000000", "--peak", "direct"])
         relative = self.file("G21 G91\nS1000 M3\nG1 X5 F100\nX5\nM30\n", "p.ngc")
-        self.refused(4, "no move", path=relative, options=[*common, *top])
+        self.refused(3, "no absolute X Y Z", path=relative, options=[*common, *top])
         leaning = self.file("tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z\n0,0,0,0,0,1\n1,0,0,0,0.6,0.8\n",
                             "p.csv")
         self.refused(4, "0,0,1", path=leaning, options=[*common, *top])
