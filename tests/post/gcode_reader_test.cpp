@@ -265,6 +265,9 @@ TEST(ParseGcode, GoesSidewaysAboveTheCutsOnly)
     EXPECT_THAT(tips(program), ElementsAre(Vec3(0, 0, 0), Vec3(0, 0, -2), Vec3(5, 0, -2),
                                            Vec3(5, 0, 1), Vec3(0, 0, 1), Vec3(0, 0, 6),
                                            Vec3(8, 8, 6), Vec3(8, 8, 1), Vec3(9, 8, 1)));
+    // A first move at feed comes to the height at which X and Y leave.
+    EXPECT_EQ(gcode_refusal("G21 G0 X0 Y0 Z5\nG1 X5 F9\nZ-2\nX9\nG0 Z5\nG28 X0 Y0\nM2"),
+              "accepted");
 }
 
 TEST(ParseGcode, ReadsTapesOfOtherSystems)

@@ -410,12 +410,12 @@ private:
     void go_to_reference(const GcodeBlock& block, ReferenceMove reference)
     {
         const bool has_axes = block.has_any("XYZABC");
+        if (builder_.has_position() && block.has_any("XY") && !block.has('Z'))
+            check_sideways();
         if (reference == ReferenceMove::MachineCoordinates)
             check_machine_coordinates(has_axes);
         else if (has_axes)
             pass_point(block);
-        if (builder_.has_position() && block.has_any("XY") && !block.has('Z'))
-            check_sideways();
         remarks_.note_reference(block, lines_);
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (!has_axes || block.has(axis_letters[axis]))
@@ -452,11 +452,14 @@ private:
     // goes is unknown, so whether it cuts cannot be simulated.
     void check_sideways() const
     {
-        if (is_axis_known_[vertical] && !(position_.z() > builder_.highest_cut_mm()))
+        const double highest = builder_.highest_cut_mm();
+        const bool is_free = position_.z() > highest ||
+                             (position_.z() == highest && !builder_.ends_with_cut());
+        if (is_axis_known_[vertical] && !is_free)
             throw lines_.complaint("a sideways move to a position of the machine at z " +
                                        brief(position_.z()) +
                                        " mm, not above the cuts (up to z " +
-                                       brief(builder_.highest_cut_mm()) + " mm)",
+                                       brief(highest) + " mm)",
                                    "a move up before it");
     }
 

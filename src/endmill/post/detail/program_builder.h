@@ -55,6 +55,13 @@ public:
     /// before the first one.
     double highest_cut_mm() const { return highest_cut_mm_; }
 
+    /// Whether the last move is a plunge or a cut. \pre has_position()
+    bool ends_with_cut() const
+    {
+        const Move last = path_.points.back().move;
+        return last == Move::Cut || last == Move::Plunge;
+    }
+
     /// Adds a rapid that stands for a move to or from a reference position, whose target
     /// the program does not state. Errors as `go_to`.
     void go_at_safe_height(const Vec3& target);
