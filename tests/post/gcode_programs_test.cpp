@@ -63,9 +63,9 @@ std::vector<Listed> listed_programs()
     return programs;
 }
 
-void PrintTo(const Listed& listed, std::ostream* out)
+std::ostream& operator<<(std::ostream& out, const Listed& listed)
 {
-    *out << listed.file;
+    return out << listed.file;
 }
 
 class ListedProgram : public testing::TestWithParam<Listed> {};
