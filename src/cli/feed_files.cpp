@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
+#include "cli/path_facts.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/feed_svg.h"
@@ -83,8 +84,11 @@ FeedTexts texts_of(const FeedResult& result, const Json& summary)
 
 Json write_feed(const FeedResult& result, OutputFolder& folder)
 {
-    const Json summary = feed_summary(result);
+    Json summary = feed_summary(result);
     const FeedTexts texts = texts_of(result, summary);
+    identify_path(summary, result.path.points.size(), texts.path);
+    if (!texts.program.empty())
+        summary["program_sha256"] = content_sha256(texts.program);
     folder.write("toolpath.csv", texts.path);
     folder.write("engagement.csv", texts.engagement);
     folder.write("feed.svg", texts.figure);

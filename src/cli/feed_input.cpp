@@ -9,6 +9,7 @@
 
 #include "cli/console.h"
 #include "cli/idle_options.h"
+#include "cli/path_tools.h"
 #include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -30,6 +31,20 @@ std::optional<double> given_stock_top(const FeedCommandOptions& options,
     if (options.stock != "block" || !options.part.path.empty())
         return stock.block.high.z();
     return std::nullopt;
+}
+
+// The only tool of the path, from the table of --tools.
+Tool tool_of_table(const Program& program, const FeedCommandOptions& options)
+{
+    const std::string file = printable(options.path.file);
+    const PathTools tools =
+        tools_of_path(program.path, file, printable(options.path.tools),
+                      read_tools_for(options.path, options.common));
+    if (!tools.changes.empty())
+        throw DomainError{file +
+                          ": several tools cut; expected a path of one tool, for which "
+                          "feeds are planned"};
+    return tools.first;
 }
 
 Tool tool_without_file(const FeedCommandOptions& options, const Program& program,
@@ -224,13 +239,14 @@ void add_stock(FeedInput& input, const FeedCommandOptions& options)
 FeedInput read_feed_input(const FeedCommandOptions& options)
 {
     refuse_idle_feed_options(options);
+    refuse_idle_tool_options(options.path, options.common);
     const std::string& file = options.path.file;
     const ReadLimits& limits = options.common.limits;
     std::optional<Tool> tool;
     if (!options.tool.file.empty())
         tool = read_tool(options.tool.file, limits);
     require_same_cutter(tool, options.path.cutter);
-    const PathSummary known = read_path_summary(file, limits).value_or(PathSummary{});
+    const PathSummary known = path_summary_of(options.path, options.common);
     const auto cutter = options.path.cutter ? options.path.cutter
                         : tool              ? std::optional{tool->cutter}
                                             : known.cutter;
@@ -238,9 +254,11 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
     const PathReadOptions reading = path_reading(options.path, cutter, options.common);
     Program program = [&] {
         const ProgressLine progress{"reading " + printable(file), options.common};
-        return parse_program(text, file, reading);
+        return program_of_text(text, options.path, reading, options.common);
     }();
     require_order(program, file, text);
+    if (!options.path.tools.empty())
+        tool = tool_of_table(program, options);
     if (!tool)
         tool = tool_without_file(options, program, known);
     require_cutter_of_path(options, tool->cutter, known.cutter);
@@ -254,7 +272,8 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
                     .tool = *tool,
                     .job = {read_material(options.material, limits), milling_tool(*tool)},
                     .plan = plan_options(options)};
-    input.format = path_format(text, file);
+    const bool is_interpreted = options.path.interpreter != Interpreter::Endmill;
+    input.format = is_interpreted ? PathFormat::Canonical : path_format(text, file);
     if (input.format == PathFormat::Gcode)
         input.text = std::move(text);
     input.reading = gcode_reading(reading);
@@ -276,7 +295,8 @@ std::vector<std::string> files_of(const FeedInput& input,
 {
     std::vector<std::string> files{options.path.file, options.material};
     for (const std::string& file :
-         {options.machine, options.tool.file, options.part.path, input.stock.file})
+         {options.machine, options.tool.file, options.path.tools, options.part.path,
+          input.stock.file})
         if (!file.empty())
             files.push_back(file);
     return files;

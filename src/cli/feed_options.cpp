@@ -209,6 +209,7 @@ void add_feed_options(CLI::App& command, FeedCommandOptions& options)
     add_engagement_options(command, options);
     add_model_options(command, options);
     add_time_options(command, options);
+    add_tools_options(command, options.path);
     add_reading_options(command, options.path);
     command.add_flag("--allow-infeasible", options.allow_infeasible,
                      "exit 0 even if no feed satisfies the limits somewhere");

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
+#include "cli/path_facts.h"
 #include "cli/plan_text.h"
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
@@ -148,7 +149,9 @@ DirectionResult write_direction(const PlanTask& task, MeasuredPath plan,
     warn_of_uncovered(plan.planned, options.common);
     Json summary = direction_summary(context, options, plan.planned);
     name_part(summary, {options.part}, folder.path() / prefix);
-    folder.write(prefix + "toolpath.csv", tool_path_csv(plan.path));
+    const std::string table = tool_path_csv(plan.path);
+    identify_path(summary, plan.path.points.size(), table);
+    folder.write(prefix + "toolpath.csv", table);
     folder.write(prefix + "toolpath.vtp", tool_path_vtp(plan.path));
     folder.write(prefix + "toolpath.svg",
                  tool_path_svg(plan.path, figure_options(summary)));

@@ -106,8 +106,7 @@ ExitCode run_post(const PostOptions& options)
 {
     refuse_idle_post_options(options);
     require_within_extent("--safe-height", options.safe_height, options.common.limits);
-    const PathSummary beside = read_path_summary(options.path.file, options.common.limits)
-                                   .value_or(PathSummary{});
+    const PathSummary beside = path_summary_of(options.path, options.common);
     Program program = read_program_for(
         options.path, options.path.cutter ? options.path.cutter : beside.cutter,
         options.common);

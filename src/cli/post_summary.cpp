@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "build_facts.h"
+#include "cli/path_facts.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 
@@ -59,6 +60,9 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
                  {"decimals", options.decimals},
                  {"max_rounding_error_mm", written.max_rounding_error_mm},
                  {"position_error_mm", posted.read.position_error_mm}};
+    add_interpreter(summary, options.path);
+    add_path_totals(summary, posted.read.path);
+    identify_path(summary, posted.read.path.points.size(), written.text);
     add_range(summary, "feed_mm_per_min", written.feed_mm_per_min);
     add_range(summary, "spindle_rpm", written.spindle_rpm);
     if (options.format == PostFormat::Gcode)

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "build_facts.h"
+#include "cli/console.h"
 #include "cli/setup_idle.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"

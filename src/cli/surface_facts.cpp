@@ -16,15 +16,6 @@
 
 namespace endmill {
 
-void add_part_options(CLI::App& command, PartOptions& part)
-{
-    command
-        .add_option("PART", part.path,
-                    "surface file (endmill-surface/1), or mesh (.stl, .obj, .ply, .off)")
-        ->required();
-    add_mesh_options(command, part);
-}
-
 void add_mesh_options(CLI::App& command, PartOptions& part)
 {
     static constexpr std::array units{Choice<LengthUnit>{"mm", LengthUnit::Mm},

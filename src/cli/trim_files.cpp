@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/path_facts.h"
 #include "cli/progress.h"
 #include "endmill/drop_cutter/clearance.h"
 #include "endmill/figures/section_svg.h"
@@ -183,8 +184,9 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
     folder.write(prefix + "loops.csv",
                  loops_csv(result.loops, options.explain ? LoopColumns::CauseAndRule
                                                          : LoopColumns::Cause));
+    const std::string table = input.part ? tool_path_csv(result.path) : "";
     if (input.part)
-        folder.write(prefix + "toolpath.csv", tool_path_csv(result.path));
+        folder.write(prefix + "toolpath.csv", table);
     if (options.figure) {
         const auto plane = static_cast<std::size_t>(*options.figure);
         folder.write(prefix + fmt::format("section-{}.svg", plane),
@@ -192,8 +194,10 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
         folder.write(prefix + "trimmed.svg", trimmed_picture(result, input));
     }
     Json summary = trim_summary(input, options, result);
-    if (input.part)
+    if (input.part) {
         name_part(summary, options.part, folder.path() / prefix);
+        identify_path(summary, result.path.points.size(), table);
+    }
     folder.write(prefix + "summary.json", summary.dump(2) + "\n");
     return summary;
 }

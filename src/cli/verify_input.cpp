@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cli/console.h"
+#include "cli/path_tools.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/machining_data.h"
@@ -15,9 +16,6 @@
 
 namespace endmill {
 namespace {
-
-// The word of --part for a verification without a part.
-constexpr std::string_view no_part = "none";
 
 std::optional<Tool> given_tool(const VerifyOptions& options)
 {
@@ -44,6 +42,40 @@ Tool tool_of(std::optional<Tool> given, const Program& program, const PathSummar
     throw DomainError{path +
                       ": neither the path nor a summary.json beside it names the "
                       "cutter; expected --cutter or --tool"};
+}
+
+void require_moves(const Program& program, const std::string& file)
+{
+    if (program.path.points.size() < 2)
+        throw GeometryError{
+            file + ": the path has no moves to verify; expected at least two points"};
+}
+
+// The tools of the table, or else the only tool.
+template <typename OnlyTool>
+PathTools used_tools(const Program& program, const VerifyOptions& options,
+                     const std::vector<NumberedTool>& table, const OnlyTool& only_tool)
+{
+    const std::string file = printable(options.path.file);
+    if (table.empty()) {
+        refuse_several_tools(program.path, file);
+        return {only_tool(), {}};
+    }
+    PathTools tools =
+        tools_of_path(program.path, file, printable(options.path.tools), table);
+    if (!tools.changes.empty() && options.engagement)
+        throw DomainError{"--engagement: several tools cut; expected a path of one tool"};
+    return tools;
+}
+
+// The cutter around which the default block is made.
+Cutter widest_cutter(const VerifyInput& input)
+{
+    Cutter widest = input.tool.cutter;
+    for (const ToolChange& change : input.changes)
+        if (change.cutter.radius() > widest.radius())
+            widest = change.cutter;
+    return widest;
 }
 
 // The limits of the command line, or else of the summary, or else the default ones.
@@ -117,20 +149,26 @@ double bytes_to_write(const VerifyOptions& options)
 VerifyInput read_verify_input(const VerifyOptions& options)
 {
     const std::string& file = options.path.file;
-    std::optional<Tool> given = given_tool(options);
-    const PathSummary known =
-        read_path_summary(file, options.common.limits).value_or(PathSummary{});
-    Program program = read_program_for(options.path, given ? given->cutter : known.cutter,
-                                       options.common);
-    Tool tool = tool_of(std::move(given), program, known, file);
+    refuse_idle_tool_options(options.path, options.common);
+    const std::vector<NumberedTool> table = read_tools_for(options.path, options.common);
+    std::optional<Tool> given =
+        table.size() == 1 ? std::optional{table.front().tool} : given_tool(options);
+    const PathSummary known = path_summary_of(options.path, options.common);
+    const std::optional<Cutter> before = given           ? std::optional{given->cutter}
+                                         : table.empty() ? known.cutter
+                                                         : std::nullopt;
+    Program program = read_program_for(options.path, before, options.common);
+    require_moves(program, file);
+    PathTools tools = used_tools(program, options, table, [&] {
+        return tool_of(std::move(given), program, known, file);
+    });
     const std::string stem = std::filesystem::path{file}.stem().string();
     VerifyInput input{.name = printable(known.name.value_or(stem)),
                       .program = std::move(program),
-                      .tool = std::move(tool),
-                      .limits = limits_of(options, known)};
-    if (input.program.path.points.size() < 2)
-        throw GeometryError{
-            file + ": the path has no moves to verify; expected at least two points"};
+                      .tool = std::move(tools.first),
+                      .limits = limits_of(options, known),
+                      .changes = std::move(tools.changes),
+                      .tools = std::move(tools.used)};
     add_part(input, options, known);
     if (!input.part)
         refuse_options_without_part(options.common);
@@ -139,14 +177,15 @@ VerifyInput read_verify_input(const VerifyOptions& options)
         refuse_idle_mesh_options(options.common);
     naming(file, [&] { stand_upright(input); });
     input.stock = read_verify_stock(options, input.part ? &input.part->part : nullptr,
-                                    input.program.path, input.tool.cutter);
+                                    input.program.path, widest_cutter(input));
     return input;
 }
 
 std::vector<std::string> files_of(const VerifyInput& input, const VerifyOptions& options)
 {
     std::vector<std::string> files{options.path.file};
-    for (const std::string& file : {options.tool, input.part_path, input.stock.file})
+    for (const std::string& file :
+         {options.tool, options.path.tools, input.part_path, input.stock.file})
         if (!file.empty())
             files.push_back(file);
     return files;
@@ -160,6 +199,7 @@ VerificationTask verification_task(const VerifyInput& input, const VerifyOptions
                           .stock = input.stock.block};
     if (input.stock.kept)
         task.stock = &*input.stock.kept;
+    task.changes = input.changes;
     task.resolution = options.resolution;
     task.max_memory_gib = options.common.limits.max_memory_gib;
     task.extra_bytes_per_cell = bytes_to_write(options);

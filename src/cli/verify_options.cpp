@@ -59,6 +59,7 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
                     "tool file: the cutter, and the shank and holder, which must touch "
                     "neither stock nor part")
         ->type_name("FILE");
+    add_tools_options(command, options.path);
     command.add_option("--stock", options.stock, stock_help)->type_name("STOCK");
     add_measure_options(command, options);
     add_reading_options(command, options.path);

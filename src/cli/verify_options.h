@@ -9,6 +9,9 @@
 
 namespace endmill {
 
+/// The word of --part that asks for a verification without a part.
+inline constexpr const char* no_part = "none";
+
 /// Help text of --stock.
 inline constexpr const char* stock_help =
     "block (default: around the part), X0,Y0,Z0,X1,Y1,Z1 in mm, a closed mesh, or the "

@@ -7,6 +7,7 @@
 
 #include "build_facts.h"
 #include "cli/console.h"
+#include "cli/path_facts.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 
@@ -157,15 +158,24 @@ std::string bound_text(const Json& greatest, const Json& over, const Json& is_re
     return "bound " + shown_bound(greatest.get<double>() + over.get<double>()) + " mm";
 }
 
+// A value with enough digits to see on which side of its limit it lies, and on which side
+// of the limit raised by the slack, which decides.
+std::string value_text(double value, double limit)
+{
+    const std::string one = shown_against(value, limit);
+    const std::string other = shown_against(value, limit + verdict_slack);
+    return one.size() > other.size() ? one : other;
+}
+
 std::string extreme_text(const Json& s, const std::string& key, const char* limit_key)
 {
     const Json& greatest = s["max_" + key + "_mm"];
     const double limit = s[limit_key].get<double>();
     return fmt::format(
-        "{} (limit {} mm){}; {}\n",
-        greatest.is_null() ? "unknown"
-                           : shown_against(greatest.get<double>(), limit) + " mm",
-        shown_limit(limit), place_text(s["max_" + key + "_at"]),
+        "{}, {} {} + {} mm{}; {}\n",
+        greatest.is_null() ? "unknown" : value_text(greatest.get<double>(), limit),
+        key == "gouge" ? "tolerance" : "limit", shown_limit(limit),
+        to_text(verdict_slack), place_text(s["max_" + key + "_at"]),
         bound_text(greatest, s[key + "_bound_mm"], s[key + "_bound_refined"]));
 }
 
@@ -183,6 +193,15 @@ std::string deviation_text(const Json& s)
         extreme_text(s, "scallop", "scallop_limit_mm"), area("judged_area_mm2"),
         area("gouge_area_mm2"), area("uncut_area_mm2"), length_text(s["mean_scallop_mm"]),
         length_text(s["p99_scallop_mm"]));
+}
+
+// Number and cutter of each tool; null without --tools.
+Json cutters_json(const std::vector<NumberedTool>& tools)
+{
+    Json list = nullptr;
+    for (const auto& [number, tool] : tools)
+        list.push_back({{"tool", number}, {"cutter", cutter_word(tool.cutter)}});
+    return list;
 }
 
 // The width of contacts of rapids, shank and holder that the resolution may miss.
@@ -275,6 +294,17 @@ std::vector<std::string> broken_rules(const Verification& verification)
     return rules;
 }
 
+std::string cutter_words(const Cutter& first, const std::vector<NumberedTool>& tools)
+{
+    if (tools.size() < 2)
+        return cutter_word(first);
+    std::string text;
+    for (const auto& [number, tool] : tools)
+        text += fmt::format("{}T{} {}", text.empty() ? "" : ", ", number,
+                            cutter_word(tool.cutter));
+    return text;
+}
+
 Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
                     const Verification& verification, const PartCharts* charts)
 {
@@ -284,7 +314,9 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
         {"toolpath", printable(options.path.file)},
         {"part", context.part.empty() ? Json(nullptr) : Json(context.part)},
         {"stock", context.stock},
-        {"cutter", cutter_word(context.cutter)},
+        {"cutter",
+         context.tools.size() < 2 ? Json(cutter_word(context.cutter)) : Json(nullptr)},
+        {"cutters", cutters_json(context.tools)},
         {"tool", options.tool.empty() ? Json(nullptr) : Json(printable(options.tool))},
         {"points", context.program.path.points.size()},
         {"verdict", std::string{verdict_name(verification.verdict)}},
@@ -298,6 +330,7 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
                       refined_bounds(on_part->deviation, context.limits), *charts);
     else
         add_no_deviation(summary);
+    add_path_totals(summary, context.program.path);
     add_removal(summary, verification.removal, context.program.path);
     summary["contact_width_bound_mm"] = verification.contacts.width_mm;
     add_earlier(summary, verification);
@@ -307,6 +340,7 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
     summary["max_x_mm"] = grid.low_x + grid.columns * grid.pitch;
     summary["min_y_mm"] = grid.low_y;
     summary["max_y_mm"] = grid.low_y + grid.rows * grid.pitch;
+    add_interpreter(summary, options.path);
     summary["position_error_mm"] = context.program.position_error_mm;
     summary["remarks"] = context.program.remarks;
     return summary;
@@ -324,7 +358,8 @@ std::string verify_text(const Json& s, const Verification& verification)
         text += earlier_text(s);
     for (const std::string& rule : broken_rules(verification))
         text += "  collision   " + rule + "\n";
-    return text + contacts_text(verification.contacts) + removal_text(s) + hint_text(s);
+    return text + contacts_text(verification.contacts) + removal_text(s) +
+           path_totals_text(s) + hint_text(s);
 }
 
 }  // namespace endmill

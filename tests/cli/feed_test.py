@@ -154,10 +154,23 @@ class Feed(ProgramTest):
         self.assertGreater(len(arcs), 1)
         self.assertTrue(all(" I" in arc and " J" in arc for arc in arcs), arcs)
         again = self.summary("verify", out / "part-feed.ngc", "--cutter", "ball:10", "--stock",
-                             "-40,-20,-5,40,20,5", "-o", "a", "--force")
+                             "-40,-20,-5,40,20,5", "--part", "none", "-o", "a", "--force")
         before = self.summary("verify", program, "--cutter", "ball:10", "--stock",
-                              "-40,-20,-5,40,20,5", "-o", "b", "--force")
+                              "-40,-20,-5,40,20,5", "--part", "none", "-o", "b", "--force")
         self.assertAlmostEqual(again["removed_mm3"], before["removed_mm3"], delta=0.1)
+
+    def test_tool_comes_from_a_table(self):
+        program = ("G21 G90 G17\nT{0} M6\nS1000 M3\nG0 X-30 Y0 Z30\nG1 Z0 F50\nX30 F300\nT{1} M6\nX30 Y9\n"
+                   "G0 Z30\nM30\n")
+        table = self.file({"format": "endmill-tools/1", "tools": [
+            {"number": 4, "tool": json.loads(TOOL.read_text())}, {"number": 5, "tool": "ball:4"}]}, "tools.json")
+        out, facts = self.fed(self.file(program.format(4, 4), "p.ngc"), "--tools", table, "--stock-top", "5",
+                              "--allow-infeasible")
+        self.assertEqual(facts["cutter"], "ball:10")
+        for tool, status, word in ((5, 2, "several tools cut"), (6, 3, "no row with a cutter for tool 6")):
+            done = endmill("feed", self.file(program.format(4, tool), "p.ngc"), "--material", STEEL, "--tools",
+                           table, "--stock-top", "5", "-o", "none", cwd=self.folder)
+            self.assert_refused(done, status, word)
 
     def test_contacts_of_the_path_are_used(self):
         surface = self.file(plane())

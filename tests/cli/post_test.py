@@ -211,7 +211,7 @@ class BadInput(ProgramTest):
         self.assert_refused(done, 3, 'summary.json:/cutter: "bal:10"; expected ball:DIAMETER')
 
     def test_missing_or_bad_feed_is_refused(self):
-        self.refuse(TIPS, 2, "point 1 of the path has no feed", "--feed", options=())
+        self.refuse(TIPS, 2, "point 0 of the path has no feed", "--feed", options=())
         self.refuse(TIPS, 2, "feed of 0.4 mm/min, which rounds to 0", options=("--feed", "0.4", "--decimals", "0"))
         for feed in ("0", "-1", "nan", "inf", "fast", "1e999"):
             self.refuse(TIPS, 2, "--feed", options=("--feed", feed))
@@ -231,7 +231,7 @@ class BadInput(ProgramTest):
     def test_tilted_axis_is_refused(self):
         header = "axis_x,axis_y,axis_z," + TIPS.splitlines()[0]
         self.refuse(f"{header}\n0,0,1,0,0,0\n0,0.6,0.8,1,0,0\n", 4,
-                    "p.csv: the axis at point 2 of the path is 0, 0.6, 0.8, and a 3-axis machine cannot")
+                    "p.csv: the axis at point 1 of the path is 0, 0.6, 0.8, and a 3-axis machine cannot")
         path = self.file(f"{header}\n0,0.6,0.8,1,0,0\n", "p.csv")
         self.summary("post", path, "--feed", "1", "--format", "apt", "-o", "out")
         self.assertIn("GOTO/1.0000,0.0000,0.0000,0,0.6,0.8", blocks(self.folder / "out/p.apt"))

@@ -57,6 +57,32 @@ TEST(PathSummary, MayHaveAToleranceOfZeroOnOneSide)
     EXPECT_EQ(summary->tolerance_mm(), 0);
 }
 
+// The first digest is printed in FIPS 180-2, appendix B.1; the second is that of no text.
+TEST(PathSummary, HasTheDigestOfTheStandard)
+{
+    EXPECT_EQ(content_sha256("abc"),
+              "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(content_sha256(""),
+              "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+
+TEST(PathSummary, BelongsToTheFileWhoseDigestItNames)
+{
+    const std::string table = "tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n1,0,0\n";
+    PathSummary summary;
+    EXPECT_EQ(summary_match(summary, table), SummaryMatch::Unnamed);
+    summary.toolpath_sha256 = content_sha256(table);
+    EXPECT_EQ(summary_match(summary, table), SummaryMatch::Described);
+    EXPECT_EQ(summary_match(summary, table + "2,0,0\n"), SummaryMatch::Other);
+    summary.toolpath_points = 2;
+    EXPECT_EQ(summary_match(summary, table), SummaryMatch::Described);
+    summary.toolpath_points = 3;
+    EXPECT_EQ(summary_match(summary, table), SummaryMatch::Other);
+    summary.program_sha256 = content_sha256("G0 X1\nM2\n");
+    EXPECT_EQ(summary_match(summary, "G0 X1\nM2\n"), SummaryMatch::Described);
+    EXPECT_EQ(summary_match(summary, "G0 X2\nM2\n"), SummaryMatch::Other);
+}
+
 TEST(PathSummary, IsReadStrictly)
 {
     EXPECT_THAT(path_file_summary_complaint("{"), HasSubstr("E_JSON"));
@@ -72,6 +98,10 @@ TEST(PathSummary, IsReadStrictly)
                 HasSubstr(":/inner_tolerance_mm: -0.1; expected a number from 0"));
     EXPECT_THAT(path_file_summary_complaint(R"({"feed_mm_per_min": "fast"})"),
                 HasSubstr(":/feed_mm_per_min: \"fast\"; expected a number"));
+    EXPECT_THAT(path_file_summary_complaint(R"({"toolpath_points": -1})"),
+                HasSubstr(":/toolpath_points: -1"));
+    EXPECT_THAT(path_file_summary_complaint(R"({"toolpath_sha256": 7})"),
+                HasSubstr(":/toolpath_sha256: 7"));
 }
 
 }  // namespace

@@ -15,13 +15,11 @@ PathPoint point(Move move, const Vec3& tip, std::optional<double> feed = {},
 // Every move is the hypotenuse of a right triangle with whole sides.
 TEST(PathTotals, CountEveryMoveOnce)
 {
-    const ToolPath path{{point(Move::Rapid, {100, 0, 20}),
-                         point(Move::Plunge, {100, 0, 0}, 40),
-                         point(Move::Cut, {103, 4, 0}, 100),
-                         point(Move::Link, {103, 5, 0}, 100),
-                         point(Move::Cut, {103, 10, 12}, 130),
-                         point(Move::Retract, {103, 10, 20}, 80),
-                         point(Move::Rapid, {106, 14, 20})}};
+    const ToolPath path{
+        {point(Move::Rapid, {100, 0, 20}), point(Move::Plunge, {100, 0, 0}, 40),
+         point(Move::Cut, {103, 4, 0}, 100), point(Move::Link, {103, 5, 0}, 100),
+         point(Move::Cut, {103, 10, 12}, 130), point(Move::Retract, {103, 10, 20}, 80),
+         point(Move::Rapid, {106, 14, 20})}};
     const PathTotals totals = path_totals(path);
     EXPECT_DOUBLE_EQ(totals.cut_mm, 20 + 5 + 13);
     EXPECT_DOUBLE_EQ(totals.link_mm, 1 + 8);
@@ -49,9 +47,9 @@ TEST(PathTotals, OfRapidsHaveNoTime)
 
 TEST(PathTotals, NameEachToolOnce)
 {
-    const ToolPath path{{point(Move::Cut, {0, 0, 0}, 1, 12),
-                         point(Move::Cut, {1, 0, 0}, 1, 3),
-                         point(Move::Cut, {2, 0, 0}, 1, 12), point(Move::Cut, {3, 0, 0})}};
+    const ToolPath path{
+        {point(Move::Cut, {0, 0, 0}, 1, 12), point(Move::Cut, {1, 0, 0}, 1, 3),
+         point(Move::Cut, {2, 0, 0}, 1, 12), point(Move::Cut, {3, 0, 0})}};
     EXPECT_EQ(path_totals(path).tools, (std::vector{3, 12}));
 }
 

@@ -59,9 +59,9 @@ TEST(MoveConditions, OfAPathWithoutAnyAreTheGivenDefaults)
 TEST(MoveConditions, RefuseAMoveWithoutAFeedAndNameIt)
 {
     EXPECT_THAT(refusal(three_moves({}), {}),
-                testing::HasSubstr("point 1 of the path has no feed"));
+                testing::HasSubstr("point 0 of the path has no feed"));
     EXPECT_THAT(refusal(three_moves({{100, {}, {}}, {}, {}}), {}),
-                testing::HasSubstr("point 3 of the path has no feed"));
+                testing::HasSubstr("point 2 of the path has no feed"));
     EXPECT_EQ(refusal(three_moves({{100, {}, {}}, {}, {200, {}, {}}}), {}), "accepted");
 }
 

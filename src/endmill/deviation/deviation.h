@@ -89,9 +89,11 @@ enum class Verdict {
     /// tolerance is possible.
     Uncut,
     Undecided,  ///< the bounds allow a violation that was not measured
+    NotJudged,  ///< there is no part with which the stock could be compared
 };
 
-/// Returns the word for a verdict in files: "clean", "gouged", "uncut" or "undecided".
+/// Returns the word for a verdict in files: "clean", "gouged", "uncut", "undecided" or
+/// "not judged".
 std::string_view verdict_name(Verdict verdict);
 
 /// Returns the verdict on a deviation, with both limits raised by `verdict_slack`. The first

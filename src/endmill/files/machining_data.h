@@ -17,10 +17,11 @@
 /// Machine files ("endmill-machine/1"): the content of a file as data, and the kinematic
 /// model that follows from it.
 ///
-/// Readers of the files that describe a cut: the tool ("endmill-tool/1") and the material
-/// of the workpiece ("endmill-material/1").
+/// Readers of the files that describe a cut: the tool ("endmill-tool/1"), tables of tools
+/// and the material of the workpiece ("endmill-material/1").
 ///
-/// Implemented in `machine_file.cpp`, `tool_file.cpp` and `material_file.cpp`.
+/// Implemented in `machine_file.cpp`, `tool_file.cpp`, `tool_table.cpp` and
+/// `material_file.cpp`.
 
 namespace endmill {
 
@@ -83,6 +84,43 @@ Tool read_tool(const std::filesystem::path& path, const ReadLimits& limits = {})
 /// \param path used in messages and for the default name.
 Tool parse_tool(std::string_view content, const std::filesystem::path& path,
                 const ReadLimits& limits = {});
+
+/// A row of a tool table.
+struct NumberedTool {
+    int number;  ///< as after the letter T in a program
+    Tool tool;   ///< the cutter, and what is known of its shank and holder
+};
+
+/// Limits for reading a tool table, and what its file does not state.
+struct ToolTableOptions {
+    ReadLimits limits = {};  ///< of coordinates and memory
+    /// mm, length of the unit of a table of LinuxCNC, which does not state it.
+    std::optional<double> unit_mm = {};
+};
+
+/// Reads a tool table: a file of format "endmill-tools/1", or a table of LinuxCNC (.tbl).
+///
+/// "endmill-tools/1" has the required key `tools`, a list of {`number`, `tool`}, and the
+/// optional keys `name` and `source`. `tool` is a cutter word, or an object with the keys
+/// of a tool file, whose key `format` may be missing.
+///
+/// A table of LinuxCNC has a row for each tool: words such as T1 P1 D6 Z40, then a
+/// comment after a semicolon. A comment that begins with a cutter word names the cutter;
+/// one that begins with the word ball names a ball of diameter D. Every other row with a
+/// diameter D is a flat end mill. Rows without a diameter are left out.
+/// \return the tools, ascending by number.
+/// \throws FormatError as `read_tool` for "endmill-tools/1"; E_TOOLS for a number that
+///         occurs twice, a table without a tool, and in a table of LinuxCNC, with the
+///         line, for an unknown or wrong word or a comment that contradicts D.
+/// \throws DomainError if a diameter D has no unit.
+std::vector<NumberedTool> read_tool_table(const std::filesystem::path& path,
+                                          const ToolTableOptions& options = {});
+
+/// Parses the content of a tool table as `read_tool_table` does.
+/// \param path used in messages.
+std::vector<NumberedTool> parse_tool_table(std::string_view content,
+                                           const std::filesystem::path& path,
+                                           const ToolTableOptions& options = {});
 
 /// Reads a file of format "endmill-material/1". Required keys:
 /// `specific_resistance_n_per_mm2`, `edge_thickness_mm`, `r1` to `r4`, `alpha`,

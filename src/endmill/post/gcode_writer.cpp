@@ -90,7 +90,7 @@ void require_upright(const ToolPath& path)
         const Vec3& axis = path.points[i].location.axis;
         require(axis.allFinite(), "gcode: an axis must be finite");
         if (axis != Vec3::UnitZ())
-            throw GeometryError{"the axis at point " + std::to_string(i + 1) +
+            throw GeometryError{"the axis at point " + std::to_string(i) +
                                 " of the path is " + shown(axis) +
                                 ", and a 3-axis machine cannot turn the tool; expected "
                                 "0, 0, 1 throughout"};

@@ -108,6 +108,11 @@ JsonValue JsonValue::item(std::size_t index) const&
     return {(*value_)[index], *this, {}, index};
 }
 
+bool JsonValue::is_text() const
+{
+    return value_->is_string();
+}
+
 std::string JsonValue::text() const
 {
     if (!value_->is_string())

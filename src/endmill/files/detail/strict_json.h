@@ -62,6 +62,9 @@ public:
     JsonValue item(std::size_t index) const&;
     JsonValue item(std::size_t index) const&& = delete;  ///< would dangle
 
+    /// Whether this is a string.
+    bool is_text() const;
+
     /// The string, unchanged. \throws FormatError if this is not a string.
     std::string text() const;
 

@@ -14,7 +14,7 @@ namespace {
 [[noreturn]] void refuse(std::size_t point, const std::string& found,
                          const std::string& expected)
 {
-    throw DomainError{"point " + std::to_string(point + 1) + " of the path has " + found +
+    throw DomainError{"point " + std::to_string(point) + " of the path has " + found +
                       "; expected " + expected};
 }
 
