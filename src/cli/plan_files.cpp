@@ -40,7 +40,7 @@ void replace_earlier_run(OutputFolder& folder)
 // The feed in the program if no feed is given. It affects only the length of the tape.
 constexpr double default_feed_mm_per_min = 1000;
 
-// Tape length of the program that `post` writes of this path with the default options.
+// Tape length of the plain program of this path: one feed, no tool length, no dwell.
 std::optional<double> tape_length(const ToolPath& path, const PlanTask& task)
 {
     const auto& [surfaces, context, options] = task;

@@ -27,6 +27,7 @@ READERS = {
     "canonical program": ("path.ngc", "post FILE --feed 500"),
     "apt program": ("path.apt", "post FILE --feed 500"),
     "json endmill-machine/1": ("machine.json", "machine FILE"),
+    "json endmill-control/1": ("control.json", "post PATH --feed 500 --control FILE"),
     "json endmill-material/1": ("material.json",
                                 "coefficients --material FILE --cutter ball:10 --flutes 2 --feed-per-tooth 0.05"
                                 " --mu-deg 10 --lambda-deg 20 --pick-feed-ratio 0.5 --depth-ratio 1"),

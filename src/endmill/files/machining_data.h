@@ -11,6 +11,7 @@
 #include "endmill/cutter/tool.h"
 #include "endmill/files/read_file.h"
 #include "endmill/machine/kinematics.h"
+#include "endmill/post/control.h"
 #include "endmill/process/milling_data.h"
 
 /// \file
@@ -20,7 +21,10 @@
 /// Readers of the files that describe a cut: the tool ("endmill-tool/1") and the material
 /// of the workpiece ("endmill-material/1").
 ///
-/// Implemented in `machine_file.cpp`, `tool_file.cpp` and `material_file.cpp`.
+/// Reader of the files that describe a control ("endmill-control/1").
+///
+/// Implemented in `machine_file.cpp`, `tool_file.cpp`, `material_file.cpp` and
+/// `control_file.cpp`.
 
 namespace endmill {
 
@@ -99,5 +103,24 @@ CuttingMaterial read_material(const std::filesystem::path& path,
 CuttingMaterial parse_material(std::string_view content,
                                const std::filesystem::path& path,
                                const ReadLimits& limits = {});
+
+/// Reads a file of format "endmill-control/1". Required keys: `extension`, `start` and
+/// `end`. Optional keys, named as the members of `Control`: `name` (default: the file's
+/// stem), `source`, `percent` (true), `program_number`, `comments` ("parentheses"),
+/// `capital_comments` (false), `path_control` ("none"), `tool_change`, `tool_length`,
+/// `dwell` ("s" or "ms"), `flood`, `mist`, `coolant_off` ("M9"), `arcs` ("none"),
+/// `decimals_mm` (4), `decimals_inch` (5), `speed_decimals`, `always_point` (false),
+/// `line_end` ("lf"), `longest_line`, `largest_line_number` (99999). A missing word means
+/// that the control has none.
+/// \throws FormatError as `JsonDocument` and, with the JSON pointer, for an unknown or
+///         missing key; E_CONTROL for text that is not made of words such as G90, and for
+///         a start block that does more than set modes; E_FORMAT for another format; also
+///         as `read_file`.
+Control read_control(const std::filesystem::path& path, const ReadLimits& limits = {});
+
+/// Parses the content of a control file as `read_control` does.
+/// \param path used in messages and for the default name.
+Control parse_control(std::string_view content, const std::filesystem::path& path,
+                      const ReadLimits& limits = {});
 
 }  // namespace endmill

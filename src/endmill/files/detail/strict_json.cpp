@@ -124,6 +124,13 @@ std::string_view JsonValue::word(std::span<const std::string_view> words) const
     return *found;
 }
 
+bool JsonValue::truth() const
+{
+    if (!value_->is_boolean())
+        throw complaint(shown(), "true or false");
+    return value_->get<bool>();
+}
+
 std::int64_t JsonValue::whole_number(std::int64_t low, std::int64_t high) const
 {
     // The library stores 2^63 and above as unsigned; `get` would wrap them to negative.

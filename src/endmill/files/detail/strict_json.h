@@ -69,6 +69,9 @@ public:
     /// \throws FormatError, with a suggestion, if this is none of them.
     std::string_view word(std::span<const std::string_view> words) const;
 
+    /// True or false. \throws FormatError if this is neither.
+    bool truth() const;
+
     /// A number without fraction and exponent; 3.0 is refused.
     /// \throws FormatError unless it is one from `low` to `high`.
     std::int64_t whole_number(std::int64_t low, std::int64_t high) const;
