@@ -62,7 +62,8 @@ class Post(ProgramTest):
                           "X1.0 F200", "G0 Z5.0", "M5", "M30", "%"])
         self.assertEqual((facts["plunge_feed_mm_per_min"], facts["feed_mm_per_min"]), (100, 200))
         self.summary("post", path, "--feed", "50", "--spindle-rpm", "300", "--tool-number", "7", "--cutter",
-                     "flat:8", "--safe-height", "9", "--line-numbers", "--decimals", "0", "--dwell-s", "0", "-o", "told")
+                     "flat:8", "--safe-height", "9", "--line-numbers", "--decimals", "0", "--dwell-s", "0", "-o",
+                     "told")
         self.assertEqual(blocks(self.folder / "told/path.ngc"),
                          ["%", "(endmill: path, cutter flat:8, tips)", "N1 G21 G90 G94 G17 G40 G49 G80 G54", "N2 G64",
                           "N3 T7 M6", "N4 S300 M3", "N5 G0 G43 H7 Z9", "N6 X0 Y0", "N7 G1 Z0 F17", "N8 X1 F50",

@@ -121,8 +121,9 @@ class Interpreter(ProgramTest):
         done = self.interpret(self.folder / "out/p.ngc")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         said = (self.folder / "canonical.txt").read_text()
-        order = [said.index(word) for word in ("SELECT_TOOL(12)", "START_SPINDLE_CLOCKWISE", "DWELL(2.0000)", "FLOOD_ON",
-                                               "STRAIGHT_TRAVERSE", "STRAIGHT_FEED", "FLOOD_OFF", "PROGRAM_END")]
+        words = ("SELECT_TOOL(12)", "START_SPINDLE_CLOCKWISE", "DWELL(2.0000)", "FLOOD_ON", "STRAIGHT_TRAVERSE",
+                 "STRAIGHT_FEED", "FLOOD_OFF", "PROGRAM_END")
+        order = [said.index(word) for word in words]
         self.assertEqual(order, sorted(order))
         self.assertIn("USE_TOOL_LENGTH_OFFSET(0.0000 0.0000 25.4000", said[order[3]:order[4]])
 

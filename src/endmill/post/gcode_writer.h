@@ -27,13 +27,13 @@ struct GcodeOptions {
     std::optional<double> safe_height = {};
     /// mm, tolerance for which the path was planned; 0 if it may deviate to one side only.
     std::optional<double> tolerance = {};
-    std::optional<int> decimals = {};  ///< of coordinates, 0 to 9; none: the control's
-    bool line_numbers = false;         ///< whether every block has a number N1, N2, ...
-    bool comments = true;              ///< whether the comment at the start is written
-    Control control = {};              ///< words and number formats
+    std::optional<int> decimals = {};    ///< of coordinates, 0 to 9; none: the control's
+    bool line_numbers = false;           ///< whether every block has a number N1, N2, ...
+    bool comments = true;                ///< whether the comment at the start is written
+    Control control = {};                ///< words and number formats
     ProgramUnit unit = ProgramUnit::Mm;  ///< unit of the program
-    Coolant coolant = Coolant::Off;    ///< coolant during the program
-    double dwell_s = 0;                ///< s, wait after each start of the spindle
+    Coolant coolant = Coolant::Off;      ///< coolant during the program
+    double dwell_s = 0;                  ///< s, wait after each start of the spindle
     /// Feeds of the descents that the path does not have: back to the path after a tool
     /// change. The feeds of its own moves are those of the path.
     MoveFeeds feeds = {};
