@@ -270,6 +270,30 @@ class Controls(ProgramTest):
                 moves = [moves_of(blocks(self.folder / file)) for file in (f"once/{name}", f"twice/{facts['file']}")]
                 self.assertEqual(moves[0], moves[1])
 
+    def test_programs_have_the_verdict_of_the_path(self):
+        part = self.file(plane(size=(30, 20), slope=0.3))
+        done = endmill("plan", part, "--cutter", "ball:10", "--chord-tolerance", "0.05", "--scallop", "0.3",
+                       "--direction", "u", "-o", "plan", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+        def verdict(program):
+            facts = self.summary("verify", program, "--part", part, "--cutter", "ball:10", "--tolerance", "0.05",
+                                 "--scallop", "0.35", "-o", "seen", "--force")
+            return facts["verdict"], facts["max_gouge_mm"], facts["max_scallop_mm"]
+
+        expected = verdict("plan/toolpath.csv")
+        self.assertEqual(expected[0], "clean")
+        for control, name in (("linuxcnc", "toolpath.ngc"), ("fanuc", "toolpath.nc"), ("grbl", "toolpath.nc")):
+            for unit in ("mm", "inch"):
+                facts = self.summary("post", "plan/toolpath.csv", "--feed", "500", "--control", control, "--units",
+                                     unit, "--arcs", "-o", "out", "--force")
+                text = re.sub(r"^O0001 ", "", (self.folder / "out" / name).read_text(), flags=re.MULTILINE)
+                self.file(text, "program.nc")
+                found = verdict("program.nc")
+                self.assertEqual(found[0], expected[0])
+                for number, number_of_path in zip(found[1:], expected[1:]):
+                    self.assertAlmostEqual(number, number_of_path, delta=2 * facts["max_rounding_error_mm"] + 1e-9)
+
     def test_several_tools_need_a_tool_change(self):
         path = self.file("tip_x_mm,tip_y_mm,tip_z_mm,tool\n0,0,0,1\n9,0,0,1\n9,9,0,2\n", "tools.csv")
         self.summary("post", path, "--feed", "90", "--coolant", "flood", "-o", "out")
