@@ -33,7 +33,7 @@ constexpr double plunge_share = 1.0 / 3;
 constexpr double default_dwell_s = 2;
 // mm, added to the tolerance of the path for arcs: that which `verify` adds.
 constexpr double arc_slack_mm = 0.001;
-// mm, largest error of arcs if no tolerance of the path is known: that of arcs on reading.
+// mm, tolerance of the chords of arcs that were read, if no tolerance of the path is known.
 constexpr double default_arc_tolerance_mm = 0.001;
 
 // Options replace the values of the path.
@@ -51,7 +51,7 @@ void apply_options(ToolPath& path, const PostOptions& options, const MoveFeeds& 
 
 // The largest distance of arcs from the path. An arc close to the points of a planned path
 // replaces the error of its chords, which has the size of the tolerance; the slack covers
-// rounding.
+// rounding. If the path has no tolerance, its chords may come from arcs that were read.
 double arc_tolerance(const PathSummary& known, const PostOptions& options)
 {
     const auto tolerance = known.tolerance_mm();
@@ -61,7 +61,8 @@ double arc_tolerance(const PathSummary& known, const PostOptions& options)
         throw DomainError{
             "--arcs: the path may deviate to one side only, and an arc "
             "deviates to both; expected --arc-fit-tolerance, or no --arcs"};
-    return tolerance ? *tolerance + arc_slack_mm : default_arc_tolerance_mm;
+    const double read = options.path.arc_tolerance.value_or(default_arc_tolerance_mm);
+    return tolerance.value_or(read) + arc_slack_mm;
 }
 
 // Properties of the path. The command line overrides the program, and the program

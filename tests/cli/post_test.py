@@ -399,6 +399,19 @@ class Motion(ProgramTest):
         self.assertLess(lines[1], lines[0] / 5)
         self.assertLessEqual(facts["max_arc_error_mm"], 0.021)
 
+    def test_arcs_of_a_program_come_back(self):
+        # A quarter circle, a half one (two arcs: below half a turn) and three quarters (two arcs), the last in G18.
+        program = self.file("%\nG21 G90 G17 G94\nT1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX40 F400\n"
+                            "G2 X60 Y-20 I0 J-20\nG1 Y-40\nG3 X100 I20\nG18 G2 X120 Z-21 I0 K-20\nG0 Z5\nM30\n%\n",
+                            "p.ngc")
+        for options in ([], ["--arc-tolerance", "0.01"]):
+            facts = self.summary("post", program, "--arcs", *options, "-o", "out", "--force")
+            self.assertEqual(facts["arcs"], 5)
+            self.assertLessEqual(facts["lines"], 22)
+            words = "\n".join(blocks(self.folder / "out/p.ngc"))
+            self.assertRegex(words, r"\nG17 G2 X60\.0000 Y-20\.0000 I-?0\.000\d J-(20\.000|19\.999)\d\n")
+            self.assertEqual(len(re.findall(r"^G1[789] ", words, re.MULTILINE)), 2)
+
     def test_one_sided_path_needs_a_tolerance_of_arcs(self):
         path = self.file(TIPS, "p.csv")
         self.file({"inner_tolerance_mm": 0, "outer_tolerance_mm": 0.1}, "summary.json")
