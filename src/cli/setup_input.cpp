@@ -15,6 +15,7 @@
 #include "endmill/core/text.h"
 #include "endmill/files/machining_data.h"
 #include "endmill/mesh/mesh_checks.h"
+#include "endmill/mesh/mesh_repair.h"
 #include "endmill/surface/sampling.h"
 #include "endmill/surface/tool_side.h"
 
@@ -42,7 +43,9 @@ TriangleMesh with_degenerate(const TriangleMesh& mesh,
 void take_mesh(SetupInput& input, TriangleMesh mesh,
                std::span<const std::size_t> degenerate = {})
 {
-    const MeshReport checks = mesh_report(mesh);
+    // As in every other command, edges are counted without duplicate triangles.
+    const CleanedMesh cleaned = without_degenerate_or_duplicate(mesh);
+    const MeshReport checks = mesh_report(cleaned.mesh);
     if (checks.boundary_edges > 0)
         input.remarks.push_back(fmt::format(
             "{} edges belong to one triangle: the part is open, so all triangles block "
@@ -51,10 +54,10 @@ void take_mesh(SetupInput& input, TriangleMesh mesh,
     if (checks.non_manifold_edges > 0)
         input.remarks.push_back(fmt::format("{} edges belong to more than two triangles",
                                             checks.non_manifold_edges));
-    if (checks.duplicate_triangles > 0)
+    if (cleaned.duplicate_triangles > 0)
         input.remarks.push_back(fmt::format(
             "{} triangles repeat an earlier triangle; such triangles block each other",
-            checks.duplicate_triangles));
+            cleaned.duplicate_triangles));
     input.mesh = degenerate.empty() ? std::move(mesh) : with_degenerate(mesh, degenerate);
 }
 

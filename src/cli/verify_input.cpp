@@ -3,11 +3,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <utility>
+#include <variant>
 
 #include "cli/console.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/drop_cutter/clearance.h"
 #include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
@@ -103,6 +107,37 @@ void stand_upright(VerifyInput& input)
         " becomes +z");
 }
 
+// Whether remaining stock is judged where the cutter cannot touch the part. A test of the
+// cutter's position exists for meshes only.
+InaccessibleStock inaccessible_of(const VerifyOptions& options, const PathSummary& known,
+                                  const std::optional<PartFile>& part)
+{
+    const bool is_mesh = part && std::holds_alternative<TriangleMesh>(part->part);
+    if (options.inaccessible == InaccessibleStock::Excuse && part && !is_mesh)
+        throw DomainError{
+            "--inaccessible excuse: the part is a surface; expected a mesh, or "
+            "--inaccessible count"};
+    if (!is_mesh)
+        return InaccessibleStock::Count;
+    return options.inaccessible.value_or(
+        known.inaccessible.value_or(InaccessibleStock::Count));
+}
+
+// The test whether the cutter can come so near to a place of the mesh that it leaves half of
+// the scallop limit. It shares the drop cutter, which refers to the mesh.
+std::function<bool(const PartRay&)> accessibility(const VerifyInput& input)
+{
+    constexpr double share_of_scallop = 0.5;
+    if (input.inaccessible == InaccessibleStock::Count)
+        return {};
+    const auto drop_cutter = std::make_shared<const DropCutter>(
+        std::get<TriangleMesh>(input.part->part), input.tool.cutter);
+    const double distance = share_of_scallop * input.limits.scallop;
+    return [drop_cutter, distance](const PartRay& ray) {
+        return is_accessible(*drop_cutter, {ray.point, ray.normal}, distance);
+    };
+}
+
 // Memory for each cell that the output of the remaining stock needs: a copy of the
 // heights, or a mesh.
 double bytes_to_write(const VerifyOptions& options)
@@ -134,6 +169,7 @@ VerifyInput read_verify_input(const VerifyOptions& options)
     add_part(input, options, known);
     if (!input.part)
         refuse_options_without_part(options.common);
+    input.inaccessible = inaccessible_of(options, known, input.part);
     const bool is_part_given = !options.part.path.empty() && options.part.path != no_part;
     if (!is_part_given && !may_be_mesh(options.stock))
         refuse_idle_mesh_options(options.common);
@@ -166,7 +202,8 @@ VerificationTask verification_task(const VerifyInput& input, const VerifyOptions
     if (input.part)
         task.judged = JudgedPart{.part = &input.part->part,
                                  .limits = input.limits,
-                                 .max_refine = options.max_refine};
+                                 .max_refine = options.max_refine,
+                                 .is_accessible = accessibility(input)};
     return task;
 }
 

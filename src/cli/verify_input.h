@@ -19,6 +19,7 @@ struct VerifyInput {
     Program program;
     Tool tool;
     DeviationLimits limits;
+    InaccessibleStock inaccessible = InaccessibleStock::Count;
     std::optional<PartFile> part = {};
     std::string part_path = {};  ///< empty without a part
     VerifyStock stock = {};

@@ -11,6 +11,10 @@
 namespace endmill {
 namespace {
 
+constexpr std::array inaccessible_words{
+    Choice<InaccessibleStock>{inaccessible_names[0], InaccessibleStock::Count},
+    Choice<InaccessibleStock>{inaccessible_names[1], InaccessibleStock::Excuse}};
+
 // Largest number of halvings. Smaller cells would be below the rounding of any file.
 constexpr int most_refine = 20;
 
@@ -35,6 +39,10 @@ void add_measure_options(CLI::App& command, VerifyOptions& options)
                     to_text(DeviationLimits{}.scallop) + ")",
                 length},
                options.scallop);
+    add_choice<InaccessibleStock>(
+        command, "--inaccessible", options.inaccessible, inaccessible_words,
+        "remaining stock where the cutter cannot touch the part, as in sharp corners: "
+        "count it, or excuse it (mesh only; default: the path's summary, or count)");
     add_whole_number(
         command,
         {"--max-refine",
@@ -74,8 +82,9 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
 
 void refuse_options_without_part(const CommonOptions& options)
 {
-    refuse_idle_options(options, std::array{"--tolerance", "--scallop", "--max-refine"},
-                        "no part", "--part, to compare with");
+    refuse_idle_options(
+        options, std::array{"--tolerance", "--scallop", "--max-refine", "--inaccessible"},
+        "no part", "--part, to compare with");
 }
 
 void refuse_idle_mesh_options(const CommonOptions& options)

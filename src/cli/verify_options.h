@@ -6,6 +6,7 @@
 
 #include "cli/path_options.h"
 #include "cli/surface_facts.h"
+#include "endmill/files/path_file.h"
 
 namespace endmill {
 
@@ -25,6 +26,7 @@ struct VerifyOptions {
     std::optional<double> tolerance;  ///< mm, gouge
     std::optional<double> scallop;    ///< mm, remaining material
     int max_refine = 8;
+    std::optional<InaccessibleStock> inaccessible;  ///< default: of the path's summary
     bool engagement = false;
     bool write_stock = false;
     bool write_mesh = false;

@@ -44,6 +44,8 @@ void add_deviation(Json& summary, const Deviation& d, const RefinedBounds& refin
     summary["mean_scallop_mm"] = finite_or_null(d.mean_scallop_mm);
     summary["uncut_area_mm2"] = d.uncut_area_mm2;
     summary["judged_area_mm2"] = d.area_mm2;
+    summary["inaccessible_area_mm2"] = d.inaccessible_area_mm2;
+    summary["max_inaccessible_mm"] = finite_or_null(d.max_inaccessible_mm);
     summary["gouge_bound_mm"] = finite_or_null(d.gouge_bound_mm);
     summary["scallop_bound_mm"] = finite_or_null(d.scallop_bound_mm);
     summary["bound_mm"] = finite_or_null(std::max(d.gouge_bound_mm, d.scallop_bound_mm));
@@ -57,8 +59,9 @@ void add_no_deviation(Json& summary)
     for (const char* key :
          {"max_gouge_mm", "max_gouge_at", "gouge_area_mm2", "max_scallop_mm",
           "max_scallop_at", "p99_scallop_mm", "mean_scallop_mm", "uncut_area_mm2",
-          "judged_area_mm2", "gouge_bound_mm", "scallop_bound_mm", "bound_mm",
-          "gouge_bound_refined", "scallop_bound_refined", "rays"})
+          "judged_area_mm2", "inaccessible_area_mm2", "max_inaccessible_mm",
+          "gouge_bound_mm", "scallop_bound_mm", "bound_mm", "gouge_bound_refined",
+          "scallop_bound_refined", "rays"})
         summary[key] = nullptr;
 }
 
@@ -169,20 +172,32 @@ std::string extreme_text(const Json& s, const std::string& key, const char* limi
         bound_text(greatest, s[key + "_bound_mm"], s[key + "_bound_refined"]));
 }
 
+// The stock that the cutter cannot reach; empty without any.
+std::string inaccessible_text(const Json& s)
+{
+    if (!(s["inaccessible_area_mm2"].get<double>() > 0))
+        return "";
+    return fmt::format(
+        "  excused     {} mm2 that {} cannot touch, with up to {} remaining\n",
+        shown(s["inaccessible_area_mm2"].get<double>()), s["cutter"].get<std::string>(),
+        length_text(s["max_inaccessible_mm"]));
+}
+
 std::string deviation_text(const Json& s)
 {
     const auto area = [&](const char* key) {
         return shown(s[key].get<double>()) + " mm2";
     };
     return fmt::format(
-        "  gouge       {}"
-        "  remaining   {}"
-        "  area        {} judged, {} gouged, {} uncut\n"
-        "  average     {} remaining; 99 % of the area below {}\n",
-        extreme_text(s, "gouge", "tolerance_mm"),
-        extreme_text(s, "scallop", "scallop_limit_mm"), area("judged_area_mm2"),
-        area("gouge_area_mm2"), area("uncut_area_mm2"), length_text(s["mean_scallop_mm"]),
-        length_text(s["p99_scallop_mm"]));
+               "  gouge       {}"
+               "  remaining   {}"
+               "  area        {} judged, {} gouged, {} uncut\n"
+               "  average     {} remaining; 99 % of the area below {}\n",
+               extreme_text(s, "gouge", "tolerance_mm"),
+               extreme_text(s, "scallop", "scallop_limit_mm"), area("judged_area_mm2"),
+               area("gouge_area_mm2"), area("uncut_area_mm2"),
+               length_text(s["mean_scallop_mm"]), length_text(s["p99_scallop_mm"])) +
+           inaccessible_text(s);
 }
 
 // The width of contacts of rapids, shank and holder that the resolution may miss.

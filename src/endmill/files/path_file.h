@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -95,6 +96,16 @@ struct PartReference {
     UpAxis up = UpAxis::Z;              ///< of a mesh file
 };
 
+/// What a verification does with remaining stock where the cutter cannot touch the part, such
+/// as in a corner that is sharper than the cutter.
+enum class InaccessibleStock {
+    Count,   ///< it is judged as everywhere
+    Excuse,  ///< it is measured and not judged
+};
+
+/// Names in the order of the enumeration.
+inline constexpr std::array<std::string_view, 2> inaccessible_names{"count", "excuse"};
+
 /// The content of the summary.json beside a tool path. A value that is missing or null in
 /// the file is empty.
 struct PathSummary {
@@ -105,7 +116,9 @@ struct PathSummary {
     std::optional<double> inner_tolerance_mm;  ///< largest depth of a gouge
     /// Largest remaining stock along a pass.
     std::optional<double> outer_tolerance_mm;
-    std::optional<double> scallop_mm;       ///< scallop height
+    std::optional<double> scallop_mm;  ///< scallop height
+    /// Whether remaining stock is judged where the cutter cannot touch the part.
+    std::optional<InaccessibleStock> inaccessible;
     std::optional<double> feed_mm_per_min;  ///< programmed feed
     std::optional<double> spindle_rpm;      ///< programmed spindle speed
 

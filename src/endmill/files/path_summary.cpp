@@ -96,6 +96,13 @@ std::optional<PartReference> part(const JsonValue& root,
     return part;
 }
 
+std::optional<InaccessibleStock> inaccessible(const JsonValue& root)
+{
+    if (!known_member(root, "inaccessible"))
+        return std::nullopt;
+    return choice<InaccessibleStock>(root, "inaccessible", inaccessible_names);
+}
+
 }  // namespace
 
 std::optional<double> PathSummary::tolerance_mm() const
@@ -124,6 +131,7 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
                        tolerance(root, "inner_tolerance_mm"),
                        tolerance(root, "outer_tolerance_mm"),
                        positive_number(root, "scallop_mm"),
+                       inaccessible(root),
                        positive_number(root, "feed_mm_per_min"),
                        positive_number(root, "spindle_rpm")};
 }

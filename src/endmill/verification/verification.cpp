@@ -261,6 +261,7 @@ Deviation deviation_of(const VerificationTask& task, const JudgedPart& judged)
                            .pitch = task.resolution,
                            .max_refine = judged.max_refine,
                            .most_cells = static_cast<std::size_t>(most_rays),
+                           .is_accessible = judged.is_accessible,
                            .progress = judged.progress});
     require_cutting(task, charts, all, deviation);
     for (auto* place : {&deviation.deepest, &deviation.highest})

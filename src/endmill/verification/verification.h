@@ -75,6 +75,8 @@ struct JudgedPart {
     const Part* part;             ///< not null; must outlive this object
     DeviationLimits limits = {};  ///< of the verdict
     int max_refine = 8;           ///< largest number of halvings of a cell, 0 to 20
+    /// If set, remaining stock is judged only where it returns true, see DeviationOptions.
+    std::function<bool(const PartRay& ray)> is_accessible = {};
     /// If set, it is called with the finished share of the measurement, 0 to 1.
     std::function<void(double share)> progress = {};
 };
