@@ -75,7 +75,8 @@ struct MeshPasses {
 /// In the middle of two neighbouring planes the cutter is dropped at samples along s. The
 /// limit holds at a sample if the point at the scallop height above the contact is inside the
 /// cutter at a place in one of the two planes, and if the cutter's places at s in both planes
-/// are at most the level interval apart. It also holds where the planes are at most the scallop
+/// are at most the level interval apart. Beside walls across the feed the planes are also so near
+/// to each other that the shank leaves the height. The limit also holds where the planes are at most the scallop
 /// height apart: the lower place of the cutter, which is open above, leaves at most the
 /// distance of the planes on any wall between them. Elsewhere a plane is added in the
 /// middle, and both halves are examined again. The strips between the outermost planes and the

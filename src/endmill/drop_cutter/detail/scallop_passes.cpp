@@ -27,6 +27,9 @@ constexpr std::size_t most_passes = 1'000'000;
 // Share by which a length may exceed its limit, for rounding. The pitch of a level plane is
 // exactly the level interval.
 constexpr double rounding_share = 1e-6;
+// Rise between two samples, per distance, from which a wall may lie between them. The contacts
+// at samples show the slopes below it.
+constexpr double wall_slope = 1;
 
 // The cutter's tips and contacts in one plane, by sample; nothing where the cutter meets no
 // point of the mesh, or where the plane has no pass.
@@ -54,6 +57,9 @@ public:
         const double fine = std::ceil(2 * length / limit.level_interval) + 1;
         samples_ = static_cast<std::size_t>(std::max(double(samples), fine));
         step_ = length / static_cast<double>(samples_ - 1);
+        const double R = cutter_.radius();
+        const double h = std::min(limit.height, R);
+        wall_interval_ = 2 * std::sqrt(h * (2 * R - h)) * (1 + rounding_share);
         window_ = step_ > 0 ? static_cast<std::size_t>(cutter_.radius() / step_) : 0;
     }
 
@@ -160,12 +166,37 @@ private:
     Samples open_samples(const SampledPass* before, const SampledPass* behind,
                          const SampledPass& examined) const
     {
+        const bool is_wide = width(before, behind, examined) > wall_interval_;
         Samples open;
         for (std::size_t k = 0; k < samples_; ++k)
-            if (examined.contacts[k] && (are_apart(before, behind, k) ||
+            if (examined.contacts[k] && ((is_wide && is_beside_wall(examined, k)) ||
+                                         are_apart(before, behind, k) ||
                                          !is_covered(before, behind, examined, k)))
                 open.push_back(k);
         return open;
+    }
+
+    // The distance of the passes between which another one is examined. The border of the
+    // mesh, where there is only one, lies in the middle between two.
+    static double width(const SampledPass* before, const SampledPass* behind,
+                        const SampledPass& examined)
+    {
+        if (before && behind)
+            return behind->position - before->position;
+        return 2 * std::abs((before ? before : behind)->position - examined.position);
+    }
+
+    // Whether the cutter follows a wall across the feed between a sample and one beside it.
+    // It cuts the wall with its shank, whose radius may ask for closer passes than the flat
+    // bottom does.
+    bool is_beside_wall(const SampledPass& pass, std::size_t k) const
+    {
+        const auto is_wall = [&](std::size_t a, std::size_t b) {
+            return pass.contacts[a] && pass.contacts[b] &&
+                   std::abs(pass.contacts[a]->tip_z - pass.contacts[b]->tip_z) >
+                       wall_slope * step_;
+        };
+        return (k > 0 && is_wall(k - 1, k)) || (k + 1 < samples_ && is_wall(k, k + 1));
     }
 
     // Whether the cutter's places on both sides are farther apart than on level ground: a
@@ -261,7 +292,8 @@ private:
     std::atomic<std::size_t>& count_;
     std::size_t samples_;
     double step_;
-    std::size_t window_;  // samples within the cutter's radius
+    double wall_interval_;  // distance of upright passes along a wall, mm
+    std::size_t window_;    // samples within the cutter's radius
     std::vector<AddedPass> passes_;
 };
 
