@@ -57,9 +57,13 @@ public:
         const double fine = std::ceil(2 * length / limit.level_interval) + 1;
         samples_ = static_cast<std::size_t>(std::max(double(samples), fine));
         step_ = length / static_cast<double>(samples_ - 1);
-        const double R = cutter_.radius();
-        const double h = std::min(limit.height, R);
-        wall_interval_ = 2 * std::sqrt(h * (2 * R - h)) * (1 + rounding_share);
+        const auto chord = [&](double radius) {
+            const double h = std::min(limit.height, radius);
+            return 2 * std::sqrt(h * (2 * radius - h)) * (1 + rounding_share);
+        };
+        level_interval_ = limit.level_interval * (1 + rounding_share);
+        slope_interval_ = std::min(level_interval_, chord(cutter_.corner_radius()));
+        wall_interval_ = chord(cutter_.radius());
         window_ = step_ > 0 ? static_cast<std::size_t>(cutter_.radius() / step_) : 0;
     }
 
@@ -199,17 +203,18 @@ private:
         return (k > 0 && is_wall(k - 1, k)) || (k + 1 < samples_ && is_wall(k, k + 1));
     }
 
-    // Whether the cutter's places on both sides are farther apart than on level ground: a
-    // wall or a steep slope may lie between them.
+    // Whether the cutter's places on both sides are farther apart than on level ground, or on
+    // a slope, where a flat bottom does not touch: a wall or a steep slope may lie between
+    // them.
     bool are_apart(const SampledPass* before, const SampledPass* behind,
                    std::size_t k) const
     {
         if (!before || !behind || !before->contacts[k] || !behind->contacts[k])
             return false;
-        const double apart =
-            std::hypot(behind->position - before->position,
-                       behind->contacts[k]->tip_z - before->contacts[k]->tip_z);
-        return apart > limit_.level_interval * (1 + rounding_share);
+        const double rise =
+            std::abs(behind->contacts[k]->tip_z - before->contacts[k]->tip_z);
+        const double apart = std::hypot(behind->position - before->position, rise);
+        return apart > (rise > limit_.height ? slope_interval_ : level_interval_);
     }
 
     // Whether the point at the scallop height above the contact is cut by a pass beside it.
@@ -292,8 +297,12 @@ private:
     std::atomic<std::size_t>& count_;
     std::size_t samples_;
     double step_;
-    double wall_interval_;  // distance of upright passes along a wall, mm
-    std::size_t window_;    // samples within the cutter's radius
+    // Largest distances, in mm, of passes on level ground, on a slope across the feed, and of
+    // upright passes along a wall.
+    double level_interval_;
+    double slope_interval_;
+    double wall_interval_;
+    std::size_t window_;  // samples within the cutter's radius
     std::vector<AddedPass> passes_;
 };
 
