@@ -8,6 +8,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/drop_cutter/mesh_sections.h"
 #include "test_meshes.h"
 
 namespace endmill {
@@ -18,6 +19,8 @@ constexpr double height = 0.1;
 // Half the chord of a circle at this height: R^2 - (R - h)^2 = h (2 R - h).
 const double level_interval = 2 * std::sqrt(height * (2 * radius - height));
 const ScallopLimit limit{.height = height, .level_interval = level_interval};
+const PassLimit examined{
+    .height = height, .level_interval = level_interval, .samples = 50};
 
 // A plane over [0, 30]^2 that rises across the feed, along y.
 TriangleMesh slope(double degrees)
@@ -48,7 +51,7 @@ TEST(ScallopPasses, AddNoneOnLevelGround)
 {
     const TriangleMesh mesh = slope(0);
     const DropCutter drop_cutter{mesh, Cutter::ball(radius)};
-    EXPECT_TRUE(added_passes(drop_cutter, planes_of(mesh), {0, 30}, limit, {50}).empty());
+    EXPECT_TRUE(added_passes(drop_cutter, planes_of(mesh), {0, 30}, examined).empty());
 }
 
 // Passes a distance w apart in plan lie w / cos a apart on a plane that slopes by a across the
@@ -141,9 +144,9 @@ TEST(ScallopPasses, DoNotDependOnTheThreads)
     const DropCutter drop_cutter{mesh, Cutter::ball(radius)};
     const DrivePlanes planes = planes_of(mesh);
     set_thread_count(1);
-    const auto one = added_passes(drop_cutter, planes, {0, 30}, limit, {50});
+    const auto one = added_passes(drop_cutter, planes, {0, 30}, examined);
     set_thread_count(4);
-    const auto four = added_passes(drop_cutter, planes, {0, 30}, limit, {50});
+    const auto four = added_passes(drop_cutter, planes, {0, 30}, examined);
     ASSERT_EQ(one.size(), four.size());
     for (std::size_t k = 0; k < one.size(); ++k)
         EXPECT_EQ(one[k].position, four[k].position);
@@ -154,14 +157,13 @@ TEST(ScallopPasses, RefuseLimitsOutsideTheirDomain)
     const TriangleMesh mesh = slope(0);
     const DropCutter drop_cutter{mesh, Cutter::ball(radius)};
     const DrivePlanes planes = planes_of(mesh);
-    for (const ScallopLimit& wrong :
-         {ScallopLimit{0, 1}, ScallopLimit{-1, 1}, ScallopLimit{1, 0},
-          ScallopLimit{.height = 1, .level_interval = 1, .allowance = radius}})
-        EXPECT_THROW(added_passes(drop_cutter, planes, {0, 30}, wrong, {50}),
-                     DomainError);
+    for (const PassLimit& wrong :
+         {PassLimit{0, 1}, PassLimit{-1, 1}, PassLimit{1, 0},
+          PassLimit{.height = 1, .level_interval = 1, .allowance = radius}})
+        EXPECT_THROW(added_passes(drop_cutter, planes, {0, 30}, wrong), DomainError);
     DrivePlanes falling = planes;
     std::ranges::reverse(falling.positions);
-    EXPECT_THROW(added_passes(drop_cutter, falling, {0, 30}, limit, {50}), DomainError);
+    EXPECT_THROW(added_passes(drop_cutter, falling, {0, 30}, examined), DomainError);
 }
 
 }  // namespace

@@ -270,8 +270,10 @@ MeshPasses mesh_passes(const DropCutter& drop_cutter, const DrivePlanes& planes,
     for (const double position : planes.positions)
         all.push_back({position, {along}});
     if (!mesh.triangles().empty())
-        for (AddedPass& added : added_passes(drop_cutter, planes, along, limit,
-                                             {options.samples, options.beyond_borders}))
+        for (AddedPass& added :
+             added_passes(drop_cutter, planes, along,
+                          {limit.height, limit.level_interval, limit.allowance,
+                           options.samples, options.beyond_borders}))
             all.push_back({added.position, std::move(added.stretches)});
     passes.added_planes = all.size() - planes.positions.size();
     std::ranges::stable_sort(all, {}, &PlaneStretches::position);

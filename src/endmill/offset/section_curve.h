@@ -48,7 +48,7 @@ std::vector<SectionCurve> arranged(std::vector<SectionCurve> curves);
 /// A cutter that is moved by a distance d goes at most d deeper into a part. Therefore the
 /// gouge of a thinned path exceeds that of the given one by at most the tolerance, and so does
 /// the remaining stock.
-/// Source: [Williams] for the cone of directions.
+/// Source: docs/methods/interference.md, section 1 (thinned paths).
 /// \param points in their order, any number.
 /// \param tolerance in mm; 0: all points remain.
 /// \throws DomainError unless 0 <= tolerance and it is finite.

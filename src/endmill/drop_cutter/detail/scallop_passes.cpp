@@ -43,7 +43,7 @@ using Samples = std::vector<std::size_t>;  // ascending
 class GapFilling {
 public:
     GapFilling(const DropCutter& drop_cutter, const DriveFrame& frame,
-               const Interval& along, const ScallopLimit& limit, int samples,
+               const Interval& along, const PassLimit& limit,
                std::atomic<std::size_t>& count)
         : drop_cutter_{drop_cutter},
           frame_{frame},
@@ -55,7 +55,7 @@ public:
     {
         const double length = along.high - along.low;
         const double fine = std::ceil(2 * length / limit.level_interval) + 1;
-        samples_ = static_cast<std::size_t>(std::max(double(samples), fine));
+        samples_ = static_cast<std::size_t>(std::max(double(limit.samples), fine));
         step_ = length / static_cast<double>(samples_ - 1);
         const auto chord = [&](double radius) {
             const double h = std::min(limit.height, radius);
@@ -291,7 +291,7 @@ private:
 
     const DropCutter& drop_cutter_;
     const DriveFrame& frame_;
-    ScallopLimit limit_;
+    PassLimit limit_;
     Cutter cutter_;  // without the allowance
     Interval along_;
     std::atomic<std::size_t>& count_;
@@ -307,7 +307,7 @@ private:
 };
 
 void check(const DropCutter& drop_cutter, const DrivePlanes& planes,
-           const ScallopLimit& limit)
+           const PassLimit& limit)
 {
     require(limit.height > 0 && std::isfinite(limit.height),
             "mesh_passes: need 0 < scallop height");
@@ -323,8 +323,7 @@ void check(const DropCutter& drop_cutter, const DrivePlanes& planes,
 
 std::vector<AddedPass> added_passes(const DropCutter& drop_cutter,
                                     const DrivePlanes& planes, const Interval& along,
-                                    const ScallopLimit& limit,
-                                    const PassSampling& sampling)
+                                    const PassLimit& limit)
 {
     check(drop_cutter, planes, limit);
     const std::vector<double>& positions = planes.positions;
@@ -335,14 +334,13 @@ std::vector<AddedPass> added_passes(const DropCutter& drop_cutter,
     std::vector<std::vector<AddedPass>> added(positions.size() + 1);
     parallel_for(added.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            GapFilling gap{drop_cutter, planes.frame,     along,
-                           limit,       sampling.samples, count};
+            GapFilling gap{drop_cutter, planes.frame, along, limit, count};
             const bool is_first = k == 0;
             const bool is_last = k == positions.size();
             const SampledPass one = gap.whole(positions[is_first ? 0 : k - 1]);
             if (is_first || is_last)
                 gap.fill_outside(one, is_first ? across.low : across.high,
-                                 sampling.beyond_borders);
+                                 limit.beyond_borders);
             else {
                 const SampledPass other = gap.whole(positions[k]);
                 gap.fill(&one, &other, {one.position, other.position}, gap.all());
