@@ -209,8 +209,26 @@ struct PlaneStretches {
     std::vector<Interval> stretches;
 };
 
-// The curves over all stretches, on all threads. `along` is the extent of the mesh, over
-// which the samples are distributed.
+// The curves of one plane. `along` is the extent of the mesh, over which the samples are
+// distributed.
+std::vector<SectionCurve> curves_of(PlaneWalk walk, const PlaneStretches& plane,
+                                    const Interval& along,
+                                    const MeshSectionOptions& options)
+{
+    const double whole = along.high - along.low;
+    for (Interval stretch : plane.stretches) {
+        if (options.beyond_borders && stretch.low == along.low)
+            stretch.low = walk.end_beyond(along.low, -1);
+        if (options.beyond_borders && stretch.high == along.high)
+            stretch.high = walk.end_beyond(along.high, 1);
+        const double share = whole > 0 ? (stretch.high - stretch.low) / whole : 1;
+        const double steps = std::ceil((options.samples - 1) * share);
+        walk.add_stretch(stretch, static_cast<int>(std::max(1.0, steps)) + 1);
+    }
+    return walk.take();
+}
+
+// The curves over all stretches, on all threads.
 std::vector<std::vector<SectionCurve>> curves_over(const DropCutter& drop_cutter,
                                                    const DriveFrame& frame,
                                                    const Interval& along,
@@ -221,18 +239,9 @@ std::vector<std::vector<SectionCurve>> curves_over(const DropCutter& drop_cutter
     std::atomic<std::size_t> done = 0;
     parallel_for(sections.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            PlaneWalk walk{drop_cutter, frame, planes[k].position, options};
-            for (Interval stretch : planes[k].stretches) {
-                if (options.beyond_borders && stretch.low == along.low)
-                    stretch.low = walk.end_beyond(along.low, -1);
-                if (options.beyond_borders && stretch.high == along.high)
-                    stretch.high = walk.end_beyond(along.high, 1);
-                const double whole = along.high - along.low;
-                const double share = whole > 0 ? (stretch.high - stretch.low) / whole : 1;
-                const double steps = std::ceil((options.samples - 1) * share);
-                walk.add_stretch(stretch, static_cast<int>(std::max(1.0, steps)) + 1);
-            }
-            sections[k] = walk.take();
+            sections[k] =
+                curves_of(PlaneWalk{drop_cutter, frame, planes[k].position, options},
+                          planes[k], along, options);
             if (options.progress)
                 options.progress(static_cast<double>(++done) /
                                  static_cast<double>(sections.size()));
@@ -275,14 +284,20 @@ MeshPasses mesh_passes(const DropCutter& drop_cutter, const DrivePlanes& planes,
                           {limit.height, limit.level_interval, limit.allowance,
                            options.samples, options.beyond_borders}))
             all.push_back({added.position, std::move(added.stretches)});
-    passes.added_planes = all.size() - planes.positions.size();
-    std::ranges::stable_sort(all, {}, &PlaneStretches::position);
-    for (const PlaneStretches& plane : all)
-        passes.planes.positions.push_back(plane.position);
-    if (mesh.triangles().empty())
-        passes.curves.resize(all.size());
-    else
-        passes.curves = curves_over(drop_cutter, planes.frame, along, all, options);
+    std::vector<std::vector<SectionCurve>> curves(all.size());
+    if (!mesh.triangles().empty())
+        curves = curves_over(drop_cutter, planes.frame, along, all, options);
+    // An added plane at the end of a wall may have a single place, which is no curve.
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (k < planes.positions.size() || !curves[k].empty())
+            order.push_back(k);
+    passes.added_planes = order.size() - planes.positions.size();
+    std::ranges::stable_sort(order, {}, [&](std::size_t k) { return all[k].position; });
+    for (const std::size_t k : order) {
+        passes.planes.positions.push_back(all[k].position);
+        passes.curves.push_back(std::move(curves[k]));
+    }
     return passes;
 }
 

@@ -56,13 +56,14 @@ public:
         const double size2 = side.squaredNorm();
         if (!(size2 > 0))
             return;
-        double low = 0;
-        double high = 1;
         // 0 <= (p - a) . side <= size2, and |cross(side, p - a)| <= radius |side|
         const Vec2 away = from_ - a;
-        limit(away.dot(side), along_.dot(side), 0, size2, low, high);
         const double reach = radius_ * std::sqrt(size2);
-        limit(cross(side, away), cross(side, along_), -reach, reach, low, high);
+        const Range along = shares_within({away.dot(side), along_.dot(side)}, {0, size2});
+        const Range beside =
+            shares_within({cross(side, away), cross(side, along_)}, {-reach, reach});
+        const double low = std::max({0.0, along.low, beside.low});
+        const double high = std::min({1.0, along.high, beside.high});
         if (low <= high)
             add(low, high);
     }
@@ -83,19 +84,26 @@ public:
     }
 
 private:
-    // Restricts the shares to those with least <= value + share * rate <= most.
-    static void limit(double value, double rate, double least, double most, double& low,
-                      double& high)
+    struct Range {
+        double low;
+        double high;
+    };
+    // A linear function of the share.
+    struct Linear {
+        double value;  // at share 0
+        double rate;
+    };
+
+    // The shares at which the function lies within a range.
+    static Range shares_within(const Linear& function, const Range& range)
     {
-        if (rate == 0) {
-            if (value < least || value > most)
-                high = -infinite;
-            return;
-        }
-        const double one = (least - value) / rate;
-        const double other = (most - value) / rate;
-        low = std::max(low, std::min(one, other));
-        high = std::min(high, std::max(one, other));
+        if (function.rate == 0)
+            return range.low <= function.value && function.value <= range.high
+                       ? Range{-infinite, infinite}
+                       : Range{infinite, -infinite};
+        const double one = (range.low - function.value) / function.rate;
+        const double other = (range.high - function.value) / function.rate;
+        return {std::min(one, other), std::max(one, other)};
     }
 
     Vec2 from_;

@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 
+#include <Eigen/Geometry>
+
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 
@@ -27,9 +29,16 @@ constexpr std::size_t most_passes = 1'000'000;
 // Share by which a length may exceed its limit, for rounding. The pitch of a level plane is
 // exactly the level interval.
 constexpr double rounding_share = 1e-6;
+// Factor up to which the number of samples grows, so that a tiny scallop height takes no more
+// than its many planes.
+constexpr double most_refinement = 20;
 // Rise between two samples, per distance, from which a wall may lie between them. The contacts
 // at samples show the slopes below it.
 constexpr double wall_slope = 1;
+// z of the unit normal below which a face is steep: 45 degrees.
+constexpr double steep_normal = 0.7;
+// Cosine of the angle, 2.6 degrees, up to which the cutter touches a face and not its edge.
+constexpr double same_normal = 0.999;
 
 // The cutter's tips and contacts in one plane, by sample; nothing where the cutter meets no
 // point of the mesh, or where the plane has no pass.
@@ -54,7 +63,8 @@ public:
           count_{count}
     {
         const double length = along.high - along.low;
-        const double fine = std::ceil(2 * length / limit.level_interval) + 1;
+        const double fine = std::min(std::ceil(2 * length / limit.level_interval) + 1,
+                                     most_refinement * limit.samples);
         samples_ = static_cast<std::size_t>(std::max(double(limit.samples), fine));
         step_ = length / static_cast<double>(samples_ - 1);
         const auto chord = [&](double radius) {
@@ -173,9 +183,11 @@ private:
         const bool is_wide = width(before, behind, examined) > wall_interval_;
         Samples open;
         for (std::size_t k = 0; k < samples_; ++k)
-            if (examined.contacts[k] && ((is_wide && is_beside_wall(examined, k)) ||
-                                         are_apart(before, behind, k) ||
-                                         !is_covered(before, behind, examined, k)))
+            if (examined.contacts[k] ? (is_wide && is_beside_wall(examined, k)) ||
+                                           are_apart(before, behind, k) ||
+                                           !is_covered(before, behind, examined, k)
+                                     : (before && leaves_wall(*before, k)) ||
+                                           (behind && leaves_wall(*behind, k)))
                 open.push_back(k);
         return open;
     }
@@ -188,6 +200,22 @@ private:
         if (before && behind)
             return behind->position - before->position;
         return 2 * std::abs((before ? before : behind)->position - examined.position);
+    }
+
+    // Whether the cutter touches the face of a steep wall, beside which it loses the mesh. At
+    // an edge, around which it only rolls, no pass is needed.
+    bool leaves_wall(const SampledPass& pass, std::size_t k) const
+    {
+        if (!pass.contacts[k])
+            return false;
+        const DropContact& contact = *pass.contacts[k];
+        const auto [a, b, c] = drop_cutter_.mesh().corners(contact.triangle);
+        const Vec3 face = (b - a).cross(c - a);
+        const Vec3 tip = frame_.point(s_of(k), pass.position, contact.tip_z);
+        const double size = face.norm();
+        return std::abs(face.z()) < steep_normal * size &&
+               std::abs(face.dot(contact_normal(tip, contact.point))) >
+                   same_normal * size;
     }
 
     // Whether the cutter follows a wall across the feed between a sample and one beside it.
