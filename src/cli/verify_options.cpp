@@ -41,8 +41,9 @@ void add_measure_options(CLI::App& command, VerifyOptions& options)
                options.scallop);
     add_choice<InaccessibleStock>(
         command, "--inaccessible", options.inaccessible, inaccessible_words,
-        "remaining stock where the cutter cannot touch the part, as in sharp corners: "
-        "count it, or excuse it (mesh only; default: the path's summary, or count)");
+        "remaining stock where the cutter cannot touch a mesh, as in sharp corners: "
+        "count "
+        "it or excuse it (default: that of the path's summary, or count)");
     add_whole_number(
         command,
         {"--max-refine",
