@@ -106,6 +106,8 @@ TEST(ScallopPasses, ComeNearToWallsAlongTheFeed)
         }
         EXPECT_LE(nearest, height) << side;
     }
+    // Around the upper edges the cutter rolls down one radius, in steps of the height at most.
+    EXPECT_LE(static_cast<double>(passes.added_planes), 2 * (radius / (height / 2) + 5));
     // Away from the block the plate is level: added passes do not reach the plate's ends.
     for (std::size_t k = 0; k < passes.curves.size(); ++k)
         for (const SectionCurve& curve : passes.curves[k])

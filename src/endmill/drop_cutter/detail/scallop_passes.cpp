@@ -99,7 +99,7 @@ public:
         const double examined = !before ? across.low : !behind ? across.high : middle;
         if (!(across.low < middle && middle < across.high))
             return;
-        const Samples open = open_samples(before, behind, at(examined, samples));
+        const Samples open = open_samples(before, behind, at(examined, samples), samples);
         if (open.empty())
             return;
         if (++count_ > most_passes)
@@ -176,13 +176,13 @@ private:
         return found;
     }
 
-    // The samples at which the scallop height does not hold.
+    // Those of `samples` at which the scallop height does not hold.
     Samples open_samples(const SampledPass* before, const SampledPass* behind,
-                         const SampledPass& examined) const
+                         const SampledPass& examined, const Samples& samples) const
     {
         const bool is_wide = width(before, behind, examined) > wall_interval_;
         Samples open;
-        for (std::size_t k = 0; k < samples_; ++k)
+        for (const std::size_t k : samples)
             if (examined.contacts[k] ? (is_wide && is_beside_wall(examined, k)) ||
                                            are_apart(before, behind, k) ||
                                            !is_covered(before, behind, examined, k)
