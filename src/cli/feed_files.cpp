@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
+#include "cli/shown_numbers.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/feed_svg.h"
@@ -41,10 +42,11 @@ std::string program_text(const FeedResult& result)
 FeedFigure figure_of(const Json& s)
 {
     return {"Feed along " + s["name"].get<std::string>(),
-            {fmt::format("{}, {}, {}; mode {}, peak {}", s["material"].get<std::string>(),
-                         s["cutter"].get<std::string>(),
-                         fmt::format("{} flutes", s["flutes"].get<int>()),
-                         s["mode"].get<std::string>(), s["peak"].get<std::string>())}};
+            {fmt::format("{}, {} mm, {}; mode {}, top of the stock at z = {} mm",
+                         s["material"].get<std::string>(), s["cutter"].get<std::string>(),
+                         counted(s["flutes"].get<std::size_t>(), "flute"),
+                         s["mode"].get<std::string>(),
+                         shown(s["stock_top_mm"].get<double>()))}};
 }
 
 // The contents of the output files.

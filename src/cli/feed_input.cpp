@@ -13,6 +13,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/machining_data.h"
+#include "endmill/files/part_file.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
 #include "endmill/verification/verification.h"
@@ -20,15 +21,44 @@
 namespace endmill {
 namespace {
 
-// The top of the stock if it is known. Without a part the default block is the bounding
-// box of the path, whose top is not the top of the stock.
-std::optional<double> given_stock_top(const FeedCommandOptions& options,
-                                      const VerifyStock& stock)
+// The top of the stock, and what gives it.
+struct StockTop {
+    double z;  // mm
+    std::string by;
+};
+
+// The top of the block around the part that the summary of the path names. A summary may
+// be older than a move of the part, so a part that cannot be read is no error.
+std::optional<double> top_by_summary(const FeedInput& input,
+                                     const FeedCommandOptions& options)
 {
+    if (!input.known.part)
+        return std::nullopt;
+    const auto& [file, units, up] = *input.known.part;
+    try {
+        const Part part = read_part(file, {options.common.limits, units, up}).part;
+        return default_block(&part, input.program.path, input.tool.cutter).high.z();
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+// Without a part the default block is the bounding box of the path, whose top is not the
+// top of the stock.
+std::optional<StockTop> known_stock_top(const FeedInput& input,
+                                        const FeedCommandOptions& options)
+{
+    const double block_top = input.stock.block.high.z();
     if (options.stock_top)
-        return options.stock_top;
-    if (options.stock != "block" || !options.part.path.empty())
-        return stock.block.high.z();
+        return StockTop{*options.stock_top, "--stock-top"};
+    if (options.stock != "block")
+        return StockTop{block_top, "--stock"};
+    if (!options.part.path.empty())
+        return StockTop{block_top, "1 mm above --part"};
+    if (const auto top = top_by_summary(input, options))
+        return StockTop{*top, "1 mm above the part of the path"};
+    if (const auto top = entry_height(input.program.path))
+        return StockTop{*top, "at most, where the first move at feed goes down"};
     return std::nullopt;
 }
 
@@ -210,13 +240,16 @@ void add_stock(FeedInput& input, const FeedCommandOptions& options)
     const Part part = input.part;
     input.stock = read_verify_stock(stock, input.part.empty() ? nullptr : &part,
                                     input.program.path, input.tool.cutter);
-    const auto top = given_stock_top(options, input.stock);
+    const auto top = known_stock_top(input, options);
     if (!top)
         throw DomainError{
-            "the stock's top is not known; expected --stock-top, --stock or --part"};
-    input.stock_top = *top;
+            "the stock's top is not known: no summary beside the path names a part, and "
+            "the path does not begin with a move down into the stock; expected "
+            "--stock-top, --stock or --part"};
+    input.stock_top = top->z;
+    input.stock_top_by = top->by;
     if (!input.stock.kept)
-        input.stock.block.high.z() = *top;
+        input.stock.block.high.z() = top->z;
 }
 
 }  // namespace

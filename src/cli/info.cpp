@@ -62,11 +62,8 @@ ExitCode run_info(const InfoOptions& options)
     }();
     write_summary(options, summary);
     print_result(options.common, summary, surface_text(summary));
-    if (whole.continuity == Continuity::G1)
-        return ExitCode::Yes;
-    if (options.required == RequiredContinuity::G1)
+    if (whole.continuity != Continuity::G1 && options.required == RequiredContinuity::G1)
         return refuse_break(options.part.path, whole, options.common);
-    warn(options.common, options.part.path + ": " + break_text(whole));
     return ExitCode::Yes;
 }
 

@@ -102,11 +102,9 @@ std::string break_shown(const Json& s)
 
 std::string size_text(const Json& s)
 {
-    return fmt::format(
-        "  size          {} x {} x {} mm\n"
-        "  area          {} mm2\n",
-        shown_or_none(s["size_mm"][0]), shown_or_none(s["size_mm"][1]),
-        shown_or_none(s["size_mm"][2]), shown_or_none(s["area_mm2"]));
+    return fmt::format("  size          {} x {} x {} mm, area {} mm2\n",
+                       shown_or_none(s["size_mm"][0]), shown_or_none(s["size_mm"][1]),
+                       shown_or_none(s["size_mm"][2]), shown_or_none(s["area_mm2"]));
 }
 
 std::string limit_text(const Json& s)

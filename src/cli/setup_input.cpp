@@ -65,10 +65,13 @@ void take_surfaces(SetupInput& input, std::span<const Surface> surfaces,
     const double tolerance = options.chord_tolerance ? *options.chord_tolerance
                                                      : default_chord_tolerance(surfaces);
     SampledSurface sampled_part = sampled(surfaces, sides, tolerance);
-    input.remarks.push_back(fmt::format(
+    // Every surface is sampled, and nearly every one is open: no reason to warn.
+    input.notes.push_back(fmt::format(
         "the surface is sampled as {} triangles, at most {:g} mm from it",
         sampled_part.mesh.triangles().size(), sampled_part.max_chord_error_mm));
     take_mesh(input, std::move(sampled_part.mesh));
+    input.notes.insert(input.notes.end(), input.remarks.begin(), input.remarks.end());
+    input.remarks.clear();
 }
 
 // Checks the memory of the visibility map before it is allocated.

@@ -235,7 +235,9 @@ class Feed(ProgramTest):
         needed = done.stderr.split("cutting_force ")[1].split(" N")[0]
         self.assertTrue((self.folder / "out/toolpath.csv").exists())
         allowed = endmill("feed", path, *common, "--max-force-n", "100", "--allow-infeasible", cwd=self.folder)
-        self.assertEqual(allowed.returncode, 0)
+        self.assertEqual(allowed.returncode, 0, allowed.stderr)
+        self.assertNotIn("no feed", allowed.stderr)
+        self.assertIn("  infeasible    no feed of at least 0.005 mm per tooth", allowed.stdout)
         enough = endmill("feed", path, *common, "--max-force-n", needed, cwd=self.folder)
         self.assertEqual(enough.returncode, 0, enough.stderr)
 
@@ -244,6 +246,25 @@ class Feed(ProgramTest):
         done = endmill("feed", path, "--material", material, *options, "-o", "out", cwd=self.folder)
         self.assert_refused(done, status, *words)
         self.assertFalse((self.folder / "out").exists())
+
+    def test_top_of_the_stock_is_found_from_the_path_or_its_part(self):
+        """A raster goes down from z = 4; a plan of a plane at z = 0 is cut from 1 mm above it, as `verify` does."""
+        path = self.file(raster(2).replace(",30\n", ",4\n"), "raster.csv")
+        _, found = self.fed(path, "--tool", TOOL)
+        _, given = self.fed(path, "--tool", TOOL, "--stock-top", "4")
+        self.assertEqual((found["stock_top_mm"], found["cut_min"]), (4, given["cut_min"]))
+        self.assertIn("first move at feed", found["stock_top_by"])
+        self.assertEqual(given["stock_top_by"], "--stock-top")
+        part = self.file(plane(), "plane.json")
+        self.summary("plan", part, "--cutter", "ball:10", "--chord-tolerance", "0.1", "--direction", "u", "-o", "plan")
+        _, found = self.fed(self.folder / "plan/toolpath.csv", "--tool", TOOL)
+        self.assertEqual((found["stock_top_mm"], found["stock_top_by"]), (1, "1 mm above the part of the path"))
+        part.unlink()
+        moved = endmill("feed", self.folder / "plan/toolpath.csv", "--material", STEEL, "--tool", TOOL, "-o", "moved",
+                        cwd=self.folder)
+        self.assert_refused(moved, 2, "the stock's top is not known", "--stock-top")
+        done = endmill("feed", path, "--material", STEEL, "--tool", TOOL, "-o", "text", cwd=self.folder)
+        self.assertIn("top of the stock z 4 mm (at most, where the first move at feed goes down)", done.stdout)
 
     def test_wrong_command_lines_are_refused(self):
         top = ["--stock-top", "5"]
@@ -256,7 +277,8 @@ class Feed(ProgramTest):
         self.refused(2, "helix", options=[*TWO_FLUTES, "--mode", "corrected", *top])
         self.refused(2, "--peak", options=[*TWO_FLUTES, "--peak", "constant:0.5", *top])
         self.refused(2, "--peak", options=[*TWO_FLUTES, "--peak", "constant:nan", *top])
-        self.refused(2, "--stock-top", options=TWO_FLUTES)
+        slot = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n50,0,0\n", "slot.csv")
+        self.refused(2, "--stock-top", path=slot, options=TWO_FLUTES)
         self.refused(2, "acceleration", options=["--tool", TOOL, "--mode", "planned", *top])
         self.refused(2, "--coefficients", options=["--tool", TOOL, "--peak", "direct", "--coefficients", "table",
                                                    *top])

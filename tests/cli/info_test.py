@@ -50,6 +50,7 @@ class Info(ProgramTest):
         self.assertEqual(facts["worst_break_at"]["u"], 1)
         done = endmill("info", self.folder / "surface.json")
         self.assertIn("continuity    G0, largest break 90 degrees at u = 1, v = 0 (30, 0, 30 mm)\n", done.stdout)
+        self.assertEqual(done.stderr, "")  # the report has it
 
     def test_surface_without_a_break_has_no_place_of_a_break(self):
         for patches in (1, 2):

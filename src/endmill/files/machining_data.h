@@ -44,17 +44,19 @@ struct MachineDescription {
     std::vector<AxisTravel> travels = {};      ///< of the axes, in the order x y z a b c
     std::optional<double> pivot_mm = {};       ///< as `Machine::pivot`
     std::optional<Vec3> table_offset_mm = {};  ///< as `Machine::table_offset`
+    std::optional<Vec3> axis_offset_mm = {};   ///< as `Machine::axis_offset`
 };
 
 /// Reads a file of format "endmill-machine/1". Every key is optional: `name`, `source`,
 /// `configuration`, `limits` {`x_mm`, ..., `c_deg`: [min, max]}, `pivot_mm`,
-/// `table_offset_mm`, `spindle` {`max_rpm`, `max_power_w`, `max_torque_n_m`},
+/// `table_offset_mm`, `axis_offset_mm`, `spindle` {`max_rpm`, `max_power_w`, `max_torque_n_m`},
 /// `max_feed_mm_per_min`, `acceleration_m_per_s2`.
 /// \throws FormatError as `JsonDocument` and, with the JSON pointer, for an unknown key.
 ///         E_MACHINE for an invalid configuration; for limits of an axis that the
-///         configuration lacks, limits that are not a rising pair, and limits that
-///         `expected_rotary_range` refuses; for a value out of its range. E_FORMAT for
-///         another format. Also as `read_file`.
+///         configuration lacks, limits that are not a rising pair, and rotary limits
+///         that do not contain 0; for an axis offset unless two rotary axes are on one
+///         side of the bed; for a value out of its range. E_FORMAT for another format.
+///         Also as `read_file`.
 MachineDescription read_machine(const std::filesystem::path& path,
                                 const ReadLimits& limits = {});
 
@@ -64,8 +66,8 @@ MachineDescription parse_machine(std::string_view content,
                                  const std::filesystem::path& path,
                                  const ReadLimits& limits = {});
 
-/// The kinematic model of the machine. A missing pivot or table offset is 0; an axis
-/// without limits is unlimited. The rotary limits are set for a valid five-axis
+/// The kinematic model of the machine. A missing pivot or offset is 0; an axis without
+/// limits is unlimited. The rotary limits are set for a valid five-axis
 /// configuration only.
 /// \throws DomainError if `description.configuration` is invalid.
 Machine moving_machine(const MachineDescription& description);

@@ -41,4 +41,16 @@ PathLengths path_lengths(const ToolPath& path)
     return lengths;
 }
 
+std::optional<double> entry_height(const ToolPath& path)
+{
+    for (std::size_t k = 1; k < path.points.size(); ++k) {
+        const PathPoint& point = path.points[k];
+        if (point.move == Move::Rapid || point.move == Move::Retract)
+            continue;
+        const double from = path.points[k - 1].location.tip.z();
+        return from > point.location.tip.z() ? std::optional{from} : std::nullopt;
+    }
+    return std::nullopt;
+}
+
 }  // namespace endmill

@@ -91,4 +91,9 @@ struct PathLengths {
 /// The lengths of the moves of `path`. No move leads to its first point.
 PathLengths path_lengths(const ToolPath& path);
 
+/// The height from which the cutter first moves down at feed. It is still clear of the
+/// stock there, so that a stock with a flat top is no higher.
+/// \return mm; nothing if the first move at feed does not lead down, or there is none.
+std::optional<double> entry_height(const ToolPath& path);
+
 }  // namespace endmill
