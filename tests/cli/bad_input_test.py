@@ -219,7 +219,8 @@ class BadArguments(ProgramTest):
 
     def test_ball_larger_than_the_limit_is_refused(self):
         done = endmill("plan", SURFACES / "parabolic-cylinder.json", "--cutter", "ball:40", cwd=self.folder)
-        self.assert_refused(done, 4, "parabolic-cylinder.json", "--cutter ball:40: found radius 20 mm", "smaller radius than the limit of the surface, 20 mm",
+        self.assert_refused(done, 4, "parabolic-cylinder.json", "--cutter ball:40: found radius 20 mm",
+                            "smaller radius than the limit of the surface, 20 mm",
                             "u = ", "v = 1 ")
         self.assert_nothing_left()
 

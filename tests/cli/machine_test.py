@@ -146,7 +146,7 @@ class Machine(ProgramTest):
         self.assertIn("W/acxyBz/T is not valid: c, the rotary axis next to the tool", done.stdout)
 
     def test_text_states_directions_and_positions(self):
-        """A table turned by c = -90, a = 30 has the tool lean by 30 degrees to -x of the part, by the right-hand rule."""
+        """A table turned by c = -90, a = 30 has the tool lean by 30 degrees to -x of the part (right-hand rule)."""
         done = endmill("machine", "W/caxyBz/T", "--limits", "a=-120:30", "--contains", "45,100", "--contains", "0,170",
                        "--at", "c=-90,a=30", "--inverse", "180,90", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)

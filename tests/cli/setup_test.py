@@ -320,8 +320,8 @@ class Setup(ProgramTest):
         self.assertAlmostEqual(found["missed_area_share"], 0.4, delta=1e-12)
         done = endmill("setup", cube, "--machine", "W/xyBz/T", "--incidence-deg", 80, "-o", "text", cwd=self.folder)
         numbers = " ".join(map(str, found["missed_facets"]))
-        self.assertIn(f"  missed       4 facets by the best single setup within the limits: {numbers} (40 % of the area)\n",
-                      done.stdout)
+        self.assertIn("  missed       4 facets by the best single setup within the limits: "
+                      f"{numbers} (40 % of the area)\n", done.stdout)
         good = self.found(cube, "--family", "AB", "--incidence-deg", 80)
         self.assertEqual((good["missed_facets"], good["missed_area_share"]), (None, None))
 
