@@ -29,7 +29,7 @@ function(endmill_install)
   if(TARGET endmill)
     install(TARGETS endmill)
     endmill_install_manual()
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/datasets/machines
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/datasets/machines ${PROJECT_SOURCE_DIR}/datasets/controls
             DESTINATION ${CMAKE_INSTALL_DATADIR}/endmill)
   endif()
 endfunction()

@@ -143,7 +143,13 @@ double ball_diameter_argument(const std::string& option, const std::string& text
     if (parts[0] != "ball" || parts.size() != 2)
         refuse(option, text, "ball:DIAMETER, such as ball:10");
     const auto diameter = number_from_text(parts[1]);
-    if (!diameter || !(*diameter > 0))
+    if (!diameter)
+        refuse(option, text,
+               cutter_from_word(text.substr(0, text.find("mm")))
+                   ? "a number in mm without a unit, as in " +
+                         text.substr(0, text.find("mm"))
+                   : "a diameter above 0 mm");
+    if (!(*diameter > 0))
         refuse(option, text, "a diameter above 0 mm");
     return *diameter;
 }

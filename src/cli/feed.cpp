@@ -74,17 +74,20 @@ ExitCode run_feed(const FeedCommandOptions& options)
             folder);
     }();
     folder.publish();
-    print_result(
-        options.common, summary,
-        feed_text(summary) + "written to " + printable(folder.path().string()) + "\n");
-    if (plan.totals.infeasible == 0)
+    const bool is_infeasible = plan.totals.infeasible > 0;
+    // With --allow-infeasible this is a result and no fault.
+    const std::string allowed = is_infeasible && options.allow_infeasible
+                                    ? "  infeasible    " + infeasible_text(summary) + "\n"
+                                    : "";
+    print_result(options.common, summary,
+                 feed_text(summary) + allowed + "written to " +
+                     printable(folder.path().string()) + "\n");
+    if (!is_infeasible || options.allow_infeasible)
         return ExitCode::Yes;
-    const std::string infeasible = options.path.file + ": " + infeasible_text(summary);
-    if (options.allow_infeasible) {
-        warn(options.common, infeasible);
-        return ExitCode::Yes;
-    }
-    report_error("E_INFEASIBLE", infeasible, ExitCode::No, options.common.json_errors);
+    report_error(
+        "E_INFEASIBLE",
+        options.path.file + ": " + infeasible_text(summary) + ", or --allow-infeasible",
+        ExitCode::No, options.common.json_errors);
     return ExitCode::No;
 }
 

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
+#include "cli/path_facts.h"
+#include "cli/shown_numbers.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/feed_svg.h"
@@ -41,10 +43,11 @@ std::string program_text(const FeedResult& result)
 FeedFigure figure_of(const Json& s)
 {
     return {"Feed along " + s["name"].get<std::string>(),
-            {fmt::format("{}, {}, {}; mode {}, peak {}", s["material"].get<std::string>(),
-                         s["cutter"].get<std::string>(),
-                         fmt::format("{} flutes", s["flutes"].get<int>()),
-                         s["mode"].get<std::string>(), s["peak"].get<std::string>())}};
+            {fmt::format("{}, {} mm, {}; mode {}, top of the stock at z = {} mm",
+                         s["material"].get<std::string>(), s["cutter"].get<std::string>(),
+                         counted(s["flutes"].get<std::size_t>(), "flute"),
+                         s["mode"].get<std::string>(),
+                         shown(s["stock_top_mm"].get<double>()))}};
 }
 
 // The contents of the output files.
@@ -83,8 +86,11 @@ FeedTexts texts_of(const FeedResult& result, const Json& summary)
 
 Json write_feed(const FeedResult& result, OutputFolder& folder)
 {
-    const Json summary = feed_summary(result);
+    Json summary = feed_summary(result);
     const FeedTexts texts = texts_of(result, summary);
+    identify_path(summary, result.path.points.size(), texts.path);
+    if (!texts.program.empty())
+        summary["program_sha256"] = content_sha256(texts.program);
     folder.write("toolpath.csv", texts.path);
     folder.write("engagement.csv", texts.engagement);
     folder.write("feed.svg", texts.figure);

@@ -9,10 +9,12 @@
 
 #include "cli/console.h"
 #include "cli/idle_options.h"
+#include "cli/path_tools.h"
 #include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/machining_data.h"
+#include "endmill/files/part_file.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
 #include "endmill/verification/verification.h"
@@ -20,16 +22,59 @@
 namespace endmill {
 namespace {
 
-// The top of the stock if it is known. Without a part the default block is the bounding
-// box of the path, whose top is not the top of the stock.
-std::optional<double> given_stock_top(const FeedCommandOptions& options,
-                                      const VerifyStock& stock)
+// The top of the stock, and what gives it.
+struct StockTop {
+    double z;  // mm
+    std::string by;
+};
+
+// The top of the block around the part that the summary of the path names. A summary may
+// be older than a move of the part, so a part that cannot be read is no error.
+std::optional<double> top_by_summary(const FeedInput& input,
+                                     const FeedCommandOptions& options)
 {
+    if (!input.known.part)
+        return std::nullopt;
+    const auto& [file, units, up] = *input.known.part;
+    try {
+        const Part part = read_part(file, {options.common.limits, units, up}).part;
+        return default_block(&part, input.program.path, input.tool.cutter).high.z();
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+// Without a part the default block is the bounding box of the path, whose top is not the
+// top of the stock.
+std::optional<StockTop> known_stock_top(const FeedInput& input,
+                                        const FeedCommandOptions& options)
+{
+    const double block_top = input.stock.block.high.z();
     if (options.stock_top)
-        return options.stock_top;
-    if (options.stock != "block" || !options.part.path.empty())
-        return stock.block.high.z();
+        return StockTop{*options.stock_top, "--stock-top"};
+    if (options.stock != "block")
+        return StockTop{block_top, "--stock"};
+    if (!options.part.path.empty())
+        return StockTop{block_top, "1 mm above --part"};
+    if (const auto top = top_by_summary(input, options))
+        return StockTop{*top, "1 mm above the part of the path"};
+    if (const auto top = entry_height(input.program.path))
+        return StockTop{*top, "at most, where the first move at feed goes down"};
     return std::nullopt;
+}
+
+// The only tool of the path, from the table of --tools.
+Tool tool_of_table(const Program& program, const FeedCommandOptions& options)
+{
+    const std::string file = printable(options.path.file);
+    const PathTools tools =
+        tools_of_path(program.path, file, printable(options.path.tools),
+                      read_tools_for(options.path, options.common));
+    if (!tools.changes.empty())
+        throw DomainError{file +
+                          ": several tools cut; expected a path of one tool, for which "
+                          "feeds are planned"};
+    return tools.first;
 }
 
 Tool tool_without_file(const FeedCommandOptions& options, const Program& program,
@@ -210,13 +255,16 @@ void add_stock(FeedInput& input, const FeedCommandOptions& options)
     const Part part = input.part;
     input.stock = read_verify_stock(stock, input.part.empty() ? nullptr : &part,
                                     input.program.path, input.tool.cutter);
-    const auto top = given_stock_top(options, input.stock);
+    const auto top = known_stock_top(input, options);
     if (!top)
         throw DomainError{
-            "the stock's top is not known; expected --stock-top, --stock or --part"};
-    input.stock_top = *top;
+            "the stock's top is not known: no summary beside the path names a part, and "
+            "the path does not begin with a move down into the stock; expected "
+            "--stock-top, --stock or --part"};
+    input.stock_top = top->z;
+    input.stock_top_by = top->by;
     if (!input.stock.kept)
-        input.stock.block.high.z() = *top;
+        input.stock.block.high.z() = top->z;
 }
 
 }  // namespace
@@ -224,13 +272,14 @@ void add_stock(FeedInput& input, const FeedCommandOptions& options)
 FeedInput read_feed_input(const FeedCommandOptions& options)
 {
     refuse_idle_feed_options(options);
+    refuse_idle_tool_options(options.path, options.common);
     const std::string& file = options.path.file;
     const ReadLimits& limits = options.common.limits;
     std::optional<Tool> tool;
     if (!options.tool.file.empty())
         tool = read_tool(options.tool.file, limits);
     require_same_cutter(tool, options.path.cutter);
-    const PathSummary known = read_path_summary(file, limits).value_or(PathSummary{});
+    const PathSummary known = path_summary_of(options.path, options.common);
     const auto cutter = options.path.cutter ? options.path.cutter
                         : tool              ? std::optional{tool->cutter}
                                             : known.cutter;
@@ -238,9 +287,11 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
     const PathReadOptions reading = path_reading(options.path, cutter, options.common);
     Program program = [&] {
         const ProgressLine progress{"reading " + printable(file), options.common};
-        return parse_program(text, file, reading);
+        return program_of_text(text, options.path, reading, options.common);
     }();
     require_order(program, file, text);
+    if (!options.path.tools.empty())
+        tool = tool_of_table(program, options);
     if (!tool)
         tool = tool_without_file(options, program, known);
     require_cutter_of_path(options, tool->cutter, known.cutter);
@@ -254,7 +305,8 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
                     .tool = *tool,
                     .job = {read_material(options.material, limits), milling_tool(*tool)},
                     .plan = plan_options(options)};
-    input.format = path_format(text, file);
+    const bool is_interpreted = options.path.interpreter != Interpreter::Endmill;
+    input.format = is_interpreted ? PathFormat::Canonical : path_format(text, file);
     if (input.format == PathFormat::Gcode)
         input.text = std::move(text);
     input.reading = gcode_reading(reading);
@@ -276,7 +328,8 @@ std::vector<std::string> files_of(const FeedInput& input,
 {
     std::vector<std::string> files{options.path.file, options.material};
     for (const std::string& file :
-         {options.machine, options.tool.file, options.part.path, input.stock.file})
+         {options.machine, options.tool.file, options.path.tools, options.part.path,
+          input.stock.file})
         if (!file.empty())
             files.push_back(file);
     return files;

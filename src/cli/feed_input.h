@@ -25,10 +25,13 @@ struct FeedInput {
     FeedPlanOptions plan;
     std::vector<Surface> part = {};
     VerifyStock stock = {};
-    double stock_top = 0;  ///< mm
+    double stock_top = 0;           ///< mm
+    std::string stock_top_by = {};  ///< what gives the top, for the report
 };
 
-/// Reads the path, its summary, the tool, material, machine, part and stock.
+/// Reads the path, its summary, the tool, material, machine, part and stock. The top of
+/// the stock is that of --stock-top, of --stock or of --part, or else of the part that the
+/// summary names. Without any of these it is the `entry_height` of the path.
 /// \throws DomainError if the cutter, flutes, helix or top of the stock is needed but not
 ///         known, if the cutter is not a ball, and if the part is a mesh; FormatError for
 ///         points out of order; FormatError and LimitError as the readers.

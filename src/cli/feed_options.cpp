@@ -72,8 +72,8 @@ void add_engagement_options(CLI::App& command, FeedCommandOptions& options)
         options.contact_tolerance);
     add_number(command,
                {"--stock-top", "Z",
-                "height of the top of the stock in mm (default: that of --stock, or of "
-                "the block around the part)",
+                "height of the top of the stock in mm (default: that of --stock, of the "
+                "block around the part, or where the first move at feed goes down)",
                 NumberDomain::any()},
                options.stock_top);
     command.add_option("--stock", options.stock, stock_help)->type_name("STOCK");
@@ -209,6 +209,7 @@ void add_feed_options(CLI::App& command, FeedCommandOptions& options)
     add_engagement_options(command, options);
     add_model_options(command, options);
     add_time_options(command, options);
+    add_tools_options(command, options.path);
     add_reading_options(command, options.path);
     command.add_flag("--allow-infeasible", options.allow_infeasible,
                      "exit 0 even if no feed satisfies the limits somewhere");

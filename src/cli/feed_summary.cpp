@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/feed_summary.h"
 
+#include <algorithm>
+#include <string>
+
 #include <fmt/format.h>
 
 #include "build_facts.h"
@@ -63,6 +66,7 @@ void add_choices(Json& summary, const FeedResult& result)
     summary["accuracy"] = plan.accuracy;
     summary["stock"] = printable(options.stock);
     summary["stock_top_mm"] = result.input.stock_top;
+    summary["stock_top_by"] = result.input.stock_top_by;
     summary["contact_tolerance_mm"] = options.contact_tolerance;
     summary["max_feed_per_tooth_mm"] = number_or_null(rules.range.most_mm);
     summary["min_feed_per_tooth_mm"] = rules.range.least_mm;
@@ -127,13 +131,17 @@ void add_known(Json& summary, const FeedResult& result)
     summary["remarks"] = result.remarks;
 }
 
+// "cutting force 62.5 %, cap 37.5 %": the limits that govern, with their shares.
 std::string shares_text(const Json& shares)
 {
     std::string text;
-    for (const auto& [name, share] : shares.items())
+    for (const auto& [key, share] : shares.items()) {
+        std::string name = key;
+        std::ranges::replace(name, '_', ' ');
         if (share.get<double>() > 0)
             text += fmt::format("{}{} {:.1f} %", text.empty() ? "" : ", ", name,
                                 100 * share.get<double>());
+    }
     return text;
 }
 
@@ -189,10 +197,12 @@ Json feed_summary(const FeedResult& result)
 
 std::string feed_text(const Json& s)
 {
-    std::string text =
-        fmt::format("{}: mode {}, {} mm of cut in {}\n", s["name"].get<std::string>(),
-                    s["mode"].get<std::string>(), shown(s["cut_mm"].get<double>()),
-                    counted(s["segments"].get<std::size_t>(), "segment"));
+    std::string text = fmt::format(
+        "{}: mode {}, {} mm of cut in {}; top of the stock z {} mm ({})\n",
+        s["name"].get<std::string>(), s["mode"].get<std::string>(),
+        shown(s["cut_mm"].get<double>()),
+        counted(s["segments"].get<std::size_t>(), "segment"),
+        shown(s["stock_top_mm"].get<double>()), s["stock_top_by"].get<std::string>());
     text += times_text(s);
     text += "  feed limits   " + shares_text(s["limits"]) + " of the length\n";
     text += "  speed limits  " + shares_text(s["speed_limits"]) + " of the length\n";
@@ -221,9 +231,7 @@ std::string infeasible_text(const Json& s)
     add("cutting_force_n", "cutting_force", "N");
     add("thrust_n", "thrust", "N");
     add("torque_n_m", "torque", "N m");
-    return text +
-           " (--max-force-n, --max-thrust-n, --max-torque-n-m), or "
-           "--allow-infeasible";
+    return text + " (--max-force-n, --max-thrust-n, --max-torque-n-m)";
 }
 
 }  // namespace endmill

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// endmill info: measures of a part, and the largest ball that fits it.
+// endmill info: measures of a part and the largest ball that fits it, or of a tool path.
 
 #include <array>
 #include <memory>
@@ -7,6 +7,7 @@
 
 #include "cli/console.h"
 #include "cli/idle_options.h"
+#include "cli/info_path.h"
 #include "cli/info_summary.h"
 #include "cli/mesh_remarks.h"
 #include "cli/progress.h"
@@ -18,9 +19,15 @@
 namespace endmill {
 namespace {
 
+// The options that apply to tool paths only.
+constexpr std::array path_option_names{"--cutter",        "--programmed-point",
+                                       "--arc-tolerance", "--block-delete",
+                                       "--interpreter",   "--interpreter-seconds"};
+
 struct InfoOptions {
     CommonOptions common;
     PartOptions part;
+    PathOptions path;  ///< the same file, if it holds a tool path
     Vec3 axis = Vec3::UnitZ();
     RequiredContinuity required = RequiredContinuity::None;
 };
@@ -37,6 +44,15 @@ void write_summary(const InfoOptions& options, const Json& summary)
 
 ExitCode run_info(const InfoOptions& options)
 {
+    if (is_tool_path(options.part.path, options.common.limits)) {
+        refuse_idle_options(options.common,
+                            std::array{"--units", "--up", "--axis", "--require"},
+                            "a tool path", "a part");
+        PathOptions path = options.path;
+        path.file = options.part.path;
+        return report_path(path, options.common);
+    }
+    refuse_idle_options(options.common, path_option_names, "a part", "a tool path");
     const PartFile file = read_part_for(options.part, options.common);
     const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
     if (!surfaces) {
@@ -62,11 +78,8 @@ ExitCode run_info(const InfoOptions& options)
     }();
     write_summary(options, summary);
     print_result(options.common, summary, surface_text(summary));
-    if (whole.continuity == Continuity::G1)
-        return ExitCode::Yes;
-    if (options.required == RequiredContinuity::G1)
+    if (whole.continuity != Continuity::G1 && options.required == RequiredContinuity::G1)
         return refuse_break(options.part.path, whole, options.common);
-    warn(options.common, options.part.path + ": " + break_text(whole));
     return ExitCode::Yes;
 }
 
@@ -75,14 +88,23 @@ ExitCode run_info(const InfoOptions& options)
 void add_info_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "info", "report size, area, continuity, curvature and largest ball of a part");
+        "info", "report on a part (size, curvature, largest ball) or a tool path");
     const auto options = std::make_shared<InfoOptions>();
-    add_part_options(*command, options->part);
+    command
+        ->add_option("FILE", options->part.path,
+                     "surface file (endmill-surface/1), mesh (.stl, .obj, .ply, .off), "
+                     "or tool path (CSV, G-code, APT CL data, output of rs274 -g)")
+        ->required();
+    add_mesh_options(*command, options->part);
     add_axis_option(*command, options->axis);
     add_require_option(*command, options->required);
+    add_cutter_option(*command, options->path);
+    add_reading_options(*command, options->path);
     add_common_options(*command, options->common);
     command->footer(
-        "Prints the result. With --output it also writes DIR/summary.json.\n\n"
+        "Prints the result. With --output it also writes DIR/summary.json. Of a tool "
+        "path:\n"
+        "length of cuts, links and rapids, time at feed, extent, feeds and tools.\n\n"
         "Example:\n  endmill info datasets/surfaces/net_rot24_7D.json");
     command->callback(
         [options, &action] { action = [options] { return run_info(*options); }; });

@@ -10,6 +10,7 @@
 
 #include "cli/shown_numbers.h"
 #include "endmill/mesh/mesh_checks.h"
+#include "endmill/mesh/mesh_repair.h"
 #include "endmill/surface/extent.h"
 #include "endmill/surface/tool_side.h"
 
@@ -102,11 +103,9 @@ std::string break_shown(const Json& s)
 
 std::string size_text(const Json& s)
 {
-    return fmt::format(
-        "  size          {} x {} x {} mm\n"
-        "  area          {} mm2\n",
-        shown_or_none(s["size_mm"][0]), shown_or_none(s["size_mm"][1]),
-        shown_or_none(s["size_mm"][2]), shown_or_none(s["area_mm2"]));
+    return fmt::format("  size          {} x {} x {} mm, area {} mm2\n",
+                       shown_or_none(s["size_mm"][0]), shown_or_none(s["size_mm"][1]),
+                       shown_or_none(s["size_mm"][2]), shown_or_none(s["area_mm2"]));
 }
 
 std::string limit_text(const Json& s)
@@ -165,7 +164,9 @@ std::string surface_text(const Json& s)
 Json mesh_summary(const PartFile& file, const PartOptions& options)
 {
     const auto& mesh = std::get<TriangleMesh>(file.part);
-    const MeshReport report = mesh_report(mesh);
+    // As every other command, edges are counted without duplicate triangles.
+    const CleanedMesh cleaned = without_degenerate_or_duplicate(mesh);
+    const MeshReport report = mesh_report(cleaned.mesh);
     Eigen::AlignedBox3d box;
     for (const Vec3& point : mesh.points())
         box.extend(point);
@@ -176,7 +177,7 @@ Json mesh_summary(const PartFile& file, const PartOptions& options)
     summary["vertices"] = mesh.points().size();
     summary["components"] = report.components;
     summary["boundary_edges"] = report.boundary_edges;
-    add_boundary_loops(summary, mesh);
+    add_boundary_loops(summary, cleaned.mesh);
     summary["non_manifold_edges"] = report.non_manifold_edges;
     summary["first_non_manifold_edge"] = report.first_non_manifold_edge
                                              ? Json(*report.first_non_manifold_edge)
@@ -184,7 +185,7 @@ Json mesh_summary(const PartFile& file, const PartOptions& options)
     summary["inconsistent_edges"] = report.inconsistent_edges;
     summary["degenerate"] = file.degenerate_triangles.size();
     summary["welded"] = file.welded_points;
-    summary["duplicates"] = report.duplicate_triangles;
+    summary["duplicates"] = cleaned.duplicate_triangles;
     summary["volume_mm3"] = report.volume ? Json(*report.volume) : Json(nullptr);
     summary["units"] = length_unit_names[static_cast<std::size_t>(options.units)];
     summary["up"] = up_axis_names[static_cast<std::size_t>(options.up)];

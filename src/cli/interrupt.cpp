@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "cli/child_process.h"
 #include "endmill/files/output_folder.h"
 
 namespace endmill {
@@ -39,6 +40,7 @@ void handle_interrupts()
         if (sigwait(&signals, &number) != 0)
             return;
         is_interrupted = true;
+        abandon_children();
         OutputFolder::abandon_all();
         _exit(128 + number);
     }}.detach();

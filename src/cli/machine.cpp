@@ -36,13 +36,9 @@ ExitCode run_machine(const MachineOptions& options)
     auto [machine, file] = machine_argument(options.machine, options.common.limits);
     const bool is_valid = machine.configuration.is_valid();
     if (!options.limits.empty())
-        machine.rotary =
-            limits_for_machine(options.limits, machine.configuration, machine.rotary);
+        machine = limited_machine(machine, options.limits);
     const Json summary = machine_summary(machine, options);
-    Json reported = summary;
-    if (options.contains.empty())
-        reported.erase("contains");
-    give_answer(options.common, {file}, summary, answer_lines(reported));
+    give_answer(options.common, {file}, summary, machine_text(summary, options));
     return is_valid ? ExitCode::Yes : ExitCode::No;
 }
 

@@ -2,8 +2,13 @@
 #include "cli/path_options.h"
 
 #include <array>
+#include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "cli/arguments.h"
+#include "cli/console.h"
+#include "cli/idle_options.h"
 #include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -12,17 +17,23 @@
 namespace endmill {
 namespace {
 
+constexpr double mm_of_inch = 25.4;
+constexpr double most_interpreter_seconds = 86400;
+
 constexpr std::array programmed_points{
     Choice<ProgrammedPoint>{"tip", ProgrammedPoint::Tip},
     Choice<ProgrammedPoint>{"centre", ProgrammedPoint::Centre}};
 
+constexpr std::array interpreters{Choice<Interpreter>{"endmill", Interpreter::Endmill},
+                                  Choice<Interpreter>{"linuxcnc", Interpreter::LinuxCnc}};
+
 // Refuses options that do not apply to the format of the file. G-code accepts all
-// three. The output of rs274 may have arcs and a programmed centre, but no deleted
+// of them. The output of rs274 may have arcs and a programmed centre, but no deleted
 // blocks. Other files accept none of them.
 void require_effect(const PathOptions& path, const CommonOptions& options)
 {
     if (!path.arc_tolerance && path.programmed_point == ProgrammedPoint::Tip &&
-        !path.block_delete)
+        !path.block_delete && path.interpreter == Interpreter::Endmill)
         return;
     const PathFormat format =
         path_format(read_file(path.file, options.limits), path.file);
@@ -36,6 +47,9 @@ void require_effect(const PathOptions& path, const CommonOptions& options)
         throw DomainError{option + ": " + printable(path.file) + " is " + kind + ", " +
                           why + "; this option expects G-code"};
     };
+    if (path.interpreter != Interpreter::Endmill)
+        refuse("--interpreter linuxcnc", is_canonical ? "which an interpreter has written"
+                                                      : "which needs no interpreter");
     if (path.block_delete)
         refuse("--block-delete", is_canonical
                                      ? "from which rs274 -b has removed such blocks"
@@ -47,6 +61,25 @@ void require_effect(const PathOptions& path, const CommonOptions& options)
     refuse("--arc-tolerance", "which has no arcs");
 }
 
+// A folder that exists: that of the results, one above it, or the working folder.
+std::filesystem::path existing_folder(const std::string& output)
+{
+    std::error_code ignored;
+    std::filesystem::path folder = std::filesystem::absolute(output, ignored);
+    while (!output.empty() && folder.has_relative_path()) {
+        if (std::filesystem::is_directory(folder, ignored))
+            return folder;
+        folder = folder.parent_path();
+    }
+    return std::filesystem::current_path();
+}
+
+// Whether a summary has values by which a path is judged.
+bool states_limits(const PathSummary& known)
+{
+    return known.part || known.cutter || known.tolerance_mm() || known.scallop_mm;
+}
+
 }  // namespace
 
 void add_path_options(CLI::App& command, PathOptions& path)
@@ -55,6 +88,11 @@ void add_path_options(CLI::App& command, PathOptions& path)
         .add_option("TOOLPATH", path.file,
                     "tool path (CSV), G-code, APT CL data or the output of rs274 -g")
         ->required();
+    add_cutter_option(command, path);
+}
+
+void add_cutter_option(CLI::App& command, PathOptions& path)
+{
     command
         .add_option_function<std::string>(
             "--cutter",
@@ -77,6 +115,35 @@ void add_reading_options(CLI::App& command, PathOptions& path)
                path.arc_tolerance);
     command.add_flag("--block-delete", path.block_delete,
                      "G-code: skip blocks that begin with /");
+    add_choice<Interpreter>(command, "--interpreter", path.interpreter, interpreters,
+                            "G-code: read by endmill (default), or run by LinuxCNC's "
+                            "rs274: parameters, O-words, G10, G92");
+    add_number(command,
+               {"--interpreter-seconds", "S", "largest time for --interpreter linuxcnc",
+                NumberDomain::above_zero_to(most_interpreter_seconds)},
+               path.interpreter_seconds);
+}
+
+void add_tools_options(CLI::App& command, PathOptions& path)
+{
+    command
+        .add_option("--tools", path.tools,
+                    "tool table with the cutter of each tool number: endmill-tools/1, or "
+                    "a .tbl of LinuxCNC")
+        ->type_name("FILE");
+    static constexpr std::array units{Choice<double>{"mm", 1},
+                                      Choice<double>{"inch", mm_of_inch}};
+    add_choice<double>(command, "--tools-units", path.tools_unit_mm, units,
+                       "unit of the diameters in a .tbl, which does not state it");
+}
+
+void refuse_idle_tool_options(const PathOptions& path, const CommonOptions& options)
+{
+    if (path.tools.empty())
+        refuse_idle_options(options, std::array{"--tools-units"}, "one tool", "--tools");
+    else
+        refuse_idle_options(options, std::array{"--cutter", "--tool"}, "--tools",
+                            "only one of these options");
 }
 
 void add_reading(Json& summary, const PathOptions& path)
@@ -86,6 +153,36 @@ void add_reading(Json& summary, const PathOptions& path)
     summary["arc_tolerance_mm"] =
         path.arc_tolerance.value_or(GcodeReadOptions{}.arc_tolerance_mm);
     summary["block_delete"] = path.block_delete;
+    add_interpreter(summary, path);
+}
+
+void add_interpreter(Json& summary, const PathOptions& path)
+{
+    summary["interpreter"] = word_for<Interpreter>(path.interpreter, interpreters);
+}
+
+PathSummary path_summary_of(const PathOptions& path, const CommonOptions& options)
+{
+    std::optional<PathSummary> known = read_path_summary(path.file, options.limits);
+    if (!known)
+        return {};
+    const std::string beside = printable(path.file) + ": the summary.json beside it ";
+    switch (summary_match(*known, read_file(path.file, options.limits))) {
+        case SummaryMatch::Described:
+            break;
+        case SummaryMatch::Unnamed:
+            if (states_limits(*known))
+                warn(options, beside +
+                                  "names no toolpath_sha256 and may describe an "
+                                  "earlier path; its values are used");
+            break;
+        case SummaryMatch::Other:
+            warn(options, beside +
+                              "describes another path (toolpath_sha256) and is not "
+                              "used: no part, cutter or limits are taken from it");
+            return {};
+    }
+    return *std::move(known);
 }
 
 PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter>& cutter,
@@ -93,6 +190,9 @@ PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter
 {
     PathReadOptions reading;
     reading.limits = options.limits;
+    if (path.interpreter == Interpreter::Endmill)
+        refuse_idle_options(options, std::array{"--interpreter-seconds"},
+                            "--interpreter endmill", "--interpreter linuxcnc");
     require_effect(path, options);
     if (path.arc_tolerance)
         reading.gcode.arc_tolerance_mm = *path.arc_tolerance;
@@ -108,11 +208,36 @@ PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter
     return reading;
 }
 
+std::vector<NumberedTool> read_tools_for(const PathOptions& path,
+                                         const CommonOptions& options)
+{
+    if (path.tools.empty())
+        return {};
+    return read_tool_table(path.tools, {options.limits, path.tools_unit_mm});
+}
+
+Program program_of_text(std::string_view text, const PathOptions& path,
+                        const PathReadOptions& reading, const CommonOptions& options)
+{
+    if (path.interpreter == Interpreter::Endmill)
+        return parse_program(text, path.file, reading);
+    const std::string moves = canonical_output({.text = text,
+                                                .file = printable(path.file),
+                                                .folder = existing_folder(options.output),
+                                                .block_delete = path.block_delete,
+                                                .most_seconds = path.interpreter_seconds,
+                                                .limits = options.limits,
+                                                .tools = read_tools_for(path, options)});
+    return parse_canonical(moves, printable(path.file) + " (output of rs274)",
+                           gcode_reading(reading));
+}
+
 Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
                          const CommonOptions& options)
 {
     const ProgressLine progress{"reading " + printable(path.file), options};
-    return read_program(path.file, path_reading(path, cutter, options));
+    const PathReadOptions reading = path_reading(path, cutter, options);
+    return program_of_text(read_file(path.file, options.limits), path, reading, options);
 }
 
 }  // namespace endmill

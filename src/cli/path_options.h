@@ -3,9 +3,13 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "cli/command.h"
+#include "cli/interpreter.h"
 #include "endmill/cutter/cutter.h"
+#include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
 
 namespace endmill {
@@ -20,27 +24,61 @@ struct PathOptions {
     std::optional<double> arc_tolerance = {};  ///< mm, from a program's arc to its chords
     ProgrammedPoint programmed_point = ProgrammedPoint::Tip;
     bool block_delete = false;  ///< skip blocks that begin with /
+    Interpreter interpreter = Interpreter::Endmill;
+    double interpreter_seconds = 60;  ///< s, limit of another interpreter
+    std::string tools;  ///< file with a tool table; empty: the path has one tool
+    std::optional<double> tools_unit_mm = {};  ///< mm, unit of a table that states none
 };
 
 /// Adds the argument TOOLPATH and the option --cutter.
 void add_path_options(CLI::App& command, PathOptions& path);
 
+/// Adds the option --cutter.
+void add_cutter_option(CLI::App& command, PathOptions& path);
+
 /// Adds the options for reading a program.
 void add_reading_options(CLI::App& command, PathOptions& path);
 
-/// Adds their values to a summary: programmed_point, arc_tolerance_mm, block_delete.
+/// Adds the options --tools and --tools-units.
+void add_tools_options(CLI::App& command, PathOptions& path);
+
+/// Refuses --tools-units without --tools, and --cutter and --tool with it.
+/// \throws DomainError
+void refuse_idle_tool_options(const PathOptions& path, const CommonOptions& options);
+
+/// Adds their values to a summary: programmed_point, arc_tolerance_mm, block_delete,
+/// interpreter.
 void add_reading(Json& summary, const PathOptions& path);
+
+/// Adds the key interpreter only.
+void add_interpreter(Json& summary, const PathOptions& path);
+
+/// Reads the summary.json beside the path. One that describes another file is not used,
+/// and a warning says so. One that does not name its file is used with a warning.
+/// \throws FormatError, LimitError as `read_path_summary` and `read_file`.
+PathSummary path_summary_of(const PathOptions& path, const CommonOptions& options);
 
 /// The options for the reader of the path.
 /// \throws DomainError as `read_program_for`.
 PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter>& cutter,
                              const CommonOptions& options);
 
+/// Reads the tool table of --tools. Empty without this option.
+/// \throws DomainError, FormatError, LimitError as `read_tool_table`.
+std::vector<NumberedTool> read_tools_for(const PathOptions& path,
+                                         const CommonOptions& options);
+
+/// Parses the content of the path's file, or runs the interpreter of the options on it.
+/// \throws as `read_program_for`.
+Program program_of_text(std::string_view text, const PathOptions& path,
+                        const PathReadOptions& reading, const CommonOptions& options);
+
 /// Reads the path.
 /// \param cutter the cutter, if it is known before the path is read.
 /// \throws DomainError for an option that does not apply to the format of the file, and
 ///         if the centre is programmed and `cutter` is empty, since the tip is then not
-///         known; FormatError, LimitError as `read_program`.
+///         known; FormatError, LimitError as `read_program`; as `canonical_output` if
+///         the options name an interpreter.
 Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
                          const CommonOptions& options);
 

@@ -31,8 +31,8 @@ double chosen_diameter(const std::optional<double>& asked,
         return *diameter;
     if (asked)
         throw GeometryError{fmt::format(
-            "--cutter ball:{}: found radius {} mm; expected a radius below {} mm, the "
-            "limit of the surface at {}",
+            "--cutter ball:{}: found radius {} mm; expected a smaller radius than the "
+            "limit of the surface, {} mm at {}",
             to_text(*asked), to_text(*asked / 2), shown_limit(limit->radius_mm),
             place_text(limit->at, limit->point))};
     throw GeometryError{fmt::format(

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
+#include "cli/path_facts.h"
 #include "cli/plan_text.h"
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
@@ -40,7 +41,7 @@ void replace_earlier_run(OutputFolder& folder)
 // The feed in the program if no feed is given. It affects only the length of the tape.
 constexpr double default_feed_mm_per_min = 1000;
 
-// Tape length of the program that `post` writes of this path with the default options.
+// Tape length of the plain program of this path: one feed, no tool length, no dwell.
 std::optional<double> tape_length(const ToolPath& path, const PlanTask& task)
 {
     const auto& [surfaces, context, options] = task;
@@ -60,29 +61,47 @@ std::string direction_word(Parameter along)
     return along == Parameter::U ? "u" : "v";
 }
 
+// The parts of the work on one direction, in order.
+enum class PlanWork { Passes, Measuring };
+
 // The state of each direction; both may be planned at the same time.
 class PlanProgress {
 public:
-    explicit PlanProgress(const CommonOptions& options) : line_{"planning", options} {}
+    PlanProgress(const CommonOptions& options, std::size_t directions)
+        : directions_{directions},
+          line_{"planning", options}
+    {
+    }
 
     // A callback for the work on one direction. It takes the share that is done.
-    std::function<void(double)> of(Parameter along, const std::string& work)
+    std::function<void(double)> of(Parameter along, PlanWork work)
     {
         return [this, along, work](double share) {
             const std::lock_guard lock{mutex_};
-            states_[along] = fmt::format("along {} {} {:.0f} %", direction_word(along),
-                                         work, 100 * share);
+            const bool is_first = work == PlanWork::Passes;
+            states_[along] = {fmt::format("along {} {} {:.0f} %", direction_word(along),
+                                          is_first ? "passes" : "measured", 100 * share),
+                              ((is_first ? 0 : 1) + share) / 2};
             std::string text;
-            for (const auto& [parameter, state] : states_)
-                text += (text.empty() ? "" : "; ") + state;
-            line_.show(text);
+            double done = 0;
+            for (const auto& [parameter, state] : states_) {
+                text += (text.empty() ? "" : "; ") + state.text;
+                done += state.share / static_cast<double>(directions_);
+            }
+            line_.show(text, done);
         };
     }
 
 private:
+    struct State {
+        std::string text;
+        double share;  // of both parts together; they take similar times
+    };
+
+    std::size_t directions_;
     ProgressLine line_;
     std::mutex mutex_;
-    std::map<Parameter, std::string> states_;
+    std::map<Parameter, State> states_;
 };
 
 // A direction and its path.
@@ -96,9 +115,10 @@ MeasuredPath plan_direction(const PlanTask& task, Parameter along, PlanProgress&
     const auto& [surfaces, context, options] = task;
     const BallCutter ball{context.cutter_diameter / 2};
     PlannerOptions planner = planner_options(options, along);
-    std::visit([&](auto& own) { own.progress = progress.of(along, "passes"); }, planner);
+    std::visit([&](auto& own) { own.progress = progress.of(along, PlanWork::Passes); },
+               planner);
     PlannedPath plan = plan_path(surfaces, ball, planner);
-    const auto report = progress.of(along, "measured");
+    const auto report = progress.of(along, PlanWork::Measuring);
     report(0);
     const LimitProof proof = plan.is_proved() ? LimitProof::Proved : LimitProof::None;
     const DeviationLimits limits{std::max(options.motion.inner, no_gouge_tolerance),
@@ -148,10 +168,12 @@ DirectionResult write_direction(const PlanTask& task, MeasuredPath plan,
     warn_of_uncovered(plan.planned, options.common);
     Json summary = direction_summary(context, options, plan.planned);
     name_part(summary, {options.part}, folder.path() / prefix);
-    folder.write(prefix + "toolpath.csv", tool_path_csv(plan.path));
+    const std::string table = tool_path_csv(plan.path);
+    identify_path(summary, plan.path.points.size(), table);
+    folder.write(prefix + "toolpath.csv", table);
     folder.write(prefix + "toolpath.vtp", tool_path_vtp(plan.path));
     folder.write(prefix + "toolpath.svg",
-                 tool_path_svg(plan.path, figure_options(summary)));
+                 tool_path_svg(plan.path, figure_options(summary), surfaces));
     folder.write(prefix + "summary.json", summary.dump(2) + "\n");
     return {std::move(plan.planned), std::move(summary)};
 }
@@ -172,7 +194,7 @@ bool can_plan_together(const PlanTask& task, std::span<const Parameter> directio
 std::vector<MeasuredPath> plan_directions(const PlanTask& task,
                                           std::span<const Parameter> directions)
 {
-    PlanProgress progress{task.options.common};
+    PlanProgress progress{task.options.common, directions.size()};
     std::vector<std::optional<MeasuredPath>> plans(directions.size());
     parallel_for(directions.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)

@@ -65,31 +65,24 @@ std::string length_against(const Json& s, const char* key, double limit)
                             : shown_against(s[key].get<double>(), limit) + " mm";
 }
 
-// Gouge and remaining stock, along the passes and then on the whole part.
-std::string deviation_text(const Json& s)
+// Gouge and remaining stock of the whole path with their limits.
+std::string deviation_text(const PlannedDirection& planned, const Json& s)
 {
     const double inner = s["inner_tolerance_mm"].get<double>();
-    const double outer = s["outer_tolerance_mm"].get<double>();
-    const double most_left = s["scallop_mm"].get<double>() + outer;
-    return fmt::format(
-        "    along a pass  gouge {}, remaining {}\n"
-        "    whole part    gouge {} (limit {} mm)\n"
-        "                  remaining {} (limit {} mm: scallop height + outer "
-        "tolerance)\n",
-        length_against(s, "max_motion_gouge_mm", inner),
-        length_against(s, "max_motion_left_mm", outer),
-        length_against(s, "max_gouge_mm", inner), shown_limit(inner),
-        length_against(s, "max_scallop_mm", most_left), shown_limit(most_left));
+    const double most_left =
+        s["scallop_mm"].get<double>() + s["outer_tolerance_mm"].get<double>();
+    return fmt::format("gouge {} mm (limit {}), remaining {} (limit {})",
+                       shown_against(planned.errors().gouge, inner), shown_limit(inner),
+                       length_against(s, "max_scallop_mm", most_left),
+                       shown_limit(most_left));
 }
 
-std::string chord_error_text(const PlannedDirection& planned, const Json& s)
+std::string chord_error_text(const Json& s)
 {
     const double limit = s["chord_tolerance_mm"].get<double>();
-    return fmt::format("    chord error   {} (limit {} mm){}\n",
-                       length_against(s, "max_chord_error_mm", limit), shown_limit(limit),
-                       planned.missed.contains(PathLimit::Chord)
-                           ? ": mode paper checks the start of each step only"
-                           : "");
+    return fmt::format("chord error {} (limit {}), ",
+                       length_against(s, "max_chord_error_mm", limit),
+                       shown_limit(limit));
 }
 
 std::string_view limit_name(PathLimit limit)
@@ -110,23 +103,21 @@ std::string_view limit_name(PathLimit limit)
 std::string direction_text(const PlannedDirection& planned, const Json& s)
 {
     std::string text = fmt::format(
-        "  along {}: {} passes, {} points\n"
-        "    travel        {} by contacts, {} by tips; links {}\n",
+        "  along {}       {} passes, {} points, travel {}, links {}",
         s["direction"].get<std::string>(), s["passes"].get<std::size_t>(),
-        s["ncl"].get<std::size_t>(), length_of(s, "tcd_mm"), length_of(s, "tcd_cl_mm"),
-        length_of(s, "link_mm"));
-    if (s["mode"] == "paper")
-        text += chord_error_text(planned, s);
-    text += deviation_text(s);
+        s["ncl"].get<std::size_t>(), length_of(s, "tcd_mm"), length_of(s, "link_mm"));
     if (const auto links = s["lifted_links"].get<std::size_t>())
-        text += fmt::format("    lifted links  {}\n", links);
-    if (const auto places = s["uncovered_places"].get<std::size_t>())
-        text += "    not covered   " + counted(places, "place") + "\n";
+        text += fmt::format(" ({} lifted)", links);
     if (s.contains("time_min"))
-        text += fmt::format("    time          {} min at {} mm/min\n",
-                            shown_time(s["time_min"].get<double>()),
-                            to_text(s["feed_mm_per_min"].get<double>()));
-    return text;
+        text +=
+            fmt::format(", {} min at {} mm/min", shown_time(s["time_min"].get<double>()),
+                        to_text(s["feed_mm_per_min"].get<double>()));
+    text += "\n                " +
+            (s["mode"] == "paper" ? chord_error_text(s) : std::string{}) +
+            deviation_text(planned, s);
+    if (const auto places = s["uncovered_places"].get<std::size_t>())
+        text += ", not covered: " + counted(places, "place");
+    return text + "\n";
 }
 
 std::string missed_text(const PlannedDirection& planned)
@@ -165,32 +156,22 @@ double diameter_of(const Json& s)
         .value_or(0);
 }
 
-// The paper's symbols, as below its figures.
-std::string paper_caption(const Json& s)
-{
-    const std::string direction = s["direction"];
-    return fmt::format(
-        "TOL = {:g} mm   SCALLOP = {:g} mm   C.D. = {:g} mm   NCL,{} = {}   TCD,{} = "
-        "{:.1f} mm",
-        s["chord_tolerance_mm"].get<double>(), s["scallop_mm"].get<double>(),
-        diameter_of(s), direction, s["ncl"].get<std::size_t>(), direction,
-        s["tcd_mm"].get<double>());
-}
-
-std::string plain_caption(const Json& s)
+std::string caption_of(const Json& s)
 {
     const double inner = s["inner_tolerance_mm"].get<double>();
     const double outer = s["outer_tolerance_mm"].get<double>();
     const std::string tolerance =
-        inner == outer ? fmt::format("tolerance {:g} mm", inner)
-                       : fmt::format("inner tolerance {:g} mm, outer tolerance {:g} mm",
-                                     inner, outer);
+        s["mode"] == "paper" ? fmt::format("chord tolerance {:g} mm",
+                                           s["chord_tolerance_mm"].get<double>())
+        : inner == outer     ? fmt::format("tolerance {:g} mm", inner)
+                         : fmt::format("inner tolerance {:g} mm, outer tolerance {:g} mm",
+                                       inner, outer);
     return fmt::format(
-        "{}, scallop height {:g} mm, ball diameter {:g} mm, {} points, contact travel "
-        "{:.1f} mm along {}",
+        "{}, scallop height {:g} mm, ball diameter {:g} mm, {} passes, {} points, travel "
+        "{}",
         tolerance, s["scallop_mm"].get<double>(), diameter_of(s),
-        s["ncl"].get<std::size_t>(), s["tcd_mm"].get<double>(),
-        s["direction"].get<std::string>());
+        s["passes"].get<std::size_t>(), s["ncl"].get<std::size_t>(),
+        length_of(s, "tcd_mm"));
 }
 
 }  // namespace
@@ -201,11 +182,11 @@ FigureOptions figure_options(const Json& s)
     figure.title = s["name"].get<std::string>() +
                    ": contact points in cutting order, along " +
                    s["direction"].get<std::string>();
-    figure.captions = {s["mode"] == "paper" ? paper_caption(s) : plain_caption(s)};
+    figure.captions = {caption_of(s)};
     if (s["mode"] == "paper" && s["cross_curvature"] == "chord")
-        figure.captions.push_back(
-            fmt::format("curvature across the feed by eq. (8), chord {:g} mm",
-                        s["cross_step_mm"].get<double>()));
+        figure.captions.push_back(fmt::format(
+            "curvature across the feed by eq. (8) of the paper, chord {:g} mm",
+            s["cross_step_mm"].get<double>()));
     return figure;
 }
 

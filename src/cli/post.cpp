@@ -27,18 +27,42 @@ namespace {
 // A warning is due if rounding exceeds this share of the tolerance.
 constexpr double negligible_share = 0.1;
 
+// Feed of a descent that has none of its own, as a share of the cutting feed.
+constexpr double plunge_share = 1.0 / 3;
+// s, after the spindle starts: most spindles have their speed by then.
+constexpr double default_dwell_s = 2;
+// mm, added to the tolerance of the path for arcs: that which `verify` adds.
+constexpr double arc_slack_mm = 0.001;
+// mm, tolerance of the chords of arcs that were read, if no tolerance of the path is known.
+constexpr double default_arc_tolerance_mm = 0.001;
+
 // Options replace the values of the path.
-void apply_options(ToolPath& path, const PostOptions& options)
+void apply_options(ToolPath& path, const PostOptions& options, const MoveFeeds& feeds)
 {
     for (PathPoint& point : path.points) {
         CuttingConditions& conditions = point.conditions;
-        if (options.feed_mm_per_min)
-            conditions.feed_mm_per_min = options.feed_mm_per_min;
         if (options.spindle_rpm)
             conditions.spindle_rpm = options.spindle_rpm;
         if (options.tool)
             conditions.tool = options.tool;
     }
+    set_feeds(path, feeds);
+}
+
+// The largest distance of arcs from the path. An arc close to the points of a planned path
+// replaces the error of its chords, which has the size of the tolerance; the slack covers
+// rounding. If the path has no tolerance, its chords may come from arcs that were read.
+double arc_tolerance(const PathSummary& known, const PostOptions& options)
+{
+    const auto tolerance = known.tolerance_mm();
+    if (options.arc_fit_tolerance_mm)
+        return *options.arc_fit_tolerance_mm;
+    if (tolerance == 0)
+        throw DomainError{
+            "--arcs: the path may deviate to one side only, and an arc "
+            "deviates to both; expected --arc-fit-tolerance, or no --arcs"};
+    const double read = options.path.arc_tolerance.value_or(default_arc_tolerance_mm);
+    return tolerance.value_or(read) + arc_slack_mm;
 }
 
 // Properties of the path. The command line overrides the program, and the program
@@ -56,17 +80,32 @@ PathSummary known_of(const Program& program, PathSummary known,
     return known;
 }
 
-// The program in the requested language.
-WrittenProgram written(const ToolPath& path, const std::string& name,
-                       const PathSummary& known, const PostOptions& options)
+// The G-code program.
+WrittenProgram written_gcode(const PostedPath& posted, const Control& control,
+                             const PostOptions& options, const MoveFeeds& feeds)
 {
-    if (options.format == PostFormat::Apt)
-        return apt(path, {name, known.cutter, known.feed_mm_per_min, known.spindle_rpm,
-                          options.decimals});
-    return gcode(path,
-                 {name, known.cutter, known.feed_mm_per_min, known.spindle_rpm,
-                  options.tool.value_or(1), options.safe_height, known.tolerance_mm(),
-                  options.decimals, options.line_numbers, options.comments});
+    const PathSummary& known = posted.known;
+    GcodeOptions program;
+    program.name = posted.name;
+    program.cutter = known.cutter;
+    program.feed_mm_per_min = known.feed_mm_per_min;
+    program.spindle_rpm = known.spindle_rpm;
+    program.tool = options.tool.value_or(program.tool);
+    program.safe_height = options.safe_height;
+    program.tolerance = known.tolerance_mm();
+    program.decimals = options.decimals;
+    program.line_numbers = options.line_numbers;
+    program.comments = options.comments;
+    program.control = control;
+    program.unit = options.unit;
+    program.coolant = options.coolant;
+    program.dwell_s = options.dwell_s.value_or(control.dwell ? default_dwell_s : 0);
+    program.feeds = feeds;
+    if (options.lead_in == LeadIn::Ramp)
+        program.ramp = Angle::degrees(options.ramp_angle_deg);
+    if (options.arcs)
+        program.arc_tolerance = arc_tolerance(known, options);
+    return gcode(posted.read.path, program);
 }
 
 // Warnings to read before the machine starts.
@@ -86,41 +125,56 @@ void warn_of(const PostedPath& posted, const PostOptions& options)
              fmt::format("rapids that change height and position together: {}; not every "
                          "machine moves straight there",
                          posted.written.slanted_rapids));
+    if (posted.written.straight_descents > 0)
+        warn(
+            options.common,
+            fmt::format("descents that stay vertical because the cuts after them are too "
+                        "short for a slope: {}",
+                        posted.written.straight_descents));
     if (options.format == PostFormat::Gcode && !posted.written.spindle_rpm.least)
         warn(options.common,
              "no spindle speed is known: M3 has no S word; expected --spindle-rpm");
 }
 
-// Refuses options of G-code in another format.
-void refuse_idle_post_options(const PostOptions& options)
+// Writes the program in the requested language.
+PostedPath posted_path(const Program& program, PathSummary known,
+                       const PostOptions& options, const MoveFeeds& feeds)
 {
-    if (options.format == PostFormat::Gcode)
-        return;
-    refuse_idle_options(
-        options.common,
-        std::array{"--safe-height", "--tool-number", "--line-numbers", "--comments"},
-        "--format " + names_of(options.format).word, "--format gcode");
+    const std::string stem = std::filesystem::path{options.path.file}.stem().string();
+    PostedPath posted{printable(known.name.value_or(stem)),
+                      std::move(known),
+                      program,
+                      {},
+                      stem + ".apt",
+                      {}};
+    const ProgressLine progress{"writing the program", options.common};
+    if (options.format == PostFormat::Apt) {
+        constexpr int apt_decimals = 4;
+        posted.written =
+            apt(program.path, {posted.name, posted.known.cutter,
+                               posted.known.feed_mm_per_min, posted.known.spindle_rpm,
+                               options.decimals.value_or(apt_decimals), options.multax});
+        return posted;
+    }
+    posted.control = chosen_control(options);
+    posted.file = stem + posted.control->extension;
+    posted.written = written_gcode(posted, *posted.control, options, feeds);
+    return posted;
 }
 
 ExitCode run_post(const PostOptions& options)
 {
     refuse_idle_post_options(options);
     require_within_extent("--safe-height", options.safe_height, options.common.limits);
-    const PathSummary beside = read_path_summary(options.path.file, options.common.limits)
-                                   .value_or(PathSummary{});
+    const PathSummary beside = path_summary_of(options.path, options.common);
     Program program = read_program_for(
         options.path, options.path.cutter ? options.path.cutter : beside.cutter,
         options.common);
-    apply_options(program.path, options);
     PathSummary known = known_of(program, beside, options);
-    const std::string stem = std::filesystem::path{options.path.file}.stem().string();
-    const std::string name = printable(known.name.value_or(stem));
-    WrittenProgram text = [&] {
-        const ProgressLine progress{"writing the program", options.common};
-        return written(program.path, name, known, options);
-    }();
-    const PostedPath posted{name, std::move(known), program, std::move(text),
-                            stem + names_of(options.format).extension};
+    const MoveFeeds feeds{known.feed_mm_per_min, options.feed_mm_per_min.has_value(),
+                          options.plunge_feed_mm_per_min, plunge_share};
+    apply_options(program.path, options, feeds);
+    const PostedPath posted = posted_path(program, std::move(known), options, feeds);
     warn_of(posted, options);
 
     OutputFolder folder{output_folder(options.path.file, "post", options.common),
@@ -133,8 +187,9 @@ ExitCode run_post(const PostOptions& options)
     }
     folder.write(posted.file, posted.written.text);
     folder.write("summary.json", summary.dump(2) + "\n");
-    for (const PostFormat format : {PostFormat::Gcode, PostFormat::Apt})
-        folder.remove_unless_written(stem + names_of(format).extension);
+    for (const std::string& extension : program_extensions())
+        folder.remove_unless_written(
+            std::filesystem::path{options.path.file}.stem().string() + extension);
     folder.publish();
     print_result(
         options.common, summary,
@@ -151,15 +206,15 @@ void add_post_command(CLI::App& program, Action& action)
     const auto options = std::make_shared<PostOptions>();
     add_post_options(*command, *options);
     command->footer(
-        "Writes NAME.ngc or NAME.apt and summary.json to --output (default ./NAME-post;\n"
-        "NAME of results/u/toolpath.csv is results-u). Cutter, tolerance and feed "
-        "default\n"
-        "to those of the path, then of the summary.json beside it. Coordinates are tips "
-        "in\n"
-        "mm.\n\n"
+        "Writes summary.json and NAME.ngc (--control linuxcnc), NAME.nc (fanuc, grbl) "
+        "or\n"
+        "NAME.apt (--format apt) to --output (default ./NAME-post; NAME of\n"
+        "results/u/toolpath.csv is results-u). Cutter, tolerance and feed default to\n"
+        "those of the path, then of the summary.json beside it. Coordinates are tips.\n"
+        "The options are in mm and mm/min for --units inch too.\n\n"
         "Example:\n"
         "  endmill plan datasets/surfaces/saddle.json --cutter ball:20 -o saddle\n"
-        "  endmill post saddle/u/toolpath.csv --format gcode --feed 800 --spindle-rpm "
+        "  endmill post saddle/u/toolpath.csv --control fanuc --feed 800 --spindle-rpm "
         "6000");
     command->callback([options, &action] {
         action = [options] {

@@ -2,8 +2,15 @@
 #include "cli/post_options.h"
 
 #include <array>
+#include <filesystem>
+#include <vector>
 
+#include "built_in_controls.h"
 #include "cli/arguments.h"
+#include "cli/idle_options.h"
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/files/machining_data.h"
 #include "endmill/post/program.h"
 
 namespace endmill {
@@ -11,12 +18,57 @@ namespace {
 
 constexpr std::array formats{Choice<PostFormat>{"gcode", PostFormat::Gcode},
                              Choice<PostFormat>{"apt", PostFormat::Apt}};
+constexpr std::array coolants{Choice<Coolant>{"off", Coolant::Off},
+                              Choice<Coolant>{"flood", Coolant::Flood},
+                              Choice<Coolant>{"mist", Coolant::Mist}};
+constexpr std::array lead_ins{Choice<LeadIn>{"straight", LeadIn::Straight},
+                              Choice<LeadIn>{"ramp", LeadIn::Ramp}};
+constexpr std::array units{Choice<ProgramUnit>{"mm", ProgramUnit::Mm},
+                           Choice<ProgramUnit>{"inch", ProgramUnit::Inch}};
+constexpr std::array no_first{Choice<bool>{"no", false}, Choice<bool>{"yes", true}};
 
 // Controls accept tool numbers of at most five digits.
 constexpr int greatest_tool = 99999;
+// s; a longer wait is a mistake of the unit.
+constexpr double longest_dwell_s = 600;
+// Degrees; a steeper slope is a plunge.
+constexpr double steepest_ramp_deg = 45;
 
-void add_program_options(CLI::App& command, PostOptions& options)
+void add_feed_options(CLI::App& command, PostOptions& options)
 {
+    add_number(
+        command,
+        {"--feed", "MM_PER_MIN",
+         "feed of all moves except rapids (default: the path's own, or its summary's)",
+         NumberDomain::of_machine()},
+        options.feed_mm_per_min);
+    add_number(command,
+               {"--plunge-feed-mm-per-min", "MM_PER_MIN",
+                "feed of all descents (default: the path's own, or a third of the feed)",
+                NumberDomain::of_machine()},
+               options.plunge_feed_mm_per_min);
+    add_number(command,
+               {"--spindle-rpm", "RPM",
+                "spindle speed (default: the path's own, or its summary's)",
+                NumberDomain::of_machine()},
+               options.spindle_rpm);
+}
+
+void add_machine_options(CLI::App& command, PostOptions& options)
+{
+    command
+        .add_option("--control", options.control,
+                    "G-code: control of the machine, by name or by file (default "
+                    "linuxcnc)")
+        ->type_name("linuxcnc|fanuc|grbl|FILE");
+    add_choice<Coolant>(command, "--coolant", options.coolant, coolants,
+                        "G-code: coolant while the spindle turns (default off)");
+    add_number(command,
+               {"--dwell-s", "S",
+                "G-code: wait after the spindle starts (default 2, or 0 if the control "
+                "has no dwell)",
+                NumberDomain::from_to(0, longest_dwell_s)},
+               options.dwell_s);
     add_number(command,
                {"--safe-height", "MM",
                 "G-code: height of rapids (default 5 above all moves at feed, but not "
@@ -29,23 +81,56 @@ void add_program_options(CLI::App& command, PostOptions& options)
          greatest_tool},
         [&options](int number) { options.tool = number; })
         ->type_name("N");
+}
+
+void add_motion_options(CLI::App& command, PostOptions& options)
+{
+    add_choice<LeadIn>(command, "--lead-in", options.lead_in, lead_ins,
+                       "G-code: descend vertically, or on a slope along the first cuts "
+                       "(default straight)");
+    add_number(
+        command,
+        {"--ramp-angle-deg", "DEG", "--lead-in ramp: angle of the slope over the path",
+         NumberDomain::above_zero_to(steepest_ramp_deg)},
+        options.ramp_angle_deg);
+    command.add_flag("--arcs", options.arcs,
+                     "G-code: fit arcs (G2, G3 in G17, G18, G19) to the cuts");
+    add_number(command,
+               {"--arc-fit-tolerance", "MM",
+                "--arcs: largest distance between arc and path (default the path's "
+                "tolerance and 0.001 more)"},
+               options.arc_fit_tolerance_mm);
+}
+
+void add_text_options(CLI::App& command, PostOptions& options)
+{
+    add_choice<ProgramUnit>(command, "--units", options.unit, units,
+                            "G-code: unit of the program (default mm)");
+    add_choice<bool>(command, "--multax", options.multax, no_first,
+                     "APT: write MULTAX and the axis of every point (default no)");
     command.add_flag("--line-numbers", options.line_numbers,
                      "G-code: write N1, N2, ... before every block");
     add_choice<bool>(command, "--comments", options.comments, yes_first,
                      "G-code: write name and cutter as comments (default yes)");
-    add_whole_number(
-        command,
-        {"--decimals", "digits after the decimal point (default 4)", 0, most_decimals},
-        [&options](int decimals) { options.decimals = decimals; })
+    add_whole_number(command,
+                     {"--decimals",
+                      "digits after the decimal point (default: the control's, 4 for "
+                      "linuxcnc and APT)",
+                      0, most_decimals},
+                     [&options](int decimals) { options.decimals = decimals; })
         ->type_name("N");
 }
 
 }  // namespace
 
-PostFormatNames names_of(PostFormat format)
+std::string word_of(PostFormat format)
 {
-    return {std::string{word_for<PostFormat>(format, formats)},
-            format == PostFormat::Gcode ? ".ngc" : ".apt"};
+    return std::string{word_for<PostFormat>(format, formats)};
+}
+
+std::string word_of(Coolant coolant)
+{
+    return std::string{word_for<Coolant>(coolant, coolants)};
 }
 
 void add_post_options(CLI::App& command, PostOptions& options)
@@ -53,20 +138,57 @@ void add_post_options(CLI::App& command, PostOptions& options)
     add_path_options(command, options.path);
     add_choice<PostFormat>(command, "--format", options.format, formats,
                            "language of the program (default gcode)");
-    add_number(
-        command,
-        {"--feed", "MM_PER_MIN",
-         "feed of all moves except rapids (default: the path's own, or its summary's)",
-         NumberDomain::of_machine()},
-        options.feed_mm_per_min);
-    add_number(command,
-               {"--spindle-rpm", "RPM",
-                "spindle speed (default: the path's own, or its summary's)",
-                NumberDomain::of_machine()},
-               options.spindle_rpm);
+    add_feed_options(command, options);
     add_reading_options(command, options.path);
-    add_program_options(command, options);
+    add_machine_options(command, options);
+    add_motion_options(command, options);
+    add_text_options(command, options);
     add_common_options(command, options.common);
+}
+
+Control chosen_control(const PostOptions& options)
+{
+    std::vector<std::string_view> words;
+    for (const BuiltInControl& control : built_in_controls) {
+        if (control.word == options.control)
+            return parse_control(control.content, options.control + ".json");
+        words.push_back(control.word);
+    }
+    std::error_code ignored;
+    if (!std::filesystem::exists(options.control, ignored))
+        throw DomainError{"--control: found \"" + printable(options.control) +
+                          "\", which is no file; expected a control file, " +
+                          one_of(words, options.control)};
+    return read_control(options.control, options.common.limits);
+}
+
+std::set<std::string> program_extensions()
+{
+    std::set<std::string> extensions{".apt"};
+    for (const BuiltInControl& control : built_in_controls)
+        extensions.insert(parse_control(control.content, "").extension);
+    return extensions;
+}
+
+void refuse_idle_post_options(const PostOptions& options)
+{
+    const std::string found = "--format " + word_of(options.format);
+    if (options.format == PostFormat::Gcode)
+        refuse_idle_options(options.common, std::array{"--multax"}, found,
+                            "--format apt");
+    else
+        refuse_idle_options(
+            options.common,
+            std::array{"--control", "--coolant", "--dwell-s", "--safe-height",
+                       "--tool-number", "--lead-in", "--ramp-angle-deg", "--arcs",
+                       "--arc-fit-tolerance", "--units", "--line-numbers", "--comments"},
+            found, "--format gcode");
+    if (options.lead_in == LeadIn::Straight)
+        refuse_idle_options(options.common, std::array{"--ramp-angle-deg"},
+                            "--lead-in straight", "--lead-in ramp");
+    if (!options.arcs)
+        refuse_idle_options(options.common, std::array{"--arc-fit-tolerance"},
+                            "no --arcs", "--arcs");
 }
 
 }  // namespace endmill

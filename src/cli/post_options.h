@@ -2,38 +2,65 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 
 #include "cli/path_options.h"
+#include "endmill/post/control.h"
 
 namespace endmill {
 
 /// The language of the written program.
 enum class PostFormat { Gcode, Apt };
 
-/// The word of a format on the command line, and the extension of its files.
-struct PostFormatNames {
-    std::string word;
-    std::string extension;
-};
-/// The word and extension of `format`.
-PostFormatNames names_of(PostFormat format);
+/// How the tool first descends to a pass.
+enum class LeadIn { Straight, Ramp };
 
 /// The options of `endmill post`. An empty option is taken from the path or its summary.
 struct PostOptions {
     CommonOptions common;
     PathOptions path;
     PostFormat format = PostFormat::Gcode;
+    std::string control = "linuxcnc";  ///< name or file
     std::optional<double> feed_mm_per_min;
+    std::optional<double> plunge_feed_mm_per_min;
     std::optional<double> spindle_rpm;
     std::optional<double> safe_height;  ///< mm
     std::optional<int> tool;
-    int decimals = 4;
+    std::optional<int> decimals;
+    std::optional<double> dwell_s;  ///< default: 2 s if the control has a dwell
+    Coolant coolant = Coolant::Off;
+    LeadIn lead_in = LeadIn::Straight;
+    double ramp_angle_deg = 3;
+    ProgramUnit unit = ProgramUnit::Mm;
+    bool arcs = false;
+    std::optional<double>
+        arc_fit_tolerance_mm;  ///< default: the path's tolerance + 0.001
+    bool multax = false;
     bool line_numbers = false;
     bool comments = true;
 };
 
 /// Adds every option of `post` to `command`.
 void add_post_options(CLI::App& command, PostOptions& options);
+
+/// The word of a format on the command line.
+std::string word_of(PostFormat format);
+
+/// The word of a coolant on the command line.
+std::string word_of(Coolant coolant);
+
+/// The control that `--control` names: a built-in one, or that of a file.
+/// \throws DomainError if there is neither a control of this name nor such a file; as
+///         `read_control`.
+Control chosen_control(const PostOptions& options);
+
+/// The extensions of the programs of all built-in controls, and of APT CL data.
+std::set<std::string> program_extensions();
+
+/// Refuses options of one format that were given for the other, and options without
+/// effect.
+/// \throws DomainError naming the option.
+void refuse_idle_post_options(const PostOptions& options);
 
 }  // namespace endmill

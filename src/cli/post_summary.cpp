@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "build_facts.h"
+#include "cli/path_facts.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 
@@ -29,14 +30,60 @@ void add_range(Json& summary, const std::string& key, const MinMax& range)
     summary["max_" + key] = *range.greatest;
 }
 
-std::string feed_text(const Json& s)
+constexpr double bytes_per_kib = 1024;
+constexpr double mm_per_m = 1000;
+
+// The one number under `key`, or its range; empty if it is unknown.
+std::string range_text(const Json& s, const std::string& key)
 {
-    if (!s["feed_mm_per_min"].is_null())
-        return fmt::format("feed {:g} mm/min", s["feed_mm_per_min"].get<double>());
-    if (!s.contains("min_feed_mm_per_min"))
-        return "rapids only";
-    return fmt::format("feed {:g} to {:g} mm/min", s["min_feed_mm_per_min"].get<double>(),
-                       s["max_feed_mm_per_min"].get<double>());
+    if (!s[key].is_null())
+        return shown(s[key].get<double>());
+    if (!s.contains("min_" + key))
+        return "";
+    return shown(s["min_" + key].get<double>()) + " to " +
+           shown(s["max_" + key].get<double>());
+}
+
+// Feeds and spindle speed.
+std::string conditions_text(const Json& s)
+{
+    const std::string cutting = range_text(s, "feed_mm_per_min");
+    const std::string plunge = range_text(s, "plunge_feed_mm_per_min");
+    const std::string speed = range_text(s, "spindle_rpm");
+    std::string text = cutting.empty() ? "" : "cut " + cutting;
+    if (!plunge.empty())
+        text += (text.empty() ? "" : ", ") + ("plunge " + plunge);
+    text += text.empty() ? "rapids only" : " mm/min";
+    return text + (speed.empty() ? "; spindle speed not known" : "; " + speed + " rpm");
+}
+
+// Lengths and time, a line; empty if the summary has none.
+std::string length_text(const Json& s)
+{
+    if (!s.contains("cut_mm"))
+        return "";
+    std::string text = fmt::format("  length    {} m cutting, {} m links, {} m rapid",
+                                   shown(s["cut_mm"].get<double>() / mm_per_m),
+                                   shown(s["link_mm"].get<double>() / mm_per_m),
+                                   shown(s["rapid_mm"].get<double>() / mm_per_m));
+    if (!s["time_min"].is_null())
+        text += fmt::format("; {} min without rapids",
+                            shown_time(s["time_min"].get<double>()));
+    return text + "\n";
+}
+
+// Adds the keys that only G-code has.
+void add_gcode_keys(Json& summary, const PostedPath& posted, const PostOptions& options)
+{
+    const WrittenProgram& written = posted.written;
+    summary["safe_height_mm"] = written.safe_height_mm;
+    summary["control"] = posted.control->name;
+    summary["program_unit"] = options.unit == ProgramUnit::Inch ? "inch" : "mm";
+    summary["coolant"] = word_of(options.coolant);
+    summary["ramps"] = written.ramps;
+    summary["straight_descents"] = written.straight_descents;
+    summary["arcs"] = written.arcs;
+    summary["max_arc_error_mm"] = written.max_arc_error_mm;
 }
 
 }  // namespace
@@ -46,7 +93,7 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
     const WrittenProgram& written = posted.written;
     Json summary{{"name", posted.name},
                  {"endmill", program_version},
-                 {"format", names_of(options.format).word},
+                 {"format", word_of(options.format)},
                  {"file", printable(posted.file)},
                  {"units", "mm"},
                  {"programmed_point", "tip"},
@@ -56,14 +103,18 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
                  {"lines", written.lines},
                  {"bytes", written.text.size()},
                  {"tape_length_m", written.tape_length_m()},
-                 {"decimals", options.decimals},
+                 {"decimals", written.decimals},
                  {"max_rounding_error_mm", written.max_rounding_error_mm},
                  {"position_error_mm", posted.read.position_error_mm}};
+    add_interpreter(summary, options.path);
+    add_path_totals(summary, posted.read.path);
+    identify_path(summary, posted.read.path.points.size(), written.text);
     add_range(summary, "feed_mm_per_min", written.feed_mm_per_min);
+    add_range(summary, "plunge_feed_mm_per_min", written.plunge_feed_mm_per_min);
     add_range(summary, "spindle_rpm", written.spindle_rpm);
-    if (options.format == PostFormat::Gcode)
-        summary["safe_height_mm"] = written.safe_height_mm;
-    summary["interpolation"] = "linear";
+    if (posted.control)
+        add_gcode_keys(summary, posted, options);
+    summary["interpolation"] = written.arcs > 0 ? "linear and circular" : "linear";
     summary["cutter"] =
         posted.known.cutter ? Json(cutter_word(*posted.known.cutter)) : Json(nullptr);
     add_known(summary, "chord_tolerance_mm", posted.known.chord_tolerance_mm);
@@ -76,12 +127,23 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
 
 std::string post_text(const Json& s)
 {
-    return fmt::format(
-        "{}: {} points in {} lines, {}\n"
-        "  rounding      at most {} mm\n",
-        s["name"].get<std::string>(), s["points"].get<std::size_t>(),
-        s["lines"].get<std::size_t>(), feed_text(s),
+    const std::string control = s.contains("control")
+                                    ? "G-code for " + s["control"].get<std::string>()
+                                    : "APT CL data";
+    std::string text = fmt::format(
+        "{}: {}, {}, {} lines, {} KiB\n{}"
+        "  feed      {}\n"
+        "  accuracy  coordinates rounded by at most {} mm",
+        s["name"].get<std::string>(), s["file"].get<std::string>(), control,
+        s["lines"].get<std::size_t>(),
+        shown(static_cast<double>(s["bytes"].get<std::size_t>()) / bytes_per_kib),
+        length_text(s), conditions_text(s),
         shown_bound(s["max_rounding_error_mm"].get<double>()));
+    if (s.contains("arcs") && s["arcs"].get<std::size_t>() > 0)
+        text += fmt::format("; {} arcs within {} mm of the path",
+                            s["arcs"].get<std::size_t>(),
+                            shown_bound(s["max_arc_error_mm"].get<double>()));
+    return text + "\n";
 }
 
 }  // namespace endmill

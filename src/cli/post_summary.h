@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/post_options.h"
@@ -15,14 +16,15 @@ struct PostedPath {
     PathSummary known;  ///< completed by the options
     const Program& read;
     WrittenProgram written;
-    std::string file;  ///< its name in the output folder
+    std::string file;                ///< its name in the output folder
+    std::optional<Control> control;  ///< of G-code; nothing for APT CL data
 };
 
 /// summary.json of `post`. It has the keys of the path's own summary, so that `verify`
 /// judges the program by the limits for which the path was planned.
 Json post_summary(const PostedPath& posted, const PostOptions& options);
 
-/// The report on the terminal.
+/// The report on the terminal: at most four lines.
 std::string post_text(const Json& summary);
 
 }  // namespace endmill

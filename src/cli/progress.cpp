@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/progress.h"
 
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -13,16 +14,55 @@ namespace {
 
 constexpr std::chrono::milliseconds redraw_interval{200};
 constexpr std::chrono::seconds quiet_time{1};
+constexpr std::chrono::seconds line_interval{10};  // where there is no terminal
+
+// An estimate of the time left needs this share and this time of the work: earlier ones
+// depend on how the work starts.
+constexpr double least_share = 0.02;
+constexpr double least_seconds = 1;
+
+constexpr double s_per_min = 60;
+constexpr long min_per_h = 60;
 
 // The time counts from the start of the program, since several short phases add up.
 const auto program_start = std::chrono::steady_clock::now();
 
+double elapsed_since(std::chrono::steady_clock::time_point start)
+{
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+        .count();
+}
+
+// The next whole multiple of `line_interval` after the start of the program. Phases that
+// follow each other then share one clock.
+std::chrono::steady_clock::time_point next_line_time()
+{
+    const auto lines =
+        (std::chrono::steady_clock::now() - program_start) / line_interval + 1;
+    return program_start + lines * line_interval;
+}
+
+bool is_terminal()
+{
+    return isatty(STDERR_FILENO) == 1;
+}
+
 }  // namespace
+
+std::string waiting_time(double seconds)
+{
+    if (seconds < s_per_min)
+        return fmt::format("{:.0f} s", std::ceil(seconds));
+    const long minutes = std::lround(seconds / s_per_min);
+    if (minutes < min_per_h)
+        return fmt::format("{} min", minutes);
+    return fmt::format("{} h {} min", minutes / min_per_h, minutes % min_per_h);
+}
 
 ProgressLine::ProgressLine(std::string work, const CommonOptions& options)
     : work_{std::move(work)}
 {
-    if (!options.quiet && isatty(STDERR_FILENO) == 1)
+    if (!options.quiet)
         thread_ = std::thread{[this] { run(); }};
 }
 
@@ -43,25 +83,40 @@ ProgressLine::~ProgressLine()
 void ProgressLine::begin(std::string work)
 {
     const std::lock_guard lock{mutex_};
+    if (work == work_)
+        return;
     work_ = std::move(work);
+    work_start_ = Clock::now();
     state_.clear();
+    share_ = 0;
 }
 
 void ProgressLine::show(double share)
 {
-    show(fmt::format("{:.0f} %", 100 * share));
+    show(fmt::format("{:.0f} %", 100 * share), share);
 }
 
 void ProgressLine::show(std::string state)
 {
+    show(std::move(state), 0);
+}
+
+void ProgressLine::show(std::string state, double share)
+{
     const std::lock_guard lock{mutex_};
     state_ = std::move(state);
+    share_ = share;
 }
 
 void ProgressLine::run()
 {
     std::unique_lock lock{mutex_};
     const auto is_over = [this] { return is_over_; };
+    if (!is_terminal()) {
+        while (!is_over_changed_.wait_until(lock, next_line_time(), is_over))
+            print_line();
+        return;
+    }
     if (is_over_changed_.wait_until(lock, program_start + quiet_time, is_over))
         return;
     do
@@ -69,14 +124,28 @@ void ProgressLine::run()
     while (!is_over_changed_.wait_for(lock, redraw_interval, is_over));
 }
 
+std::string ProgressLine::text() const
+{
+    std::string text =
+        fmt::format("{}: {}{}{:.0f} s", work_, state_, state_.empty() ? "" : ", ",
+                    elapsed_since(program_start));
+    const double spent = elapsed_since(work_start_);
+    if (share_ >= least_share && share_ < 1 && spent >= least_seconds)
+        text +=
+            fmt::format(", about {} left", waiting_time(spent * (1 - share_) / share_));
+    return text;
+}
+
 void ProgressLine::draw()
 {
     is_shown_ = true;
-    const double seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - program_start)
-            .count();
-    std::fprintf(stderr, "\r\033[K%s: %s%s%.0f s", work_.c_str(), state_.c_str(),
-                 state_.empty() ? "" : ", ", seconds);
+    std::fprintf(stderr, "\r\033[K%s", text().c_str());
+    std::fflush(stderr);
+}
+
+void ProgressLine::print_line()
+{
+    std::fprintf(stderr, "endmill: %s\n", text().c_str());
     std::fflush(stderr);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <string>
@@ -10,11 +11,14 @@
 
 namespace endmill {
 
-/// A progress line on standard error. It shows the current work, the share that is done
-/// and the time since the program began. The line appears after the program has run for
-/// one second, only if standard error is a terminal, and not with --quiet. A separate
-/// thread updates the time, so the line changes even if the work reports nothing. Any
-/// thread may report progress.
+/// Progress on standard error: the current work, the share that is done, the time since
+/// the program began, and the time that is left. On a terminal it is one line, which
+/// appears after one second and is removed at the end. Elsewhere a line is printed every
+/// ten seconds. With --quiet there is none. A separate thread updates the time, so it
+/// changes even if the work reports nothing. Any thread may report progress.
+///
+/// The time left follows from the share of the current work and the time that it took. It
+/// is omitted while the share is not known or too small for an estimate.
 ///
 /// At most one line exists at a time. Nothing else is printed while it exists.
 class ProgressLine {
@@ -25,7 +29,7 @@ public:
     ProgressLine(const ProgressLine&) = delete;             ///< one line, one owner
     ProgressLine& operator=(const ProgressLine&) = delete;  ///< not assignable either
 
-    /// Starts new work, whose share is not known yet.
+    /// Starts new work, whose share is not known yet. Work of the same name goes on.
     void begin(std::string work);
 
     /// \param share of the work that is done, 0 to 1.
@@ -34,17 +38,30 @@ public:
     /// \param state progress in words, for work whose end is not known.
     void show(std::string state);
 
+    /// \param state progress in words. \param share of the work that is done, 0 to 1.
+    void show(std::string state, double share);
+
 private:
+    using Clock = std::chrono::steady_clock;
+
     void run();
     void draw();
+    void print_line();
+    std::string text() const;
 
     std::mutex mutex_;
     std::condition_variable is_over_changed_;
     bool is_over_ = false;
     bool is_shown_ = false;
     std::string work_;
+    Clock::time_point work_start_ = Clock::now();
     std::string state_;
+    double share_ = 0;  // of the current work; 0: not known
     std::thread thread_;
 };
+
+/// A time to wait, for a progress line: "45 s", "3 min", "2 h 10 min". Seconds are rounded
+/// up, and longer times to minutes.
+std::string waiting_time(double seconds);
 
 }  // namespace endmill

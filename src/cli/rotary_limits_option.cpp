@@ -81,11 +81,13 @@ RotaryLimits limits_in(const std::string& text, const MachineConfiguration& conf
 
 }  // namespace
 
-RotaryLimits limits_for_machine(const std::string& text,
-                                const MachineConfiguration& configuration,
-                                const RotaryLimits& otherwise)
+Machine limited_machine(Machine machine, const std::string& text)
 {
-    return limits_in(text, configuration, limit_names(configuration), otherwise);
+    const std::vector<LimitName> names = limit_names(machine.configuration);
+    machine.rotary = limits_in(text, machine.configuration, names, machine.rotary);
+    for (const NamedText& item : named_texts("--limits", text, limits_example))
+        machine.wide_positions[named_axis(item, names).axis] = std::nullopt;
+    return machine;
 }
 
 RotaryLimits limits_for_family(const std::string& text, RotaryFamily family)

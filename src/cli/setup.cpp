@@ -57,7 +57,8 @@ ExitCode run_setup(const SetupCommandOptions& options)
         if (!machine.file.empty())
             folder.protect(machine.file);
     const SetupVisibility visibility = visibility_for(input, options);
-    const std::vector<SetupAnswer> answers = ranked_answers(input, visibility, options);
+    std::vector<SetupAnswer> answers = ranked_answers(input, visibility, options);
+    answers.front().missed = missed_facets(answers.front(), input, visibility, options);
     const Json summary = setup_summary(input, visibility, answers, options);
     {
         const ProgressLine progress{"writing the results", options.common};

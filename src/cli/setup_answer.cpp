@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/setup_answer.h"
 
+#include <algorithm>
 #include <chrono>
+#include <span>
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include "cli/progress.h"
 #include "endmill/visibility/visibility.h"
@@ -78,25 +81,52 @@ MachineSetup setup_on(const SearchedMachine& machine, const SetupInput& input,
                          .max_nodes = static_cast<std::size_t>(options.max_nodes),
                          .progress =
                              [&](const WholeConeSearchProgress& now) {
+                                 progress.begin("searching over whole cones");
                                  progress.show(set_progress_text(now, options.objective));
                              }},
          .cell_progress =
-             [&](std::size_t done) { progress.show(static_cast<double>(done) / looks); }},
+             [&](std::size_t done) {
+                 progress.show(static_cast<double>(done) / looks);
+                 if (options.mode == SetupMode::WholeCones &&
+                     static_cast<double>(done) >= looks)
+                     progress.begin("preparing the search over whole cones");
+             }},
         clamping);
 }
 
 SetupCover several_setups(const SearchedMachine& machine, const SetupInput& input,
-                          const VisibilityMap& map, const SetupCommandOptions& options)
+                          const VisibilityMap& map, const SetupCommandOptions& options,
+                          std::size_t most)
 {
-    ProgressLine progress{"choosing setups", options.common};
+    ProgressLine progress{
+        most == 1 ? "looking for the facets that one setup misses" : "choosing setups",
+        options.common};
     const RotaryReach reach{machine.machine.configuration, machine.machine.rotary,
                             Angle::degrees(options.arc_tolerance_deg)};
-    return greedy_setups(map, input.grid.centres, reach,
-                         static_cast<std::size_t>(options.max_setups),
+    return greedy_setups(map, input.grid.centres, reach, most,
                          [&](const SetupCoverProgress& now) {
                              progress.show(fmt::format("setup {}, {} of {} tool axes",
                                                        now.setup, now.tried, now.axes));
                          });
+}
+
+// Twice the vector area of a facet; zero for a degenerate one.
+Vec3 normal_of(const TriangleMesh& mesh, std::size_t facet)
+{
+    const Triangle& triangle = mesh.triangles()[facet];
+    const Vec3& a = mesh.points()[triangle[0]];
+    return (mesh.points()[triangle[1]] - a).cross(mesh.points()[triangle[2]] - a);
+}
+
+double area_share(const TriangleMesh& mesh, std::span<const std::size_t> facets)
+{
+    double whole = 0;
+    for (std::size_t facet = 0; facet < mesh.triangles().size(); ++facet)
+        whole += normal_of(mesh, facet).norm();
+    double share = 0;
+    for (const std::size_t facet : facets)
+        share += normal_of(mesh, facet).norm() / whole;
+    return share;
 }
 
 }  // namespace
@@ -129,9 +159,37 @@ SetupAnswer answer_for(const SearchedMachine& machine, const SetupInput& input,
     SetupAnswer answer{.machine = &machine,
                        .setup = setup_on(machine, input, visibility, options)};
     if (options.max_setups > 1 && machine.machine.configuration.is_valid())
-        answer.setups = several_setups(machine, input, visibility.map(), options);
+        answer.setups = several_setups(machine, input, visibility.map(), options,
+                                       static_cast<std::size_t>(options.max_setups));
     answer.seconds = seconds_since(start);
     return answer;
+}
+
+std::optional<MissedFacets> missed_facets(const SetupAnswer& answer,
+                                          const SetupInput& input,
+                                          const SetupVisibility& visibility,
+                                          const SetupCommandOptions& options)
+{
+    constexpr std::size_t most_hidden = 3;
+    if (answer.setup.best.machinable != Answer::No ||
+        !answer.machine->machine.configuration.is_valid())
+        return std::nullopt;
+    const SetupCover cover = answer.setups ? *answer.setups
+                                           : several_setups(*answer.machine, input,
+                                                            visibility.map(), options, 1);
+    MissedFacets missed{visibility.empty, 0, {}};
+    missed.facets.insert(missed.facets.end(), cover.uncovered.begin(),
+                         cover.uncovered.end());
+    for (std::size_t k = 1; k < cover.setups.size(); ++k)
+        missed.facets.insert(missed.facets.end(), cover.setups[k].facets.begin(),
+                             cover.setups[k].facets.end());
+    std::ranges::sort(missed.facets);
+    missed.area_share = area_share(input.mesh, missed.facets);
+    for (const std::size_t facet : std::span{visibility.empty}.first(
+             std::min(most_hidden, visibility.empty.size())))
+        missed.hidden.push_back(
+            {facet, hiding_facet(input.mesh, facet, normal_of(input.mesh, facet))});
+    return missed;
 }
 
 }  // namespace endmill

@@ -25,12 +25,26 @@ struct SetupVisibility {
     }  ///< one column for each cell
 };
 
+/// A facet that no direction reaches.
+struct HiddenFacet {
+    std::size_t facet;              ///< number of the facet
+    std::optional<std::size_t> by;  ///< facet that hides it along its normal, if any
+};
+
+/// Why one setup does not reach the whole part.
+struct MissedFacets {
+    std::vector<std::size_t> facets;  ///< those that the best single setup misses
+    double area_share;  ///< of these facets in the area of the part, 0 … 1
+    std::vector<HiddenFacet> hidden;  ///< the first ones that no direction reaches
+};
+
 /// The result for one machine.
 struct SetupAnswer {
     const SearchedMachine* machine;  ///< points into the input, which outlives the answer
     MachineSetup setup;              ///< of the part on this machine
-    std::optional<SetupCover> setups = {};  ///< with --max-setups above 1
-    double seconds = 0;                     ///< wall time of the search
+    std::optional<SetupCover> setups = {};    ///< with --max-setups above 1
+    std::optional<MissedFacets> missed = {};  ///< as `missed_facets`
+    double seconds = 0;                       ///< wall time of the search
 
     /// The reported pose: the best one within the limits, or else the unconstrained one.
     const std::optional<FittedPose>& reported() const { return setup.best.shown(); }
@@ -47,5 +61,13 @@ SetupVisibility visibility_for(const SetupInput& input,
 SetupAnswer answer_for(const SearchedMachine& machine, const SetupInput& input,
                        const SetupVisibility& visibility,
                        const SetupCommandOptions& options);
+
+/// The facets that the best single setup within the limits misses. This setup is the
+/// first one of `greedy_setups`, which tries the centres of cells as tool axes.
+/// \return nothing unless the answer is no and the machine is valid.
+std::optional<MissedFacets> missed_facets(const SetupAnswer& answer,
+                                          const SetupInput& input,
+                                          const SetupVisibility& visibility,
+                                          const SetupCommandOptions& options);
 
 }  // namespace endmill

@@ -15,6 +15,7 @@
 #include "endmill/core/text.h"
 #include "endmill/files/machining_data.h"
 #include "endmill/mesh/mesh_checks.h"
+#include "endmill/mesh/mesh_repair.h"
 #include "endmill/surface/sampling.h"
 #include "endmill/surface/tool_side.h"
 
@@ -42,7 +43,9 @@ TriangleMesh with_degenerate(const TriangleMesh& mesh,
 void take_mesh(SetupInput& input, TriangleMesh mesh,
                std::span<const std::size_t> degenerate = {})
 {
-    const MeshReport checks = mesh_report(mesh);
+    // As in every other command, edges are counted without duplicate triangles.
+    const CleanedMesh cleaned = without_degenerate_or_duplicate(mesh);
+    const MeshReport checks = mesh_report(cleaned.mesh);
     if (checks.boundary_edges > 0)
         input.remarks.push_back(fmt::format(
             "{} edges belong to one triangle: the part is open, so all triangles block "
@@ -51,10 +54,10 @@ void take_mesh(SetupInput& input, TriangleMesh mesh,
     if (checks.non_manifold_edges > 0)
         input.remarks.push_back(fmt::format("{} edges belong to more than two triangles",
                                             checks.non_manifold_edges));
-    if (checks.duplicate_triangles > 0)
+    if (cleaned.duplicate_triangles > 0)
         input.remarks.push_back(fmt::format(
             "{} triangles repeat an earlier triangle; such triangles block each other",
-            checks.duplicate_triangles));
+            cleaned.duplicate_triangles));
     input.mesh = degenerate.empty() ? std::move(mesh) : with_degenerate(mesh, degenerate);
 }
 
@@ -65,10 +68,13 @@ void take_surfaces(SetupInput& input, std::span<const Surface> surfaces,
     const double tolerance = options.chord_tolerance ? *options.chord_tolerance
                                                      : default_chord_tolerance(surfaces);
     SampledSurface sampled_part = sampled(surfaces, sides, tolerance);
-    input.remarks.push_back(fmt::format(
+    // Every surface is sampled, and nearly every one is open: no reason to warn.
+    input.notes.push_back(fmt::format(
         "the surface is sampled as {} triangles, at most {:g} mm from it",
         sampled_part.mesh.triangles().size(), sampled_part.max_chord_error_mm));
     take_mesh(input, std::move(sampled_part.mesh));
+    input.notes.insert(input.notes.end(), input.remarks.begin(), input.remarks.end());
+    input.remarks.clear();
 }
 
 // Checks the memory of the visibility map before it is allocated.

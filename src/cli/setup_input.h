@@ -19,7 +19,7 @@ struct SetupInput {
     std::string name;                  ///< name of the part
     std::string source;                ///< source of the part's numbers
     TriangleMesh mesh;                 ///< in mm
-    std::vector<std::string> notes;    ///< of the part's reader, which has printed them
+    std::vector<std::string> notes;    ///< printed before, or not worth a warning
     std::vector<std::string> remarks;  ///< further remarks, not printed yet
     SphereGrid grid;
     std::optional<StoredVisibility> known_visibility;  ///< of --from-visibility

@@ -30,8 +30,7 @@ SearchedMachine one_machine(const std::string& text, const SetupCommandOptions& 
     SearchedMachine found{read.machine.configuration.word, read.file, false,
                           read.machine};
     if (!options.limits.empty())
-        found.machine.rotary = limits_for_machine(
-            options.limits, found.machine.configuration, found.machine.rotary);
+        found.machine = limited_machine(found.machine, options.limits);
     return found;
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "build_facts.h"
+#include "cli/console.h"
 #include "cli/setup_idle.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
@@ -184,6 +185,19 @@ Json ranking(std::span<const SetupAnswer> answers, const SetupCommandOptions& op
     return list;
 }
 
+// Adds the facets that one setup misses, and what hides the first of those that no
+// direction reaches. Null unless the answer is no.
+void add_missed(Json& summary, const std::optional<MissedFacets>& missed)
+{
+    summary["missed_facets"] = missed ? Json(missed->facets) : Json{};
+    summary["missed_area_share"] = missed ? Json(missed->area_share) : Json{};
+    summary["hidden_facets"] = missed ? Json::array() : Json{};
+    if (missed)
+        for (const HiddenFacet& hidden : missed->hidden)
+            summary["hidden_facets"].push_back(
+                {{"facet", hidden.facet}, {"by", optional_json(hidden.by)}});
+}
+
 void add_search(Json& summary, const SetupAnswer& answer,
                 const SetupCommandOptions& options)
 {
@@ -204,18 +218,60 @@ void add_search(Json& summary, const SetupAnswer& answer,
     summary["poses_skipped"] = best.poses_skipped;
     summary["unresolved"] = best.certificate ? best.certificate->unresolved : 0;
     add_setups(summary, answer, options);
+    add_missed(summary, answer.missed);
     add_travel_keys(summary, answer, options);
 }
 
-// The first unreachable facets. The summary lists all of them.
-std::string unreached_text(const Json& facets)
+// The first of these facets.
+std::string facet_numbers(const Json& facets)
 {
     constexpr std::size_t most_shown = 10;
-    std::string text = fmt::format("  unreachable  {} from every direction:",
-                                   counted(facets.size(), "facet"));
+    std::string text;
     for (std::size_t k = 0; k < std::min(most_shown, facets.size()); ++k)
         text += fmt::format(" {}", facets[k].get<std::size_t>());
-    return text + (facets.size() > most_shown ? " ...\n" : "\n");
+    return text + (facets.size() > most_shown ? " ..." : "");
+}
+
+// The first hidden facets and the facets that hide them.
+std::string hidden_text(const Json& hidden, const Json& tool)
+{
+    std::string text;
+    for (const Json& one : hidden) {
+        const auto facet = one["facet"].get<std::size_t>();
+        text += text.empty() ? "; " : ", ";
+        if (!one["by"].is_null())
+            text += fmt::format("facet {} hides {}", one["by"].get<std::size_t>(), facet);
+        else if (!tool.is_null())
+            text += fmt::format("shank and holder keep the tool from {}", facet);
+        else
+            text += fmt::format(
+                "none hides {} along its normal (--sphere or --incidence-deg)", facet);
+    }
+    return text;
+}
+
+// Why the part is not machinable: the facets that one setup misses, and what hides them.
+std::string missed_text(const Json& s)
+{
+    const Json& missed = s["missed_facets"];
+    if (missed.is_null())
+        return {};
+    if (missed.empty())
+        return "  reason       this mode finds no pose within the limits, though one "
+               "exists; try --mode set\n";
+    const Json& empty = s["empty_cones"];
+    std::string text;
+    if (!empty.empty())
+        text = fmt::format("  unreachable  {} from every direction:{}{}\n",
+                           counted(empty.size(), "facet"), facet_numbers(empty),
+                           hidden_text(s["hidden_facets"], s["tool"]));
+    if (missed.size() > empty.size() || empty.empty())
+        text += fmt::format(
+            "  missed       {} by the best single setup within the limits:{}\n",
+            counted(missed.size(), "facet"), facet_numbers(missed));
+    const double percent = 100 * s["missed_area_share"].get<double>();
+    text.pop_back();
+    return text + fmt::format(" ({} % of the area)\n", shown(percent));
 }
 
 std::string clamp_text(const Json& clamp)
@@ -292,12 +348,32 @@ std::string better_mode_text(const Json& s)
            "; --mode set searches all poses for whole cones\n";
 }
 
-std::string machinable_text(const Json& machinable)
+std::string machinable_text(const Json& s)
 {
+    const Json& machinable = s["machinable"];
     if (machinable.is_null())
-        return "undecided";
-    return machinable.get<bool>() ? "machinable in one setup"
-                                  : "not machinable in one setup";
+        return "undecided whether one setup suffices";
+    if (!machinable.get<bool>())
+        return "not machinable in one setup";
+    if (s["travel_ok"].is_null() || s["travel_ok"].get<bool>())
+        return "machinable in one setup";
+    return s.contains("within_travel")
+               ? "not machinable within the travel of the linear axes"
+               : "not machinable at this clamping";
+}
+
+// Why the answer is open.
+std::string undecided_text(const Json& s)
+{
+    if (!s["machinable"].is_null())
+        return {};
+    if (s["mode"] == "set")
+        return fmt::format(
+            "  reason       the search ended at {} nodes (--max-nodes) without a pose "
+            "within the limits\n",
+            s["max_nodes"].get<int>());
+    return "  reason       the points of this mode fit no open hemisphere; try --mode "
+           "set\n";
 }
 
 std::string range_text(const Json& range)
@@ -402,15 +478,14 @@ std::string setup_text(const Json& s)
 {
     std::string text =
         fmt::format("{}: {} on {}{}; {} facets, {} directions\n",
-                    s["name"].get<std::string>(), machinable_text(s["machinable"]),
+                    s["name"].get<std::string>(), machinable_text(s),
                     s["configuration"].is_null() ? s["type"].get<std::string>()
                                                  : s["configuration"].get<std::string>(),
                     s["mode"].is_null() ? "" : ", mode " + s["mode"].get<std::string>(),
                     s["facets"].get<std::size_t>(), s["cells"].get<std::size_t>());
     if (!s["reason"].is_null())
         text += "  reason       " + s["reason"].get<std::string>() + "\n";
-    if (!s["empty_cones"].empty())
-        text += unreached_text(s["empty_cones"]);
+    text += undecided_text(s) + missed_text(s);
     if (!s["area_deg2"].is_null())
         text +=
             fmt::format("  ranges       phi {}, theta {} degrees{}; area {} deg^2\n",

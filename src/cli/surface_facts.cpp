@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/surface_facts.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
+#include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,15 +19,6 @@
 #include "endmill/core/text.h"
 
 namespace endmill {
-
-void add_part_options(CLI::App& command, PartOptions& part)
-{
-    command
-        .add_option("PART", part.path,
-                    "surface file (endmill-surface/1), or mesh (.stl, .obj, .ply, .off)")
-        ->required();
-    add_mesh_options(command, part);
-}
 
 void add_mesh_options(CLI::App& command, PartOptions& part)
 {
@@ -44,13 +39,34 @@ void add_surface_argument(CLI::App& command, std::string& path)
     command.add_option("SURFACE", path, "surface file (endmill-surface/1)")->required();
 }
 
+namespace {
+
+// The notes with one line for all poles, of which a part may have dozens.
+std::vector<std::string> shown_notes(std::span<const std::string> notes)
+{
+    const auto is_pole = [](const std::string& note) { return note.starts_with("pole"); };
+    const auto poles = std::ranges::count_if(notes, is_pole);
+    std::vector<std::string> shown;
+    bool has_pole = false;
+    for (const std::string& note : notes) {
+        if (is_pole(note) && std::exchange(has_pole, true))
+            continue;
+        shown.push_back(note);
+        if (is_pole(note) && poles > 1)
+            shown.back() += fmt::format("; {} more like it", poles - 1);
+    }
+    return shown;
+}
+
+}  // namespace
+
 PartFile read_part_for(const PartOptions& part, const CommonOptions& options)
 {
     PartFile file = [&] {
         const ProgressLine progress{"reading " + printable(part.path), options};
         return read_part(part.path, {options.limits, part.units, part.up});
     }();
-    for (const std::string& note : file.notes)
+    for (const std::string& note : shown_notes(file.notes))
         warn(options, fmt::format("{}: {}", part.path, note));
     return file;
 }

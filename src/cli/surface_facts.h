@@ -20,10 +20,7 @@ struct PartOptions {
     UpAxis up = UpAxis::Z;
 };
 
-/// Adds the argument PART and the options --units and --up of meshes.
-void add_part_options(CLI::App& command, PartOptions& part);
-
-/// Adds --units and --up only.
+/// Adds the options --units and --up of meshes.
 void add_mesh_options(CLI::App& command, PartOptions& part);
 
 /// Adds the part to the summary of a path in `folder`. The part's file name is relative

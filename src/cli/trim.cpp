@@ -26,33 +26,56 @@ constexpr std::string_view mesh_method = "envelope";
 constexpr const char* needs_surface = "it needs a surface, whose normals give an offset";
 
 // A choice of options that would improve the path.
-std::string better_choice(const TrimResult& result, const TrimOptions& options)
+std::string better_choice(const TrimInput& input, const TrimResult& result,
+                          const TrimOptions& options)
 {
+    if (input.dropped_part())
+        return "a finer --grid or a smaller --tolerance gives the path more points";
     if (result.method != "envelope" && result.method != "winding")
         return "--method envelope leaves no folds";
     if (boundary_contact(options) == BoundaryContact::None)
         return "--boundary contact keeps the cutter off borders and creases";
     if (options.offset)
         return "--method winding follows closed curves too";
-    return "use a finer --grid or --refine";
+    return options.refine
+               ? "a finer --grid samples the offset more closely"
+               : "--refine moves the points onto the exact offset, and a finer "
+                 "--grid samples it more closely";
+}
+
+// The planes that keep folds: how many, and the first.
+std::string planes_with_folds(const TrimResult& result)
+{
+    std::size_t count = 0;
+    std::size_t first = 0;
+    for (std::size_t k = result.trimmed.size(); k-- > 0;)
+        if (result.trimmed[k].unresolved > 0) {
+            ++count;
+            first = k;
+        }
+    return (count == 1 ? "plane " : counted(count, "plane") + ", the first ") +
+           std::to_string(first);
 }
 
 // The fault of the path, if it gouges deeper than the tolerance or keeps folds.
-std::optional<std::string> fault_of(const TrimResult& result, const TrimOptions& options)
+std::optional<std::string> fault_of(const TrimInput& input, const TrimResult& result,
+                                    const TrimOptions& options)
 {
     const double gouge = max_gouge(result).value_or(0);
     const std::size_t folds = unresolved(result);
     if (gouge <= options.tolerance && folds == 0)
         return std::nullopt;
-    std::string text = "method " + result.method + " with --mode " +
+    std::string text = "the path fails: method " + result.method + " with --mode " +
                        std::string{mode_word(options.mode)};
     if (gouge > options.tolerance)
         text += " gouges the part " + shown_against(gouge, options.tolerance) +
-                " mm deep, beyond --tolerance " + to_text(options.tolerance) + " mm";
+                " mm deep, beyond --tolerance " + to_text(options.tolerance) + " mm" +
+                (result.nearest ? ", in " + *result.nearest : "");
     if (folds > 0)
         text += (gouge > options.tolerance ? ", and leaves " : " leaves ") +
-                counted(folds, "fold");
-    return text + "; " + better_choice(result, options);
+                counted(folds, "fold") +
+                (input.sections.size() > 1 ? " in " + planes_with_folds(result) : "");
+    return text + "; " + better_choice(input, result, options);
 }
 
 void check_figure(const TrimOptions& options, const TrimInput& input)
@@ -131,7 +154,7 @@ Outcome trim_all(const TrimInput& input, const TrimOptions& options,
         if (input.dropped_part())
             outcome.text += trim_text(summary);
         if (method.name == "envelope")
-            outcome.fault = fault_of(result, options);
+            outcome.fault = fault_of(input, result, options);
         outcome.summary["methods"][std::string{method.name}] = std::move(summary);
     }
     if (!input.dropped_part())
@@ -149,7 +172,7 @@ Outcome trim_with(const TrimmingMethod& method, const TrimInput& input,
     Outcome outcome;
     outcome.summary = write_trimmed(result, input, options, folder, "");
     outcome.text = trim_text(outcome.summary);
-    outcome.fault = fault_of(result, options);
+    outcome.fault = fault_of(input, result, options);
     add_comparison(runs, input, options, folder, outcome);
     folder.write("summary.json", outcome.summary.dump(2) + "\n");
     return outcome;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/trim_files.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <regex>
@@ -8,7 +9,9 @@
 
 #include <fmt/format.h>
 
+#include "cli/path_facts.h"
 #include "cli/progress.h"
+#include "cli/shown_numbers.h"
 #include "endmill/drop_cutter/clearance.h"
 #include "endmill/figures/section_svg.h"
 #include "endmill/files/path_file.h"
@@ -45,21 +48,59 @@ void measure_sampling(const OffsetPart& part, const TrimInput& input,
     result.trimmed = std::move(refined.planes);
 }
 
-// Links the trimmed curves to a path and measures its clearance from the part.
-void add_tool_path(const CutPart& part, const TrimOptions& options, TrimResult& result)
+// The place of a gap in words.
+std::string place_text(const DrivePlanes& planes, std::span<const Trimmed> trimmed,
+                       const LeastGap& least)
 {
-    LinkOptions link;
-    link.order = options.order;
-    link.safe_height = safe_height(part, options);
-    result.path = link_sections(result.trimmed, part.planes, *options.cutter, link);
+    std::size_t before = 0;  // points of the planes before
+    std::size_t plane = 0;
+    for (; plane < trimmed.size(); ++plane) {
+        std::size_t points = 0;
+        for (const TrimmedCurve& curve : trimmed[plane].curves)
+            points += curve.points.size();
+        if (least.place < before + points)
+            break;
+        before += points;
+    }
+    return fmt::format(
+        "plane {} (t = {} mm) at x {} y {} z {}", plane,
+        shown_coordinate(planes.positions[plane]), shown_coordinate(least.point.x()),
+        shown_coordinate(least.point.y()), shown_coordinate(least.point.z()));
+}
+
+// Measures the clearance of the curves from the part. On a mesh, where the cutter rests, it
+// is the allowance, less the height at which the mesh rises into the resting cutter.
+void measure_clearance(const CutPart& part, const TrimOptions& options,
+                       TrimResult& result)
+{
     const std::vector<Vec3> places = section_points(part.planes, result.trimmed);
     const auto* const mesh = std::get_if<DroppedPart>(&part.shape);
     const std::optional<LeastGap> least =
-        mesh ? least_gap(mesh->drop_cutter, places)
+        mesh ? greatest_rise(mesh->drop_cutter, places)
              : least_gap(std::get<OffsetPart>(part.shape).surfaces, *options.cutter,
                          places);
-    if (least)
-        result.min_clearance = least->gap;
+    if (!least)
+        return;
+    result.min_clearance =
+        mesh ? options.allowance + std::min(0.0, least->gap) : least->gap;
+    result.nearest = place_text(part.planes, result.trimmed, *least);
+}
+
+// Links the trimmed curves to a path without the points that its tolerance allows to drop.
+// What a gouge at the points takes of the tolerance is not available for dropping.
+void add_tool_path(const CutPart& part, const TrimOptions& options, TrimResult& result)
+{
+    const double left = options.tolerance - max_gouge(result).value_or(0);
+    result.thin_tolerance =
+        left > 0 ? std::min(thin_tolerance(options), left) : thin_tolerance(options);
+    const std::vector<Trimmed> thin =
+        thinned_planes(result.trimmed, result.thin_tolerance);
+    result.dropped_points = section_points(part.planes, result.trimmed).size() -
+                            section_points(part.planes, thin).size();
+    LinkOptions link;
+    link.order = options.order;
+    link.safe_height = safe_height(part, options);
+    result.path = link_sections(thin, part.planes, *options.cutter, link);
 }
 
 // Measures the clearance of trimmed offsets from the profiles of a file.
@@ -168,8 +209,11 @@ TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
             input.sections[k].curves, result.trimmed[k],
             surfaces ? crease_test(surfaces->offset, input.sections[k]) : CreaseTest{}));
     progress.begin(name + "measuring the clearance");
-    if (input.part)
+    if (input.part) {
+        measure_clearance(*input.part, options, result);
+        progress.begin(name + "linking the path");
         add_tool_path(*input.part, options, result);
+    }
     if (input.curves)
         measure_clearance(*input.curves, options, result);
     return result;
@@ -183,8 +227,9 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
     folder.write(prefix + "loops.csv",
                  loops_csv(result.loops, options.explain ? LoopColumns::CauseAndRule
                                                          : LoopColumns::Cause));
+    const std::string table = input.part ? tool_path_csv(result.path) : "";
     if (input.part)
-        folder.write(prefix + "toolpath.csv", tool_path_csv(result.path));
+        folder.write(prefix + "toolpath.csv", table);
     if (options.figure) {
         const auto plane = static_cast<std::size_t>(*options.figure);
         folder.write(prefix + fmt::format("section-{}.svg", plane),
@@ -192,8 +237,10 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
         folder.write(prefix + "trimmed.svg", trimmed_picture(result, input));
     }
     Json summary = trim_summary(input, options, result);
-    if (input.part)
+    if (input.part) {
         name_part(summary, options.part, folder.path() / prefix);
+        identify_path(summary, result.path.points.size(), table);
+    }
     folder.write(prefix + "summary.json", summary.dump(2) + "\n");
     return summary;
 }

@@ -32,13 +32,17 @@ constexpr std::array orders{Choice<PassOrder>{"zigzag", PassOrder::ZigZag},
 // Options of a part and its path, which --polyline excludes.
 constexpr std::array part_options{
     "--units",         "--up",   "--planes",    "--pitch", "--scallop",
-    "--direction-deg", "--grid", "--allowance", "--order", "--safe-height"};
+    "--direction-deg", "--grid", "--allowance", "--order", "--safe-height",
+    "--thin-tolerance"};
 constexpr const char* all_methods = "all";
 // Default step of method 1, as a share of the cutter's radius. Without a cutter it is a
 // share of the curves' extent in z.
 constexpr double step_share_of_radius = 1.0 / 500;
 constexpr double step_share_of_extent = 1.0 / 1000;
 constexpr double threshold_in_steps = 4;
+// Default tolerance for dropping points, as a share of the tolerance. It is taken from the
+// budget of the chords, so that a small share costs them little.
+constexpr double thin_share = 0.1;
 constexpr int most_planes = 10'000'000;
 constexpr int most_repetitions = 100'000;
 // The radii for which the clearance can be measured, in mm.
@@ -165,12 +169,13 @@ void add_plane_options(CLI::App& command, TrimOptions& options)
         {"--pitch", "MM", "largest distance of the drive planes, in place of --planes",
          NumberDomain::of_machine()},
         options.pitch);
-    add_number(command,
-               {"--scallop", "MM",
-                "largest scallop height on a horizontal surface, in place of --planes "
-                "(ball, bull-nose)",
-                NumberDomain::of_machine()},
-               options.scallop);
+    add_number(
+        command,
+        {"--scallop", "MM",
+         "largest scallop height, in place of --planes (ball, bull-nose): on a mesh "
+         "everywhere, on a surface where it is horizontal",
+         NumberDomain::of_machine()},
+        options.scallop);
     add_number(command,
                {"--direction-deg", "DEG", "feed direction, from +x in the xy plane",
                 NumberDomain::any()},
@@ -221,6 +226,12 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
     add_number(command,
                {"--tolerance", "MM", "largest gouge depth", NumberDomain::of_machine()},
                options.tolerance);
+    add_number(command,
+               {"--thin-tolerance", "MM",
+                "drop points of the path whose distance from the chord is at most this, "
+                "within --tolerance; 0 keeps all (default --tolerance / 10)",
+                NumberDomain::from_to(0, most_of_machine)},
+               options.thin_tolerance);
     add_result_options(command, options);
     add_common_options(command, options.common);
     CLI::Option* const polyline = command.get_option("--polyline");
@@ -315,6 +326,10 @@ void check_trim_options(const TrimOptions& options)
     require_option(!options.scallop || !options.cutter || !options.cutter->is_flat(),
                    "--scallop: a flat cutter leaves no scallop on a horizontal surface; "
                    "expected --pitch");
+    require_option(options.thin_tolerance.value_or(0) < options.tolerance,
+                   "--thin-tolerance " + to_text(options.thin_tolerance.value_or(0)) +
+                       ": expected less than --tolerance, " + to_text(options.tolerance) +
+                       " mm");
     refuse_idle_method_options(options, method_name(options));
     require_option(options.search != BranchSearch::ScanToEnd ||
                        detection_of(options) == FoldDetection::Literal,
@@ -337,6 +352,11 @@ BoundaryContact boundary_contact(const TrimOptions& options)
     return options.boundary.value_or(options.mode == TrimMode::Paper
                                          ? BoundaryContact::None
                                          : BoundaryContact::Contact);
+}
+
+double thin_tolerance(const TrimOptions& options)
+{
+    return options.thin_tolerance.value_or(thin_share * options.tolerance);
 }
 
 TrimmingOptions trimming_options(const TrimOptions& options, double extent)
@@ -381,6 +401,7 @@ void add_settings(Json& summary, const TrimOptions& options,
         word_for<BoundaryContact>(boundary_contact(options), boundaries);
     summary["allowance_mm"] = options.allowance;
     summary["tolerance_mm"] = options.tolerance;
+    summary["thin_tolerance_mm"] = thin_tolerance(options);
     summary["order"] = word_for<PassOrder>(options.order, orders);
 }
 

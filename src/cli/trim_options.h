@@ -28,7 +28,7 @@ struct TrimOptions {
     std::optional<Cutter> cutter;
     std::optional<int> planes;      ///< default 100
     std::optional<double> pitch;    ///< mm, replaces the number of planes
-    std::optional<double> scallop;  ///< mm on level ground, replaces the number of planes
+    std::optional<double> scallop;  ///< mm, replaces the number of planes
     double direction_deg = 0;       ///< feed direction, from +x
     int grid = 200;
     TrimMode mode = TrimMode::Corrected;
@@ -38,8 +38,9 @@ struct TrimOptions {
     std::optional<double> scan_threshold;    ///< mm, method 1
     std::optional<BranchSearch> search;      ///< method 3
     std::optional<BoundaryContact> boundary;
-    double tolerance = 0.01;  ///< mm, largest gouge depth
-    double allowance = 0;     ///< mm of stock to leave
+    double tolerance = 0.01;               ///< mm, largest gouge depth
+    std::optional<double> thin_tolerance;  ///< mm; default a tenth of the tolerance
+    double allowance = 0;                  ///< mm of stock to leave
     bool refine = false;
     PassOrder order = PassOrder::ZigZag;
     std::optional<double> safe_height;  ///< mm
@@ -71,6 +72,9 @@ const std::optional<Cutter>& cutter_of(const TrimOptions& options);
 
 /// The selected or default treatment of borders, corners and creases.
 BoundaryContact boundary_contact(const TrimOptions& options);
+
+/// The selected or default tolerance within which points of the path are dropped, in mm.
+double thin_tolerance(const TrimOptions& options);
 
 /// The options of a trimming method.
 /// \param extent of the curves in z, in mm. It sets the step of method 1 if no cutter

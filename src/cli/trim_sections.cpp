@@ -151,6 +151,27 @@ void add_surface_sections(std::vector<Surface> surfaces, const TrimOptions& opti
         highest, slice_ms};
 }
 
+// The passes over a mesh. Their chords take what dropping points leaves of the tolerance, on
+// both sides of the curve.
+MeshPasses passes_over(const DropCutter& larger, const DrivePlanes& planes,
+                       const TrimOptions& options, ProgressLine& progress)
+{
+    MeshSectionOptions sampling;
+    sampling.samples = options.grid;
+    sampling.tolerance = options.tolerance - thin_tolerance(options);
+    sampling.outer_tolerance = sampling.tolerance;
+    sampling.beyond_borders = true;
+    sampling.progress = [&progress](double share) { progress.show(share); };
+    if (!options.scallop)
+        return {planes, mesh_sections(larger, planes, sampling), 0};
+    const double height = *options.scallop;
+    return mesh_passes(larger, planes,
+                       {.height = height,
+                        .level_interval = pitch_for(height, *options.cutter),
+                        .allowance = options.allowance},
+                       sampling);
+}
+
 // A mesh has no continuous normals to offset along. The drop cutter gives curves that
 // need no trimming.
 void add_mesh_sections(TriangleMesh part, const TrimOptions& options, TrimInput& input)
@@ -167,23 +188,19 @@ void add_mesh_sections(TriangleMesh part, const TrimOptions& options, TrimInput&
     DrivePlanes planes = planes_over(extent_across(*mesh, frame), options);
     require_trimming_memory({0, options.grid, planes.positions.size()},
                             options.common.limits.max_memory_gib);
-    const ProgressLine progress{"dropping the cutter on the mesh", options.common};
+    ProgressLine progress{"dropping the cutter on the mesh", options.common};
     const auto start = Clock::now();
-    MeshSectionOptions sampling;
-    sampling.samples = options.grid;
-    sampling.tolerance = options.tolerance;
-    const DropCutter larger{*mesh, with_allowance(*options.cutter, options.allowance)};
-    for (auto& curves : mesh_sections(larger, planes, sampling))
+    DropCutter larger{*mesh, with_allowance(*options.cutter, options.allowance)};
+    MeshPasses passes = passes_over(larger, planes, options, progress);
+    for (auto& curves : passes.curves)
         input.sections.push_back({std::move(curves), {}, {}, 0});
     const double slice_ms = milliseconds_since(start);
     const double highest = std::ranges::max(mesh->points(), {}, [](const Vec3& point) {
                                return point.z();
                            }).z();
-    // The clearance of the result is measured with the cutter itself, without the
-    // allowance.
-    DropCutter drop_cutter{*mesh, *options.cutter};
     input.part =
-        CutPart{std::move(planes), DroppedPart{std::move(mesh), std::move(drop_cutter)},
+        CutPart{std::move(passes.planes),
+                DroppedPart{std::move(mesh), std::move(larger), passes.added_planes},
                 highest, slice_ms};
 }
 
@@ -232,7 +249,12 @@ double safe_height(const CutPart& part, const TrimOptions& options)
 std::optional<double> pick_feed(const DrivePlanes& planes)
 {
     const std::vector<double>& at = planes.positions;
-    return at.size() < 2 ? std::nullopt : std::optional{at[1] - at[0]};
+    if (at.size() < 2)
+        return std::nullopt;
+    double greatest = 0;
+    for (std::size_t k = 1; k < at.size(); ++k)
+        greatest = std::max(greatest, at[k] - at[k - 1]);
+    return greatest;
 }
 
 }  // namespace endmill

@@ -28,7 +28,8 @@ struct OffsetPart {
 /// A mesh on which the cutter is dropped.
 struct DroppedPart {
     std::unique_ptr<const TriangleMesh> mesh;  ///< `drop_cutter` refers to it
-    DropCutter drop_cutter;                    ///< of the cutter without the allowance
+    DropCutter drop_cutter;                    ///< of the cutter with the allowance
+    std::size_t added_planes = 0;              ///< for --scallop, on slopes and at walls
 };
 
 /// A part and the planes that cut it.
@@ -79,7 +80,7 @@ TrimInput read_trim_input(const TrimOptions& options);
 /// Height in mm at which the cutter moves freely.
 double safe_height(const CutPart& part, const TrimOptions& options);
 
-/// The distance between neighbouring planes in mm; empty if there is only one plane.
+/// The largest distance between neighbouring planes in mm; empty if there is only one plane.
 std::optional<double> pick_feed(const DrivePlanes& planes);
 
 }  // namespace endmill

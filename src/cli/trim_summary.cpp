@@ -26,6 +26,8 @@ void add_path(Json& summary, const CutPart& part, const TrimOptions& options,
               const TrimResult& result)
 {
     const PathLengths lengths = path_lengths(result.path);
+    summary["thinned_points"] = result.dropped_points;
+    summary["thinned_within_mm"] = result.thin_tolerance;
     summary["cut_mm"] = lengths.at_feed_mm;
     summary["rapid_mm"] = lengths.lifted_mm;
     summary["safe_height_mm"] = safe_height(part, options);
@@ -33,6 +35,15 @@ void add_path(Json& summary, const CutPart& part, const TrimOptions& options,
     summary["pitch_mm"] = or_null(pitch);
     summary["level_scallop_mm"] =
         or_null(pitch ? level_scallop_height(*options.cutter, *pitch) : std::nullopt);
+    if (options.scallop)
+        summary["scallop_mm"] = *options.scallop;
+    // The limits by which `verify` judges the path.
+    summary["inner_tolerance_mm"] = options.tolerance;
+    if (const auto* mesh = std::get_if<DroppedPart>(&part.shape)) {
+        summary["outer_tolerance_mm"] = options.tolerance;
+        summary["added_planes"] = mesh->added_planes;
+        summary["inaccessible"] = "excuse";
+    }
 }
 
 void add_counts(Json& summary, const TrimResult& result)
@@ -107,20 +118,55 @@ Json trim_summary(const TrimInput& input, const TrimOptions& options,
     return summary;
 }
 
+namespace {
+
+// The line about the path: its points, those that were dropped, and its length.
+std::string path_text(const Json& s)
+{
+    const auto points = s["points"].get<std::size_t>();
+    if (!s.contains("cut_mm"))
+        return fmt::format("  points     {}\n", points);
+    const auto dropped = s["thinned_points"].get<std::size_t>();
+    std::string text =
+        fmt::format("  path       {} mm at feed, {}", shown(s["cut_mm"].get<double>()),
+                    counted(points - dropped, "point"));
+    if (dropped > 0)
+        text += fmt::format("; {} within {} mm of a chord left out", dropped,
+                            shown_limit(s["thinned_within_mm"].get<double>()));
+    return text + "\n";
+}
+
+// The line about the scallop height; empty if --scallop is not given.
+std::string scallop_text(const Json& s)
+{
+    if (!s.contains("scallop_mm"))
+        return "";
+    std::string text =
+        fmt::format("  scallop    {} mm", shown_limit(s["scallop_mm"].get<double>()));
+    if (!s.contains("added_planes"))
+        return text + " where the part is horizontal\n";
+    const auto added = s["added_planes"].get<std::size_t>();
+    return text + (added > 0 ? fmt::format(", by {} more on slopes and at walls\n",
+                                           counted(added, "plane"))
+                             : "\n");
+}
+
+}  // namespace
+
 std::string trim_text(const Json& s)
 {
-    std::string text = fmt::format(
-        "method {}: {} removed from {}\n"
-        "  points     {} left\n"
-        "  time       {} ms\n",
-        s["method"].get<std::string>(), counted(s["loops"].get<std::size_t>(), "loop"),
-        counted(s["planes"].get<std::size_t>(), "section"),
-        s["points"].get<std::size_t>(), shown_time(s["trim_ms"].get<double>()));
+    std::string text = fmt::format("method {}: {} removed from {} in {} ms\n",
+                                   s["method"].get<std::string>(),
+                                   counted(s["loops"].get<std::size_t>(), "loop"),
+                                   counted(s["planes"].get<std::size_t>(), "section"),
+                                   shown_time(s["trim_ms"].get<double>()));
+    text += path_text(s);
     if (!s["min_clearance_mm"].is_null())
         text += fmt::format("  clearance  {} mm (limit -{} mm)\n",
                             shown_against(s["min_clearance_mm"].get<double>(),
                                           -s["tolerance_mm"].get<double>()),
                             shown_limit(s["tolerance_mm"].get<double>()));
+    text += scallop_text(s);
     if (const auto left = s["unresolved"].get<std::size_t>())
         text += fmt::format("  folds      {} left\n", left);
     return text;

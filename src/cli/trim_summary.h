@@ -20,9 +20,12 @@ struct TrimResult {
     std::vector<Trimmed> trimmed;                  ///< one for each plane
     std::vector<std::vector<CutOut>> loops;        ///< one list for each plane
     ToolPath path;                                 ///< empty for curves
+    std::size_t dropped_points = 0;                ///< that thinning took from the path
+    double thin_tolerance = 0;                     ///< mm, within which it did
     double trim_ms = 0;                            ///< wall time of the method
     std::optional<EnvelopeComparison> comparison;  ///< only with --method all
     std::optional<double> min_clearance;   ///< mm; empty for curves or without a path
+    std::optional<std::string> nearest;    ///< the place of the clearance, in words
     std::optional<double> sampling_error;  ///< mm
     std::optional<std::size_t> unrefined;  ///< only with --refine
 };

@@ -25,6 +25,15 @@ Verification verified(VerificationTask& task, const VerifyOptions& options)
     return verify_path(task);
 }
 
+// Without a part the answer is no, because nothing was compared, unless the command line
+// asks for this.
+ExitCode exit_code(Verdict verdict, const VerifyOptions& options)
+{
+    const bool is_yes = verdict == Verdict::Clean ||
+                        (verdict == Verdict::NotJudged && options.part.path == no_part);
+    return is_yes ? ExitCode::Yes : ExitCode::No;
+}
+
 ExitCode run_verify(const VerifyOptions& options)
 {
     const VerifyInput input = read_verify_input(options);
@@ -46,7 +55,7 @@ ExitCode run_verify(const VerifyOptions& options)
     print_result(options.common, summary,
                  verify_text(summary, verification) + "written to " +
                      printable(folder.path().string()) + "\n");
-    return verification.verdict == Verdict::Clean ? ExitCode::Yes : ExitCode::No;
+    return exit_code(verification.verdict, options);
 }
 
 }  // namespace
@@ -62,8 +71,9 @@ void add_verify_command(CLI::App& program, Action& action)
         "much\n"
         "stock, a rapid cuts, shank or holder touches stock or part, or the error bound "
         "is\n"
-        "too large to decide. Without a part only rapids, shank and holder are "
-        "judged.\n\n"
+        "too large to decide. Without a part the verdict is \"not judged\", exit 1; with "
+        "--part\n"
+        "none exit 0 unless a rapid cuts or shank or holder touches the stock.\n\n"
         "Writes summary.json, removal.csv and, with a part, deviation.vtp, "
         "deviation.svg\n"
         "and histogram.csv to --output (default ./NAME-verify; NAME of\n"

@@ -45,9 +45,9 @@ std::vector<std::string> figure_captions(const VerifyResult& result)
     if (gouge && scallop)
         between += fmt::format(", a scallop at most {:.3g} mm higher",
                                deviation.scallop_bound_mm);
-    std::vector<std::string> captions{fmt::format("{}; rays {:g} mm apart{}",
-                                                  cutter_word(result.task.cutter),
-                                                  result.options.resolution, between)};
+    std::vector<std::string> captions{fmt::format(
+        "{}; rays {:g} mm apart{}", cutter_words(result.task.cutter, result.input.tools),
+        result.options.resolution, between)};
     for (const std::string& rule : broken_rules(result.verification))
         captions.push_back("verdict " +
                            std::string{verdict_name(result.verification.verdict)} + ": " +
@@ -106,7 +106,7 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
                      mesh_text(stock_mesh(verification.rest), MeshFormat::Stl));
     Json summary =
         verify_summary({input.name, printable(input.part_path), stock_text(result),
-                        task.cutter, input.limits, input.program},
+                        task.cutter, input.limits, input.program, input.tools},
                        options, verification, charts ? &*charts : nullptr);
     folder.write("summary.json", summary.dump(2) + "\n");
     return summary;

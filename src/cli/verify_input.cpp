@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <utility>
+#include <variant>
 
 #include "cli/console.h"
+#include "cli/path_tools.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/drop_cutter/clearance.h"
 #include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
@@ -15,9 +20,6 @@
 
 namespace endmill {
 namespace {
-
-// The word of --part for a verification without a part.
-constexpr std::string_view no_part = "none";
 
 std::optional<Tool> given_tool(const VerifyOptions& options)
 {
@@ -44,6 +46,40 @@ Tool tool_of(std::optional<Tool> given, const Program& program, const PathSummar
     throw DomainError{path +
                       ": neither the path nor a summary.json beside it names the "
                       "cutter; expected --cutter or --tool"};
+}
+
+void require_moves(const Program& program, const std::string& file)
+{
+    if (program.path.points.size() < 2)
+        throw GeometryError{
+            file + ": the path has no moves to verify; expected at least two points"};
+}
+
+// The tools of the table, or else the only tool.
+template <typename OnlyTool>
+PathTools used_tools(const Program& program, const VerifyOptions& options,
+                     const std::vector<NumberedTool>& table, const OnlyTool& only_tool)
+{
+    const std::string file = printable(options.path.file);
+    if (table.empty()) {
+        refuse_several_tools(program.path, file);
+        return {only_tool(), {}};
+    }
+    PathTools tools =
+        tools_of_path(program.path, file, printable(options.path.tools), table);
+    if (!tools.changes.empty() && options.engagement)
+        throw DomainError{"--engagement: several tools cut; expected a path of one tool"};
+    return tools;
+}
+
+// The cutter around which the default block is made.
+Cutter widest_cutter(const VerifyInput& input)
+{
+    Cutter widest = input.tool.cutter;
+    for (const ToolChange& change : input.changes)
+        if (change.cutter.radius() > widest.radius())
+            widest = change.cutter;
+    return widest;
 }
 
 // The limits of the command line, or else of the summary, or else the default ones.
@@ -103,6 +139,37 @@ void stand_upright(VerifyInput& input)
         " becomes +z");
 }
 
+// Whether remaining stock is judged where the cutter cannot touch the part. A test of the
+// cutter's position exists for meshes only.
+InaccessibleStock inaccessible_of(const VerifyOptions& options, const PathSummary& known,
+                                  const std::optional<PartFile>& part)
+{
+    const bool is_mesh = part && std::holds_alternative<TriangleMesh>(part->part);
+    if (options.inaccessible == InaccessibleStock::Excuse && part && !is_mesh)
+        throw DomainError{
+            "--inaccessible excuse: the part is a surface; expected a mesh, or "
+            "--inaccessible count"};
+    if (!is_mesh)
+        return InaccessibleStock::Count;
+    return options.inaccessible.value_or(
+        known.inaccessible.value_or(InaccessibleStock::Count));
+}
+
+// The test whether the cutter can come so near to a place of the mesh that it leaves half of
+// the scallop limit. It shares the drop cutter, which refers to the mesh.
+std::function<bool(const PartRay&)> accessibility(const VerifyInput& input)
+{
+    constexpr double share_of_scallop = 0.5;
+    if (input.inaccessible == InaccessibleStock::Count)
+        return {};
+    const auto drop_cutter = std::make_shared<const DropCutter>(
+        std::get<TriangleMesh>(input.part->part), input.tool.cutter);
+    const double distance = share_of_scallop * input.limits.scallop;
+    return [drop_cutter, distance](const PartRay& ray) {
+        return is_accessible(*drop_cutter, {ray.point, ray.normal}, distance);
+    };
+}
+
 // Memory for each cell that the output of the remaining stock needs: a copy of the
 // heights, or a mesh.
 double bytes_to_write(const VerifyOptions& options)
@@ -117,36 +184,44 @@ double bytes_to_write(const VerifyOptions& options)
 VerifyInput read_verify_input(const VerifyOptions& options)
 {
     const std::string& file = options.path.file;
-    std::optional<Tool> given = given_tool(options);
-    const PathSummary known =
-        read_path_summary(file, options.common.limits).value_or(PathSummary{});
-    Program program = read_program_for(options.path, given ? given->cutter : known.cutter,
-                                       options.common);
-    Tool tool = tool_of(std::move(given), program, known, file);
+    refuse_idle_tool_options(options.path, options.common);
+    const std::vector<NumberedTool> table = read_tools_for(options.path, options.common);
+    std::optional<Tool> given =
+        table.size() == 1 ? std::optional{table.front().tool} : given_tool(options);
+    const PathSummary known = path_summary_of(options.path, options.common);
+    const std::optional<Cutter> before = given           ? std::optional{given->cutter}
+                                         : table.empty() ? known.cutter
+                                                         : std::nullopt;
+    Program program = read_program_for(options.path, before, options.common);
+    require_moves(program, file);
+    PathTools tools = used_tools(program, options, table, [&] {
+        return tool_of(std::move(given), program, known, file);
+    });
     const std::string stem = std::filesystem::path{file}.stem().string();
     VerifyInput input{.name = printable(known.name.value_or(stem)),
                       .program = std::move(program),
-                      .tool = std::move(tool),
-                      .limits = limits_of(options, known)};
-    if (input.program.path.points.size() < 2)
-        throw GeometryError{
-            file + ": the path has no moves to verify; expected at least two points"};
+                      .tool = std::move(tools.first),
+                      .limits = limits_of(options, known),
+                      .changes = std::move(tools.changes),
+                      .tools = std::move(tools.used)};
     add_part(input, options, known);
     if (!input.part)
         refuse_options_without_part(options.common);
+    input.inaccessible = inaccessible_of(options, known, input.part);
     const bool is_part_given = !options.part.path.empty() && options.part.path != no_part;
     if (!is_part_given && !may_be_mesh(options.stock))
         refuse_idle_mesh_options(options.common);
     naming(file, [&] { stand_upright(input); });
     input.stock = read_verify_stock(options, input.part ? &input.part->part : nullptr,
-                                    input.program.path, input.tool.cutter);
+                                    input.program.path, widest_cutter(input));
     return input;
 }
 
 std::vector<std::string> files_of(const VerifyInput& input, const VerifyOptions& options)
 {
     std::vector<std::string> files{options.path.file};
-    for (const std::string& file : {options.tool, input.part_path, input.stock.file})
+    for (const std::string& file :
+         {options.tool, options.path.tools, input.part_path, input.stock.file})
         if (!file.empty())
             files.push_back(file);
     return files;
@@ -160,13 +235,15 @@ VerificationTask verification_task(const VerifyInput& input, const VerifyOptions
                           .stock = input.stock.block};
     if (input.stock.kept)
         task.stock = &*input.stock.kept;
+    task.changes = input.changes;
     task.resolution = options.resolution;
     task.max_memory_gib = options.common.limits.max_memory_gib;
     task.extra_bytes_per_cell = bytes_to_write(options);
     if (input.part)
         task.judged = JudgedPart{.part = &input.part->part,
                                  .limits = input.limits,
-                                 .max_refine = options.max_refine};
+                                 .max_refine = options.max_refine,
+                                 .is_accessible = accessibility(input)};
     return task;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/path_tools.h"
 #include "cli/verify_options.h"
 #include "cli/verify_stock.h"
 #include "endmill/cutter/tool.h"
@@ -17,11 +18,14 @@ namespace endmill {
 struct VerifyInput {
     std::string name;
     Program program;
-    Tool tool;
+    Tool tool;  ///< the first one
     DeviationLimits limits;
+    InaccessibleStock inaccessible = InaccessibleStock::Count;
     std::optional<PartFile> part = {};
     std::string part_path = {};  ///< empty without a part
     VerifyStock stock = {};
+    std::vector<ToolChange> changes = {};  ///< to other tools, with --tools
+    std::vector<NumberedTool> tools = {};  ///< that the path uses, with --tools
 };
 
 /// Reads the path, its summary, the tool, the part and the stock.

@@ -11,6 +11,10 @@
 namespace endmill {
 namespace {
 
+constexpr std::array inaccessible_words{
+    Choice<InaccessibleStock>{inaccessible_names[0], InaccessibleStock::Count},
+    Choice<InaccessibleStock>{inaccessible_names[1], InaccessibleStock::Excuse}};
+
 // Largest number of halvings. Smaller cells would be below the rounding of any file.
 constexpr int most_refine = 20;
 
@@ -35,6 +39,11 @@ void add_measure_options(CLI::App& command, VerifyOptions& options)
                     to_text(DeviationLimits{}.scallop) + ")",
                 length},
                options.scallop);
+    add_choice<InaccessibleStock>(
+        command, "--inaccessible", options.inaccessible, inaccessible_words,
+        "remaining stock where the cutter cannot touch a mesh, as in sharp corners: "
+        "count "
+        "it or excuse it (default: that of the path's summary, or count)");
     add_whole_number(
         command,
         {"--max-refine",
@@ -59,6 +68,7 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
                     "tool file: the cutter, and the shank and holder, which must touch "
                     "neither stock nor part")
         ->type_name("FILE");
+    add_tools_options(command, options.path);
     command.add_option("--stock", options.stock, stock_help)->type_name("STOCK");
     add_measure_options(command, options);
     add_reading_options(command, options.path);
@@ -74,8 +84,9 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
 
 void refuse_options_without_part(const CommonOptions& options)
 {
-    refuse_idle_options(options, std::array{"--tolerance", "--scallop", "--max-refine"},
-                        "no part", "--part, to compare with");
+    refuse_idle_options(
+        options, std::array{"--tolerance", "--scallop", "--max-refine", "--inaccessible"},
+        "no part", "--part, to compare with");
 }
 
 void refuse_idle_mesh_options(const CommonOptions& options)

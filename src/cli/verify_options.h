@@ -6,8 +6,12 @@
 
 #include "cli/path_options.h"
 #include "cli/surface_facts.h"
+#include "endmill/files/path_file.h"
 
 namespace endmill {
+
+/// The word of --part that asks for a verification without a part.
+inline constexpr const char* no_part = "none";
 
 /// Help text of --stock.
 inline constexpr const char* stock_help =
@@ -25,6 +29,7 @@ struct VerifyOptions {
     std::optional<double> tolerance;  ///< mm, gouge
     std::optional<double> scallop;    ///< mm, remaining material
     int max_refine = 8;
+    std::optional<InaccessibleStock> inaccessible;  ///< default: of the path's summary
     bool engagement = false;
     bool write_stock = false;
     bool write_mesh = false;

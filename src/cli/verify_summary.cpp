@@ -7,6 +7,7 @@
 
 #include "build_facts.h"
 #include "cli/console.h"
+#include "cli/path_facts.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 
@@ -44,6 +45,8 @@ void add_deviation(Json& summary, const Deviation& d, const RefinedBounds& refin
     summary["mean_scallop_mm"] = finite_or_null(d.mean_scallop_mm);
     summary["uncut_area_mm2"] = d.uncut_area_mm2;
     summary["judged_area_mm2"] = d.area_mm2;
+    summary["inaccessible_area_mm2"] = d.inaccessible_area_mm2;
+    summary["max_inaccessible_mm"] = finite_or_null(d.max_inaccessible_mm);
     summary["gouge_bound_mm"] = finite_or_null(d.gouge_bound_mm);
     summary["scallop_bound_mm"] = finite_or_null(d.scallop_bound_mm);
     summary["bound_mm"] = finite_or_null(std::max(d.gouge_bound_mm, d.scallop_bound_mm));
@@ -57,8 +60,9 @@ void add_no_deviation(Json& summary)
     for (const char* key :
          {"max_gouge_mm", "max_gouge_at", "gouge_area_mm2", "max_scallop_mm",
           "max_scallop_at", "p99_scallop_mm", "mean_scallop_mm", "uncut_area_mm2",
-          "judged_area_mm2", "gouge_bound_mm", "scallop_bound_mm", "bound_mm",
-          "gouge_bound_refined", "scallop_bound_refined", "rays"})
+          "judged_area_mm2", "inaccessible_area_mm2", "max_inaccessible_mm",
+          "gouge_bound_mm", "scallop_bound_mm", "bound_mm", "gouge_bound_refined",
+          "scallop_bound_refined", "rays"})
         summary[key] = nullptr;
 }
 
@@ -157,16 +161,36 @@ std::string bound_text(const Json& greatest, const Json& over, const Json& is_re
     return "bound " + shown_bound(greatest.get<double>() + over.get<double>()) + " mm";
 }
 
+// A value with enough digits to see on which side of its limit it lies, and on which side
+// of the limit raised by the slack, which decides.
+std::string value_text(double value, double limit)
+{
+    const std::string one = shown_against(value, limit);
+    const std::string other = shown_against(value, limit + verdict_slack);
+    return one.size() > other.size() ? one : other;
+}
+
 std::string extreme_text(const Json& s, const std::string& key, const char* limit_key)
 {
     const Json& greatest = s["max_" + key + "_mm"];
     const double limit = s[limit_key].get<double>();
     return fmt::format(
-        "{} (limit {} mm){}; {}\n",
-        greatest.is_null() ? "unknown"
-                           : shown_against(greatest.get<double>(), limit) + " mm",
-        shown_limit(limit), place_text(s["max_" + key + "_at"]),
+        "{}, {} {} + {} mm{}; {}\n",
+        greatest.is_null() ? "unknown" : value_text(greatest.get<double>(), limit),
+        key == "gouge" ? "tolerance" : "limit", shown_limit(limit),
+        to_text(verdict_slack), place_text(s["max_" + key + "_at"]),
         bound_text(greatest, s[key + "_bound_mm"], s[key + "_bound_refined"]));
+}
+
+// The stock that the cutter cannot reach; empty without any.
+std::string inaccessible_text(const Json& s)
+{
+    if (!(s["inaccessible_area_mm2"].get<double>() > 0))
+        return "";
+    return fmt::format(
+        "  excused     {} mm2 that {} cannot touch, with up to {} remaining\n",
+        shown(s["inaccessible_area_mm2"].get<double>()), s["cutter"].get<std::string>(),
+        length_text(s["max_inaccessible_mm"]));
 }
 
 std::string deviation_text(const Json& s)
@@ -175,14 +199,24 @@ std::string deviation_text(const Json& s)
         return shown(s[key].get<double>()) + " mm2";
     };
     return fmt::format(
-        "  gouge       {}"
-        "  remaining   {}"
-        "  area        {} judged, {} gouged, {} uncut\n"
-        "  average     {} remaining; 99 % of the area below {}\n",
-        extreme_text(s, "gouge", "tolerance_mm"),
-        extreme_text(s, "scallop", "scallop_limit_mm"), area("judged_area_mm2"),
-        area("gouge_area_mm2"), area("uncut_area_mm2"), length_text(s["mean_scallop_mm"]),
-        length_text(s["p99_scallop_mm"]));
+               "  gouge       {}"
+               "  remaining   {}"
+               "  area        {} judged, {} gouged, {} uncut\n"
+               "  average     {} remaining; 99 % of the area below {}\n",
+               extreme_text(s, "gouge", "tolerance_mm"),
+               extreme_text(s, "scallop", "scallop_limit_mm"), area("judged_area_mm2"),
+               area("gouge_area_mm2"), area("uncut_area_mm2"),
+               length_text(s["mean_scallop_mm"]), length_text(s["p99_scallop_mm"])) +
+           inaccessible_text(s);
+}
+
+// Number and cutter of each tool; null without --tools.
+Json cutters_json(const std::vector<NumberedTool>& tools)
+{
+    Json list = nullptr;
+    for (const auto& [number, tool] : tools)
+        list.push_back({{"tool", number}, {"cutter", cutter_word(tool.cutter)}});
+    return list;
 }
 
 // The width of contacts of rapids, shank and holder that the resolution may miss.
@@ -275,6 +309,17 @@ std::vector<std::string> broken_rules(const Verification& verification)
     return rules;
 }
 
+std::string cutter_words(const Cutter& first, const std::vector<NumberedTool>& tools)
+{
+    if (tools.size() < 2)
+        return cutter_word(first);
+    std::string text;
+    for (const auto& [number, tool] : tools)
+        text += fmt::format("{}T{} {}", text.empty() ? "" : ", ", number,
+                            cutter_word(tool.cutter));
+    return text;
+}
+
 Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
                     const Verification& verification, const PartCharts* charts)
 {
@@ -284,7 +329,9 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
         {"toolpath", printable(options.path.file)},
         {"part", context.part.empty() ? Json(nullptr) : Json(context.part)},
         {"stock", context.stock},
-        {"cutter", cutter_word(context.cutter)},
+        {"cutter",
+         context.tools.size() < 2 ? Json(cutter_word(context.cutter)) : Json(nullptr)},
+        {"cutters", cutters_json(context.tools)},
         {"tool", options.tool.empty() ? Json(nullptr) : Json(printable(options.tool))},
         {"points", context.program.path.points.size()},
         {"verdict", std::string{verdict_name(verification.verdict)}},
@@ -298,6 +345,7 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
                       refined_bounds(on_part->deviation, context.limits), *charts);
     else
         add_no_deviation(summary);
+    add_path_totals(summary, context.program.path);
     add_removal(summary, verification.removal, context.program.path);
     summary["contact_width_bound_mm"] = verification.contacts.width_mm;
     add_earlier(summary, verification);
@@ -307,6 +355,7 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
     summary["max_x_mm"] = grid.low_x + grid.columns * grid.pitch;
     summary["min_y_mm"] = grid.low_y;
     summary["max_y_mm"] = grid.low_y + grid.rows * grid.pitch;
+    add_interpreter(summary, options.path);
     summary["position_error_mm"] = context.program.position_error_mm;
     summary["remarks"] = context.program.remarks;
     return summary;
@@ -324,7 +373,8 @@ std::string verify_text(const Json& s, const Verification& verification)
         text += earlier_text(s);
     for (const std::string& rule : broken_rules(verification))
         text += "  collision   " + rule + "\n";
-    return text + contacts_text(verification.contacts) + removal_text(s) + hint_text(s);
+    return text + contacts_text(verification.contacts) + removal_text(s) +
+           path_totals_text(s) + hint_text(s);
 }
 
 }  // namespace endmill

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/verify_options.h"
+#include "endmill/files/machining_data.h"
 #include "endmill/post/program.h"
 #include "endmill/verification/verification.h"
 
@@ -15,10 +16,14 @@ struct VerifyContext {
     std::string name;
     std::string part;   ///< its file; empty without one
     std::string stock;  ///< in words
-    Cutter cutter;
+    Cutter cutter;      ///< of the first tool
     DeviationLimits limits;
     const Program& program;
+    std::vector<NumberedTool> tools;  ///< that the path uses; empty without --tools
 };
+
+/// The words of the cutters, as "ball:6" or "T1 ball:6, T2 flat:10".
+std::string cutter_words(const Cutter& first, const std::vector<NumberedTool>& tools);
 
 /// summary.json of `verify`. Deviations are null without a part.
 /// \param charts of the part, if there is one.

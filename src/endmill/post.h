@@ -5,6 +5,7 @@
 /// All public headers of the module `post`.
 
 #include "endmill/post/apt.h"
+#include "endmill/post/control.h"
 #include "endmill/post/fed_gcode.h"
 #include "endmill/post/gcode_reader.h"
 #include "endmill/post/gcode_writer.h"

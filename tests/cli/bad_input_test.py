@@ -169,6 +169,7 @@ class BadArguments(ProgramTest):
     def test_numbers_outside_their_domain_are_refused(self):
         for cutters, expected in ((("ball:0", "ball:-1", "ball:nan", "ball:"), "a diameter above 0 mm"),
                                   (("ball", "ball:1:2", "x"), "ball:DIAMETER, such as"),
+                                  (("ball:10mm",), "a number in mm without a unit, as in ball:10"),
                                   (("flat:3", "bull:10:2"), "the only cutter of this command")):
             for cutter in cutters:
                 self.refused(2, "--cutter", cutter, words=[f'--cutter: found "{cutter}"; expected ', expected])
@@ -218,7 +219,8 @@ class BadArguments(ProgramTest):
 
     def test_ball_larger_than_the_limit_is_refused(self):
         done = endmill("plan", SURFACES / "parabolic-cylinder.json", "--cutter", "ball:40", cwd=self.folder)
-        self.assert_refused(done, 4, "parabolic-cylinder.json", "--cutter ball:40: found radius 20 mm", "below 20 mm",
+        self.assert_refused(done, 4, "parabolic-cylinder.json", "--cutter ball:40: found radius 20 mm",
+                            "smaller radius than the limit of the surface, 20 mm",
                             "u = ", "v = 1 ")
         self.assert_nothing_left()
 

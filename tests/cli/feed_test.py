@@ -154,10 +154,23 @@ class Feed(ProgramTest):
         self.assertGreater(len(arcs), 1)
         self.assertTrue(all(" I" in arc and " J" in arc for arc in arcs), arcs)
         again = self.summary("verify", out / "part-feed.ngc", "--cutter", "ball:10", "--stock",
-                             "-40,-20,-5,40,20,5", "-o", "a", "--force")
+                             "-40,-20,-5,40,20,5", "--part", "none", "-o", "a", "--force")
         before = self.summary("verify", program, "--cutter", "ball:10", "--stock",
-                              "-40,-20,-5,40,20,5", "-o", "b", "--force")
+                              "-40,-20,-5,40,20,5", "--part", "none", "-o", "b", "--force")
         self.assertAlmostEqual(again["removed_mm3"], before["removed_mm3"], delta=0.1)
+
+    def test_tool_comes_from_a_table(self):
+        program = ("G21 G90 G17\nT{0} M6\nS1000 M3\nG0 X-30 Y0 Z30\nG1 Z0 F50\nX30 F300\nT{1} M6\nX30 Y9\n"
+                   "G0 Z30\nM30\n")
+        table = self.file({"format": "endmill-tools/1", "tools": [
+            {"number": 4, "tool": json.loads(TOOL.read_text())}, {"number": 5, "tool": "ball:4"}]}, "tools.json")
+        out, facts = self.fed(self.file(program.format(4, 4), "p.ngc"), "--tools", table, "--stock-top", "5",
+                              "--allow-infeasible")
+        self.assertEqual(facts["cutter"], "ball:10")
+        for tool, status, word in ((5, 2, "several tools cut"), (6, 3, "no row with a cutter for tool 6")):
+            done = endmill("feed", self.file(program.format(4, tool), "p.ngc"), "--material", STEEL, "--tools",
+                           table, "--stock-top", "5", "-o", "none", cwd=self.folder)
+            self.assert_refused(done, status, word)
 
     def test_contacts_of_the_path_are_used(self):
         surface = self.file(plane())
@@ -235,7 +248,9 @@ class Feed(ProgramTest):
         needed = done.stderr.split("cutting_force ")[1].split(" N")[0]
         self.assertTrue((self.folder / "out/toolpath.csv").exists())
         allowed = endmill("feed", path, *common, "--max-force-n", "100", "--allow-infeasible", cwd=self.folder)
-        self.assertEqual(allowed.returncode, 0)
+        self.assertEqual(allowed.returncode, 0, allowed.stderr)
+        self.assertNotIn("no feed", allowed.stderr)
+        self.assertIn("  infeasible    no feed of at least 0.005 mm per tooth", allowed.stdout)
         enough = endmill("feed", path, *common, "--max-force-n", needed, cwd=self.folder)
         self.assertEqual(enough.returncode, 0, enough.stderr)
 
@@ -244,6 +259,25 @@ class Feed(ProgramTest):
         done = endmill("feed", path, "--material", material, *options, "-o", "out", cwd=self.folder)
         self.assert_refused(done, status, *words)
         self.assertFalse((self.folder / "out").exists())
+
+    def test_top_of_the_stock_is_found_from_the_path_or_its_part(self):
+        """A raster goes down from z = 4; a plan of a plane at z = 0 is cut from 1 mm above it, as `verify` does."""
+        path = self.file(raster(2).replace(",30\n", ",4\n"), "raster.csv")
+        _, found = self.fed(path, "--tool", TOOL)
+        _, given = self.fed(path, "--tool", TOOL, "--stock-top", "4")
+        self.assertEqual((found["stock_top_mm"], found["cut_min"]), (4, given["cut_min"]))
+        self.assertIn("first move at feed", found["stock_top_by"])
+        self.assertEqual(given["stock_top_by"], "--stock-top")
+        part = self.file(plane(), "plane.json")
+        self.summary("plan", part, "--cutter", "ball:10", "--chord-tolerance", "0.1", "--direction", "u", "-o", "plan")
+        _, found = self.fed(self.folder / "plan/toolpath.csv", "--tool", TOOL)
+        self.assertEqual((found["stock_top_mm"], found["stock_top_by"]), (1, "1 mm above the part of the path"))
+        part.unlink()
+        moved = endmill("feed", self.folder / "plan/toolpath.csv", "--material", STEEL, "--tool", TOOL, "-o", "moved",
+                        cwd=self.folder)
+        self.assert_refused(moved, 2, "the stock's top is not known", "--stock-top")
+        done = endmill("feed", path, "--material", STEEL, "--tool", TOOL, "-o", "text", cwd=self.folder)
+        self.assertIn("top of the stock z 4 mm (at most, where the first move at feed goes down)", done.stdout)
 
     def test_wrong_command_lines_are_refused(self):
         top = ["--stock-top", "5"]
@@ -256,7 +290,8 @@ class Feed(ProgramTest):
         self.refused(2, "helix", options=[*TWO_FLUTES, "--mode", "corrected", *top])
         self.refused(2, "--peak", options=[*TWO_FLUTES, "--peak", "constant:0.5", *top])
         self.refused(2, "--peak", options=[*TWO_FLUTES, "--peak", "constant:nan", *top])
-        self.refused(2, "--stock-top", options=TWO_FLUTES)
+        slot = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n50,0,0\n", "slot.csv")
+        self.refused(2, "--stock-top", path=slot, options=TWO_FLUTES)
         self.refused(2, "acceleration", options=["--tool", TOOL, "--mode", "planned", *top])
         self.refused(2, "--coefficients", options=["--tool", TOOL, "--peak", "direct", "--coefficients", "table",
                                                    *top])
@@ -299,7 +334,7 @@ class Feed(ProgramTest):
         self.refused(4, "5e+06 mm deep", "--peak constant", "point 2 of pass 0",
                      options=[*common, "--stock-top", "5000000", "--peak", "direct"])
         relative = self.file("G21 G91\nS1000 M3\nG1 X5 F100\nX5\nM30\n", "p.ngc")
-        self.refused(4, "no move", path=relative, options=[*common, *top])
+        self.refused(3, "no absolute X Y Z", path=relative, options=[*common, *top])
         leaning = self.file("tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z\n0,0,0,0,0,1\n1,0,0,0,0.6,0.8\n",
                             "p.csv")
         self.refused(4, "0,0,1", path=leaning, options=[*common, *top])

@@ -50,6 +50,7 @@ class Info(ProgramTest):
         self.assertEqual(facts["worst_break_at"]["u"], 1)
         done = endmill("info", self.folder / "surface.json")
         self.assertIn("continuity    G0, largest break 90 degrees at u = 1, v = 0 (30, 0, 30 mm)\n", done.stdout)
+        self.assertEqual(done.stderr, "")  # the report has it
 
     def test_surface_without_a_break_has_no_place_of_a_break(self):
         for patches in (1, 2):
@@ -79,6 +80,38 @@ class Info(ProgramTest):
         surface = plane()
         surface["units"] = "inch"
         self.assertAlmostEqual(self.summary("info", self.file(surface))["size_mm"][0], 60 * 25.4, delta=1e-9)
+
+
+class InfoPath(ProgramTest):
+    """endmill info on tool paths. The content of a file decides that it is one."""
+
+    PROGRAM = ("G21 G90 G94\nT3 M6\nS900 M3\nG0 X0 Y0 Z20\nG1 Z0 F40\nX3 Y4 F100\nG0 Z20\nM2\n")
+
+    def test_program_has_lengths_time_tools_and_extent(self):
+        facts = self.summary("info", self.file(self.PROGRAM, "p.ngc"))
+        self.assertEqual([facts[key] for key in ("cut_mm", "link_mm", "rapid_mm", "tools")], [25, 0, 20, [3]])
+        self.assertAlmostEqual(facts["time_min"], 0.5 + 0.05, delta=1e-12)
+        self.assertEqual((facts["min_mm"], facts["max_mm"]), ([0, 0, 0], [3, 4, 20]))
+        self.assertEqual((facts["min_feed_mm_per_min"], facts["max_feed_mm_per_min"]), (40, 100))
+        self.assertEqual(facts["max_spindle_rpm"], 900)
+        self.assert_nothing_left("p.ngc")
+
+    def test_content_decides(self):
+        table = "tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n3,4,0\n"
+        for content, name in ((self.PROGRAM, "program.txt"), (table, "path.dat"), (table, "path.csv"),
+                              ("UNITS/MM\nFEDRAT/50,MMPM\nGOTO/0,0,0\nGOTO/3,4,0\nFINI\n", "p.apt")):
+            done = endmill("info", self.file(content, name), cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("path        cuts ", done.stdout)
+        self.assertIn("time not known (no feeds)", endmill("info", self.folder / "path.csv").stdout)
+
+    def test_wrong_files_and_options_are_refused(self):
+        program = self.file(self.PROGRAM, "p.ngc")
+        self.assert_refused(endmill("info", program, "--axis", "0,0,1"), 2, "--axis: has no effect with a tool path")
+        self.assert_refused(endmill("info", self.file(plane()), "--block-delete"), 2,
+                            "--block-delete: has no effect with a part")
+        self.assert_refused(endmill("info", self.file("x,y\n1,2\n", "p.csv")), 3, "p.csv:1", "tip_x_mm")
+        self.assert_refused(endmill("info", self.file("nothing known\n", "p.txt")), 3, "p.txt")
 
 
 if __name__ == "__main__":

@@ -135,14 +135,62 @@ class Machine(ProgramTest):
     def test_answer_is_printed_and_written(self):
         done = endmill("machine", "W/caxyBz/T", "-o", "out", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertIn("family = CA\n", done.stdout)
-        self.assertIn("phi range = -180 to 180 degrees\n", done.stdout)
-        self.assertNotRegex(done.stdout, r"null|[\[\]{}\"]|true|contains")
+        self.assertIn("W/caxyBz/T is a valid 5-axis machine: C (R1) and A (R2) turn the part.\n", done.stdout)
+        self.assertIn("phi from -180 to 180 degrees, theta from -180 to 180 degrees: 100 % of all directions.\n",
+                      done.stdout)
+        self.assertNotRegex(done.stdout, r"null|[\[\]{}\"=]|true|offset")
         summary = json.loads((self.folder / "out/summary.json").read_text())
         self.assertEqual(summary, self.answer("W/caxyBz/T"))
         done = endmill("machine", "W/acxyBz/T", cwd=self.folder)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("reason = c, the rotary axis next to the tool", done.stdout)
+        self.assertIn("W/acxyBz/T is not valid: c, the rotary axis next to the tool", done.stdout)
+
+    def test_text_states_directions_and_positions(self):
+        """A table turned by c = -90, a = 30 has the tool lean by 30 degrees to -x of the part (right-hand rule)."""
+        done = endmill("machine", "W/caxyBz/T", "--limits", "a=-120:30", "--contains", "45,100", "--contains", "0,170",
+                       "--at", "c=-90,a=30", "--inverse", "180,90", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for sentence in ("Axis positions: c from -180 to 180 degrees, a from -120 to 30 degrees.\n",
+                         "The tool reaches azimuth 45, polar angle 100 degrees.\n",
+                         "The tool does not reach azimuth 0, polar angle 170 degrees.\n",
+                         "At c=-90,a=30 the tool points along (-0.5, 0, 0.866), within the limits.\n",
+                         "Positions for azimuth 180, polar angle 90 degrees: "):
+            self.assertIn(sentence, done.stdout)
+        done = endmill("machine", "W/xyBz/T", "--inverse", "0,10", cwd=self.folder)
+        self.assertEqual(done.stdout, "W/xyBz/T is a valid 3-axis machine: its tool always points along +z.\n"
+                                      "No position gives azimuth 0, polar angle 10 degrees.\n")
+
+    def test_limits_beyond_a_rotation_reach_every_direction(self):
+        """C of a table within 720 degrees either way reaches what C without limits reaches, and turns no further."""
+        limits = {"a_deg": [-120, 30], "c_deg": [-720, 720]}
+        path = self.machine_file(configuration="W/caxyBz/T", limits=limits)
+        found = self.answer(path)
+        free = self.answer("W/caxyBz/T", "--limits", "a=-120:30")
+        self.assertEqual(found["solid_angle_sr"], free["solid_angle_sr"])
+        self.assertEqual((found["theta_range_deg"], found["phi_range_deg"]), ([-180, 180], [-30, 120]))
+        self.assertEqual(found["position_limits"], limits | {"c_deg": [-720, 720]})
+        for at, within in (("c=720", True), ("c=-719.5", True), ("c=721", False), ("c=-800,a=1", False)):
+            self.assertEqual(self.answer(path, "--at", at)["within_limits"], within, at)
+        self.assertFalse(self.answer(path, "--limits", "c=-90:90", "--at", "c=100")["within_limits"])
+        tilt = self.machine_file(configuration="W/caxyBz/T", limits={"a_deg": [-10, 200]})
+        self.assertEqual(self.answer(tilt)["phi_range_deg"], [-180, 10])
+        self.assertTrue(self.answer(tilt, "--at", "a=200")["within_limits"])
+        self.assertFalse(self.answer(tilt, "--at", "a=201")["within_limits"])
+
+    def test_offset_of_the_rotary_axes_is_reported(self):
+        path = self.machine_file(configuration="W/caxyBz/T", axis_offset_mm=[0, 12, -8])
+        self.assertEqual(self.answer(path)["axis_offset_mm"], [0, 12, -8])
+        done = endmill("machine", path, cwd=self.folder)
+        self.assertIn("R2 is offset from R1 by (0, 12, -8) mm; positions of X, Y and Z do not include the offset.\n",
+                      done.stdout)
+        self.assertEqual(self.answer("W/caxyBz/T")["axis_offset_mm"], [0, 0, 0])
+        for word in ("W/cxyBza/T", "W/axyBz/T", "W/xyBz/T"):
+            self.refused(self.machine_file(configuration=word, axis_offset_mm=[0, 0, 1]), status=3,
+                         words=["m.json:/axis_offset_mm", "two rotary axes on one side of the bed"])
+        for value, place in (([1, 2], "axis_offset_mm"), ([1, 2, "x"], "axis_offset_mm/2"), (3, "axis_offset_mm"),
+                             ([0, 0, 1e7], "axis_offset_mm/2")):
+            self.refused(self.machine_file(configuration="W/caxyBz/T", axis_offset_mm=value), status=3,
+                         words=[f"m.json:/{place}: "])
 
     def test_malformed_words_are_refused(self):
         for word, said in (("W/caxyz/T", "B, the bed, is missing"), ("W/ccxyBz/T", "two equal rotary axes c"),
@@ -169,7 +217,7 @@ class Machine(ProgramTest):
         self.answer("W/caxyBz/T", "--limits", "c=-270:90")
 
     def test_files_with_invalid_limits_are_refused(self):
-        for limits, said in (({"a_deg": [1, 2]}, "hold 0"), ({"c_deg": [-200, 161]}, "360"), ({"a_deg": [0, 181]}, "180"),
+        for limits, said in (({"a_deg": [1, 2]}, "hold 0"), ({"c_deg": [0, 1000001]}, "-1e+06 to 1e+06"),
                              ({"b_deg": [-1, 1]}, "does not have")):
             key = next(iter(limits))
             self.refused(self.machine_file(configuration="W/caxyBz/T", limits=limits), status=3,

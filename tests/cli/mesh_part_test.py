@@ -88,6 +88,38 @@ class MeshPart(ProgramTest):
         done = endmill("info", self.file(BOX, "box.stl"))
         self.assert_refused(done, 3, "box.stl: content looks like OBJ")
 
+    def test_unknown_words_of_an_obj_file_are_skipped_and_counted(self):
+        done = endmill("info", self.file("c exported\n" + BOX + "c end\nbox 1 2 3\n", "box.obj"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("3 lines with unknown words were skipped: c (2), box (1)", done.stderr)
+        self.assertIn("12 triangles", done.stdout)
+        self.assert_refused(endmill("info", self.file("once upon\na time\n", "box.obj")), 3,
+                            "box.obj:1", "no line begins with a word of OBJ")
+
+    def test_formats_of_other_programs_are_refused_by_name(self):
+        step = "ISO-10303-21;\nHEADER;\nENDSEC;\n"
+        for name, content, words in (
+                ("part.step", step, ("STEP is not read", "exported as a mesh")),
+                ("part.STP", step, ("STEP is not read",)),
+                ("part.igs", "x" * 72 + "S      1\n", ("IGES is not read",)),
+                ("part.3mf", b"PK\x03\x04more", ("3MF is not read", "exported as .stl")),
+                ("part.stl.gz", b"\x1f\x8b\x08\x00more", ("compressed", "gunzip"))):
+            self.assert_refused(endmill("info", self.file(content, name), cwd=self.folder), 3, name, *words)
+
+    def test_edges_are_counted_alike_in_every_command(self):
+        # An edge of three triangles, a hole, and a triangle twice.
+        odd = BOX.replace("f 5 6 7 8\n", "f 5 6 7\nf 5 6 7\n") + "v 0.5 1 9\nf 1 2 9\n"
+        part = self.file(odd, "odd.obj")
+        facts = self.summary("info", part)
+        self.assertEqual((facts["boundary_edges"], facts["non_manifold_edges"], facts["duplicates"]), (5, 1, 1))
+        trimmed = self.summary("trim", part, "--cutter", "ball:1", "--planes", "2", "--grid", "9", "-o", "trim")
+        remarks = " ".join(trimmed["remarks"])
+        self.assertIn("edges of one triangle only: 5;", remarks)
+        self.assertIn("edges of more than two triangles: 1,", remarks)
+        done = endmill("setup", part, "--family", "AB", "--sphere", "hex:2", "--json", "-o", "setup", cwd=self.folder)
+        self.assertIn("5 edges belong to one triangle", done.stdout)
+        self.assertIn("1 edges belong to more than two triangles", done.stdout)
+
     def test_bad_meshes_are_refused_with_their_place(self):
         for text, words in ((BOX.replace("f 1 4 3 2", "f 1 4 3 9"), ("box.obj:9", "9")),
                             (BOX.replace("v 0 0 3", "v 0 0 nan"), ("box.obj:5", "NaN")),

@@ -8,9 +8,12 @@ import resource
 import subprocess
 import unittest
 
-from program import ENDMILL, ProgramTest, endmill, plane
+from program import ENDMILL, ROOT, SURFACES, ProgramTest, endmill, plane
 
 PLAN = ["--mode", "paper", "--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "1", "--direction", "u"]
+# A control without tool length compensation and dwell.
+PLAIN = {"format": "endmill-control/1", "extension": ".ngc", "start": ["G90 G94 G17 G40 G49 G80 G54"],
+         "end": ["M5", "M30"], "path_control": "tolerance", "tool_change": "M6"}
 TIPS = "tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n10,0,-0.00001\n10,20.5,3\n"
 
 
@@ -28,20 +31,22 @@ class Post(ProgramTest):
     def test_cutter_tolerance_and_feed_come_from_the_planned_path(self):
         facts = self.summary("post", self.planned("--feed", "750"), "-o", "out")
         lines = blocks(self.folder / "out/toolpath.ngc")
-        self.assertEqual(lines[:8], ["%", "(endmill: plane, cutter ball:10, tips)",
-                                     "G21 G90 G94 G17 G40 G49 G80 G54", "G64 P0.25", "T1 M6", "M3",
-                                     "G0 Z5.0000", "X0.0000 Y0.0000"])
-        self.assertEqual(lines[8:10], ["G1 Z0.0000 F750", "X60.0000"])
+        self.assertEqual(lines[:9], ["%", "(endmill: plane, cutter ball:10, tips)",
+                                     "G21 G90 G94 G17 G40 G49 G80 G54", "G64 P0.25", "T1 M6", "M3", "G4 P2",
+                                     "G0 G43 H1 Z5.0000", "X0.0000 Y0.0000"])
+        self.assertEqual(lines[9:11], ["G1 Z0.0000 F250", "X60.0000 F750"])
         self.assertEqual(lines[-4:], ["G0 Z5.0000", "M5", "M30", "%"])
         self.assertEqual((facts["points"], facts["lines"], facts["units"]), (12, len(lines), "mm"))
         self.assertEqual((facts["cutter"], facts["feed_mm_per_min"]), ("ball:10", 750))
         self.assertLess(facts["max_rounding_error_mm"], 1e-13)
         self.assertEqual(facts, json.loads((self.folder / "out/summary.json").read_text()))
 
-    def test_tape_length_is_that_of_the_plan(self):
+    def test_tape_length_of_the_plan_is_that_of_a_plain_program(self):
+        plain = self.file(PLAIN, "plain.json")
         for options, feed in (([], "1000"), (["--feed", "123.5"], "123.5")):
             path = self.planned(*options, "--order", "one-way", "--force")
-            facts = self.summary("post", path, "--feed", feed, "-o", "out", "--force")
+            facts = self.summary("post", path, "--feed", feed, "--plunge-feed-mm-per-min", feed, "--control", plain,
+                                 "-o", "out", "--force")
             size = (self.folder / "out/toolpath.ngc").stat().st_size
             self.assertEqual(facts["bytes"], size)
             self.assertAlmostEqual(facts["tape_length_m"], 0.00254 * size, delta=1e-12)
@@ -53,15 +58,16 @@ class Post(ProgramTest):
                          "0,0,0,100,1000,2\n1,0,0,200,1000,2\n", "path.csv")
         facts = self.summary("post", path, "-o", "own", "--decimals", "1")
         self.assertEqual(blocks(self.folder / "own/path.ngc")[3:],
-                         ["G64", "T2 M6", "S1000 M3", "G0 Z5.0", "X0.0 Y0.0", "G1 Z0.0 F100", "X1.0 F200",
-                          "G0 Z5.0", "M5", "M30", "%"])
-        self.assertEqual((facts["min_feed_mm_per_min"], facts["max_feed_mm_per_min"]), (100, 200))
+                         ["G64", "T2 M6", "S1000 M3", "G4 P2", "G0 G43 H2 Z5.0", "X0.0 Y0.0", "G1 Z0.0 F100",
+                          "X1.0 F200", "G0 Z5.0", "M5", "M30", "%"])
+        self.assertEqual((facts["plunge_feed_mm_per_min"], facts["feed_mm_per_min"]), (100, 200))
         self.summary("post", path, "--feed", "50", "--spindle-rpm", "300", "--tool-number", "7", "--cutter",
-                     "flat:8", "--safe-height", "9", "--line-numbers", "--decimals", "0", "-o", "told")
+                     "flat:8", "--safe-height", "9", "--line-numbers", "--decimals", "0", "--dwell-s", "0", "-o",
+                     "told")
         self.assertEqual(blocks(self.folder / "told/path.ngc"),
                          ["%", "(endmill: path, cutter flat:8, tips)", "N1 G21 G90 G94 G17 G40 G49 G80 G54", "N2 G64",
-                          "N3 T7 M6", "N4 S300 M3", "N5 G0 Z9", "N6 X0 Y0", "N7 G1 Z0 F50", "N8 X1", "N9 G0 Z9",
-                          "N10 M5", "N11 M30", "%"])
+                          "N3 T7 M6", "N4 S300 M3", "N5 G0 G43 H7 Z9", "N6 X0 Y0", "N7 G1 Z0 F17", "N8 X1 F50",
+                          "N9 G0 Z9", "N10 M5", "N11 M30", "%"])
 
     def test_comments_may_be_left_out(self):
         self.summary("post", self.file(TIPS, "p.csv"), "--feed", "9", "--comments", "no", "-o", "out")
@@ -71,9 +77,9 @@ class Post(ProgramTest):
         path = self.planned("--order", "one-way")
         self.summary("post", path, "--format", "apt", "--feed", "500", "-o", "apt")
         lines = blocks(self.folder / "apt/toolpath.apt")
-        self.assertEqual(lines[:6], ["PARTNO/plane", "UNITS/MM", "CUTTER/10,5", "FEDRAT/500,MMPM",
-                                     "GOTO/0.0000,0.0000,0.0000", "GOTO/60.0000,0.0000,0.0000"])
-        self.assertEqual(lines[7:9], ["RAPID", "GOTO/0.0000,6.0000,5.0000"])
+        self.assertEqual(lines[:7], ["PARTNO/plane", "UNITS/MM", "CUTTER/10,5", "FEDRAT/166.6667,MMPM",
+                                     "GOTO/0.0000,0.0000,0.0000", "FEDRAT/500,MMPM", "GOTO/60.0000,0.0000,0.0000"])
+        self.assertEqual(lines[8:10], ["RAPID", "GOTO/0.0000,6.0000,5.0000"])
         self.summary("post", path, "--feed", "500", "-o", "direct")
         self.summary("post", self.folder / "apt/toolpath.apt", "-o", "again")
         direct, again = (blocks(self.folder / f"{name}/toolpath.ngc") for name in ("direct", "again"))
@@ -89,7 +95,7 @@ class Post(ProgramTest):
         self.assertIn("every move is assumed to be a cut", done.stderr)
         self.assertIn("assumed to be +z", done.stderr)
         self.assertIn("M3 has no S word; expected --spindle-rpm", done.stderr)
-        self.assertIn("X10.0000", blocks(self.folder / "p-post/p.ngc"))
+        self.assertIn("X10.0000 F100", blocks(self.folder / "p-post/p.ngc"))
 
     def test_name_of_a_summary_stays_inside_its_comment(self):
         path = self.file(TIPS, "p.csv")
@@ -111,7 +117,7 @@ class Post(ProgramTest):
         # acos(1 - 0.5 / 5) = 0.451, so a half circle has four chords. The tip is 3 mm below the centre.
         self.assertEqual(told["points"], 5)
         self.assertIn("G1 X1.4645 Y3.5355 F9", blocks(self.folder / "out/p.ngc"))
-        self.assertIn("G0 Z7.0000", blocks(self.folder / "out/p.ngc"))
+        self.assertIn("G0 G43 H1 Z7.0000", blocks(self.folder / "out/p.ngc"))
         self.assertGreater(self.summary("post", path, "-o", "plain")["points"], 60)
         self.assert_refused(endmill("post", path, "--programmed-point", "centre", cwd=self.folder), 2,
                             "--programmed-point centre: the cutter is not known; expected --cutter")
@@ -130,7 +136,9 @@ class Post(ProgramTest):
                 done = endmill("post", path, "--cutter", "ball:6", "--feed", "9", *option, cwd=self.folder)
                 self.assert_refused(done, 2, f"{' '.join(option[:1])}", f"is {kind}", "expects G-code")
         self.summary("post", csv, "--feed", "9", "--programmed-point", "tip", "-o", "out")
-        for option in (["--safe-height", "9"], ["--tool-number", "3"], ["--line-numbers"], ["--comments", "no"]):
+        for option in (["--safe-height", "9"], ["--tool-number", "3"], ["--line-numbers"], ["--comments", "no"],
+                       ["--control", "grbl"], ["--coolant", "mist"], ["--dwell-s", "1"], ["--lead-in", "ramp"],
+                       ["--arcs"], ["--units", "inch"]):
             done = endmill("post", csv, "--feed", "9", "--format", "apt", *option, cwd=self.folder)
             self.assert_refused(done, 2, option[0], "expected --format gcode")
 
@@ -167,6 +175,267 @@ class Post(ProgramTest):
         self.assertEqual(len(texts), 1)
 
 
+def moves_of(lines):
+    """The straight moves of a program in mm, with modal words, by regular expressions: motion, tip, feed, speed."""
+    place, motion, feed, speed, unit, moves = {}, None, None, None, 1, []
+    for line in lines:
+        words = re.findall(r"([A-Z])(-?\d+\.?\d*)", re.sub(r"\(.*\)", "", line))
+        codes = {letter + number for letter, number in words}
+        unit = 25.4 if "G20" in codes else unit
+        motion = next((code for code in ("G0", "G1") if code in codes), motion)
+        axes = [(letter, float(number) * unit) for letter, number in words if letter in "XYZ"]
+        place.update(axes)
+        feed = next((float(number) * unit for letter, number in words if letter == "F"), feed)
+        speed = next((float(number) for letter, number in words if letter == "S"), speed)
+        if axes:
+            moves.append((motion, tuple(place.get(axis) for axis in "XYZ"), feed, speed))
+    return moves
+
+
+class Controls(ProgramTest):
+    """Programs of each control, compared with the path by the parser above and by the reader of the program."""
+
+    def setUp(self):
+        super().setUp()
+        rows = ["0,0,5,rapid,,6000", "0,0,-1,plunge,150.25,6000"]
+        rows += [f"{0.7 * k:.4f},{k % 3},{-1 - 0.01 * k:.3f},cut,{800 + k},{6000 + k // 20}" for k in range(1, 60)]
+        rows += ["41.3,2,5,rapid,,6002", "0,8,5,rapid,,6002", "0,8,-2,plunge,120,6002", "9,8,-2,cut,850,6002"]
+        self.path = self.file("tip_x_mm,tip_y_mm,tip_z_mm,move,feed_mm_per_min,spindle_rpm\n" + "\n".join(rows) + "\n",
+                              "p.csv")
+        self.points = [row.split(",") for row in rows]
+
+    def posted(self, control, name, *options):
+        """The lines of the program, after a comparison of its moves with the path."""
+        facts = self.summary("post", self.path, "--control", control, *options, "-o", "out", "--force")
+        lines = blocks(self.folder / "out" / name)
+        self.assertEqual(facts["file"], name)
+        moves = moves_of(lines)[2:-1]
+        self.assertEqual(len(moves), len(self.points) - 1)  # the first rapid repeats the way over it
+        for (motion, tip, feed, speed), row in zip(moves, self.points[1:]):
+            self.assertEqual(motion, "G0" if row[3] == "rapid" else "G1")
+            for found, expected in zip(tip, row[:3]):
+                self.assertAlmostEqual(found, float(expected), delta=facts["max_rounding_error_mm"] + 1e-9)
+            if row[4]:
+                self.assertAlmostEqual(feed, float(row[4]), delta=0.002)
+            self.assertAlmostEqual(speed, float(row[5]), delta=0.5)
+        self.assertLessEqual(facts["max_rounding_error_mm"], 0.0014)
+        return lines
+
+    def test_linuxcnc(self):
+        lines = self.posted("linuxcnc", "p.ngc", "--coolant", "mist")
+        self.assertEqual(lines[2:9], ["G21 G90 G94 G17 G40 G49 G80 G54", "G64", "T1 M6", "S6000 M3", "G4 P2", "M7",
+                                      "G0 G43 H1 Z5.0000"])
+        self.assertEqual(lines[-5:], ["G0 Z5.0000", "M9", "M5", "M30", "%"])
+
+    def test_fanuc(self):
+        lines = self.posted("fanuc", "p.nc", "--coolant", "flood")
+        self.assertEqual(lines[:10],
+                         ["%", "O0001 (ENDMILL: P, TIPS)", "G21 G90 G94 G17 G40 G49 G80 G54", "T1 M6", "S6000 M3",
+                          "G4 P2000", "M8", "G0 G43 H1 Z5.000", "X0.000 Y0.000", "G1 Z-1.000 F150.25"])
+        self.assertEqual(lines[-5:], ["G0 Z5.000", "M9", "M5", "M30", "%"])
+        for line in lines[7:-4]:  # every length and feed has a point
+            self.assertIsNone(re.search(r"[XYZF]-?\d+(?![\d.])", line), line)
+        self.posted("fanuc", "p.nc", "--units", "inch")
+
+    def test_grbl(self):
+        lines = self.posted("grbl", "p.nc", "--line-numbers")
+        self.assertEqual(lines[:6], ["(endmill: p, tips)", "N1 G21 G90 G94 G17 G40 G49 G80 G54", "N2 S6000 M3",
+                                     "N3 G4 P2", "N4 G0 Z5.000", "N5 X0.000 Y0.000"])
+        self.assertEqual([line.split()[1] for line in lines[-2:]], ["M5", "M30"])
+        self.assertLess(max(map(len, lines)), 80)
+        self.assertFalse(re.search(r"T\d|M6|G43|H\d|O\d|%", "\n".join(lines)))
+
+    def test_control_of_a_file(self):
+        file = self.file({**PLAIN, "name": "router", "extension": ".tap", "comments": "none", "line_end": "crlf"},
+                         "router.json")
+        facts = self.summary("post", self.path, "--control", file, "-o", "out")
+        self.assertEqual((facts["control"], facts["file"]), ("router", "p.tap"))
+        text = (self.folder / "out/p.tap").read_bytes()
+        self.assertTrue(text.startswith(b"%\r\nG21 G90 G94 G17 G40 G49 G80 G54\r\nG64\r\nT1 M6\r\n"))
+
+    def test_inches(self):
+        lines = self.posted("linuxcnc", "p.ngc", "--units", "inch")
+        self.assertTrue(lines[2].startswith("G20 G90"))
+        self.assertIn("G1 Z-0.03937 F5.91535", lines)
+
+    def test_programs_are_read_back(self):
+        for control, name in (("linuxcnc", "p.ngc"), ("fanuc", "p.nc"), ("grbl", "p.nc")):
+            for unit in ("mm", "inch"):
+                self.summary("post", self.path, "--control", control, "--units", unit, "-o", "once", "--force")
+                # The number of a program is not read by every version of the reader.
+                text = (self.folder / "once" / name).read_text()
+                self.file(text, "again.nc")
+                facts = self.summary("post", "again.nc", "--control", control, "--units", unit, "--comments", "no",
+                                     "-o", "twice", "--force")
+                moves = [moves_of(blocks(self.folder / file)) for file in (f"once/{name}", f"twice/{facts['file']}")]
+                self.assertEqual(moves[0], moves[1])
+
+    def test_programs_have_the_verdict_of_the_path(self):
+        part = self.file(plane(size=(30, 20), slope=0.3))
+        done = endmill("plan", part, "--cutter", "ball:10", "--chord-tolerance", "0.05", "--scallop", "0.3",
+                       "--direction", "u", "-o", "plan", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+        def verdict(program):
+            facts = self.summary("verify", program, "--part", part, "--cutter", "ball:10", "--tolerance", "0.05",
+                                 "--scallop", "0.35", "-o", "seen", "--force")
+            return facts["verdict"], facts["max_gouge_mm"], facts["max_scallop_mm"]
+
+        expected = verdict("plan/toolpath.csv")
+        self.assertEqual(expected[0], "clean")
+        for control, name in (("linuxcnc", "toolpath.ngc"), ("fanuc", "toolpath.nc"), ("grbl", "toolpath.nc")):
+            for unit in ("mm", "inch"):
+                facts = self.summary("post", "plan/toolpath.csv", "--feed", "500", "--control", control, "--units",
+                                     unit, "--arcs", "-o", "out", "--force")
+                text = (self.folder / "out" / name).read_text()
+                self.file(text, "program.nc")
+                found = verdict("program.nc")
+                self.assertEqual(found[0], expected[0])
+                for number, number_of_path in zip(found[1:], expected[1:]):
+                    self.assertAlmostEqual(number, number_of_path, delta=2 * facts["max_rounding_error_mm"] + 1e-9)
+
+    def test_several_tools_need_a_tool_change(self):
+        path = self.file("tip_x_mm,tip_y_mm,tip_z_mm,tool\n0,0,0,1\n9,0,0,1\n9,9,0,2\n", "tools.csv")
+        self.summary("post", path, "--feed", "90", "--coolant", "flood", "-o", "out")
+        lines = blocks(self.folder / "out/tools.ngc")
+        at = lines.index("T2 M6")
+        self.assertEqual(lines[at - 2:at + 6], ["G0 Z5.0000", "M9", "T2 M6", "M3", "G4 P2", "M8", "G0 G43 H2 Z5.0000",
+                                                "X9.0000 Y0.0000"])
+        self.assertEqual(lines[at + 6:at + 8], ["G1 Z0.0000 F30", "Y9.0000 F90"])
+        done = endmill("post", path, "--feed", "90", "--control", "grbl", cwd=self.folder)
+        self.assert_refused(done, 2, "from tool 1 to tool 2 at point 2", "grbl has no tool change")
+
+    def test_wrong_controls_are_refused(self):
+        def refuse(status, *words, options):
+            self.assert_refused(endmill("post", self.path, *options, cwd=self.folder), status, *words)
+
+        refuse(2, '--control: found "fanux", which is no file', 'did you mean "fanuc"?', options=("--control", "fanux"))
+        refuse(2, "grbl has no mist coolant", options=("--control", "grbl", "--coolant", "mist"))
+        tight = self.file({**PLAIN, "longest_line": 40}, "tight.json")
+        refuse(2, "expected at most 40 for this control", options=("--control", tight, "--decimals", "9"))
+        bad = self.file({**PLAIN, "tool_chnage": "M6"}, "bad.json")
+        refuse(3, "bad.json", "tool_chnage", "tool_change", options=("--control", bad))
+        bad = self.file({**PLAIN, "end": ["M30; rm -rf /"]}, "bad.json")
+        refuse(3, "bad.json:/end/0", options=("--control", bad))
+        none = self.file(PLAIN, "none.json")
+        refuse(2, "none has no dwell", options=("--control", none, "--dwell-s", "1"))
+        refuse(2, "none has no arcs", options=("--control", none, "--arcs"))
+        for option in (("--coolant", "air"), ("--dwell-s", "-1"), ("--dwell-s", "601"), ("--units", "cm"),
+                       ("--lead-in", "helix"), ("--ramp-angle-deg", "0"), ("--multax", "maybe")):
+            refuse(2, option[0], options=option)
+        refuse(2, "--ramp-angle-deg: has no effect", options=("--ramp-angle-deg", "5"))
+        refuse(2, "--arc-fit-tolerance: has no effect", options=("--arc-fit-tolerance", "0.1"))
+        refuse(2, "--multax: has no effect", options=("--multax", "yes"))
+        refuse(2, "plunge feed 860 mm/min is above the cutting feed; expected at most 859",
+               options=("--plunge-feed-mm-per-min", "860"))
+
+
+class Motion(ProgramTest):
+    """Feeds, slopes and arcs."""
+
+    def test_feeds_of_the_path_pass_through(self):
+        groove = self.file("tip_x_mm,tip_y_mm,tip_z_mm,move\n0,0,0,plunge\n10,0,0,cut\n20,0,-0.5,cut\n30,0,-1,cut\n",
+                           "p.csv")
+        done = endmill("feed", groove, "--material", ROOT / "datasets/materials/steel.json", "--cutter", "ball:10",
+                       "--flutes", 2, "--max-force-n", 900, "--stock-top", 3,
+                       "--allow-infeasible", "-o", "fed", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with (self.folder / "fed/toolpath.csv").open(encoding="utf-8") as file:
+            expected = [row["feed_mm_per_min"] for row in csv.DictReader(file)]
+        self.summary("post", self.folder / "fed/toolpath.csv", "-o", "out")
+        moves = moves_of(blocks(self.folder / "out/toolpath.ngc"))[2:-1]
+        self.assertEqual(len(moves), len(expected))
+        for (_, _, feed, _), own in zip(moves, expected):
+            self.assertAlmostEqual(feed, float(own), delta=5.1e-5)
+        self.assertGreater(len({feed for _, _, feed, _ in moves}), 1)
+
+    def test_descents_have_a_third_of_the_feed_or_the_given_one(self):
+        path = self.file("tip_x_mm,tip_y_mm,tip_z_mm,move\n0,0,0,plunge\n9,0,0,cut\n9,0,5,rapid\n0,1,5,rapid\n"
+                         "0,1,0,plunge\n9,1,0,cut\n", "p.csv")
+        for options, plunge in (([], 300), (["--plunge-feed-mm-per-min", "120"], 120)):
+            facts = self.summary("post", path, "--feed", "900", *options, "-o", "out", "--force")
+            feeds = [feed for motion, _, feed, _ in moves_of(blocks(self.folder / "out/p.ngc")) if motion == "G1"]
+            self.assertEqual(feeds, [plunge, 900, plunge, 900])
+            self.assertEqual((facts["feed_mm_per_min"], facts["plunge_feed_mm_per_min"]), (900, plunge))
+        self.summary("post", path, "--feed", "900", "--format", "apt", "-o", "apt")
+        lines = blocks(self.folder / "apt/p.apt")
+        self.assertEqual([line for line in lines if "FEDRAT" in line],
+                         ["FEDRAT/300,MMPM", "FEDRAT/900,MMPM"] * 2)
+
+    def test_slopes_leave_the_same_material(self):
+        part = self.file(plane(size=(60, 30), slope=0.2))
+        done = endmill("plan", part, "--cutter", "ball:10", "--chord-tolerance", "0.05", "--scallop", "0.3",
+                       "--direction", "u", "--order", "one-way", "-o", "plan", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        verdicts = []
+        for lead_in in ("straight", "ramp"):
+            facts = self.summary("post", "plan/toolpath.csv", "--feed", "900", "--lead-in", lead_in, "-o", lead_in)
+            verdict = self.summary("verify", f"{lead_in}/toolpath.ngc", "--part", part, "-o", f"{lead_in}-verified")
+            verdicts.append(tuple(verdict[key] for key in ("verdict", "max_gouge_mm", "max_scallop_mm", "removed_mm3")))
+        self.assertEqual(verdicts[0][0], "clean")
+        self.assertEqual(verdicts[0][:3], verdicts[1][:3])
+        self.assertAlmostEqual(verdicts[0][3], verdicts[1][3], delta=1e-6 * verdicts[0][3])
+        self.assertGreater(facts["ramps"], 5)
+        self.assertEqual(facts["straight_descents"], 0)
+        # No descent is vertical any more.
+        moves = moves_of(blocks(self.folder / "ramp/toolpath.ngc"))
+        for before, after in zip(moves[2:], moves[3:]):
+            if after[0] == "G1" and after[1][2] < before[1][2]:
+                self.assertNotEqual(after[1][:2], before[1][:2])
+
+    def test_arcs_have_the_verdict_of_the_path(self):
+        part = SURFACES / "cylinder.json"
+        done = endmill("plan", part, "--cutter", "ball:10", "--chord-tolerance", "0.02", "--scallop", "0.05",
+                       "--direction", "v", "-o", "plan", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        verdicts, lines = [], []
+        for options in ([], ["--arcs"]):
+            facts = self.summary("post", "plan/toolpath.csv", "--feed", "900", *options, "-o", "out", "--force")
+            verdicts.append(self.summary("verify", "out/toolpath.ngc", "--part", part, "-o", "seen",
+                                         "--force")["verdict"])
+            lines.append(facts["lines"])
+        self.assertEqual(verdicts, ["clean", "clean"])
+        self.assertGreater(facts["arcs"], 20)
+        self.assertLess(lines[1], lines[0] / 5)
+        self.assertLessEqual(facts["max_arc_error_mm"], 0.021)
+
+    def test_arcs_of_a_program_come_back(self):
+        # A quarter circle, a half one (two arcs: below half a turn) and three quarters (two arcs), the last in G18.
+        program = self.file("%\nG21 G90 G17 G94\nT1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX40 F400\n"
+                            "G2 X60 Y-20 I0 J-20\nG1 Y-40\nG3 X100 I20\nG18 G2 X120 Z-21 I0 K-20\nG0 Z5\nM30\n%\n",
+                            "p.ngc")
+        for options in ([], ["--arc-tolerance", "0.01"]):
+            facts = self.summary("post", program, "--arcs", *options, "-o", "out", "--force")
+            self.assertEqual(facts["arcs"], 5)
+            self.assertLessEqual(facts["lines"], 22)
+            words = "\n".join(blocks(self.folder / "out/p.ngc"))
+            self.assertRegex(words, r"\nG17 G2 X60\.0000 Y-20\.0000 I-?0\.000\d J-(20\.000|19\.999)\d\n")
+            self.assertEqual(len(re.findall(r"^G1[789] ", words, re.MULTILINE)), 2)
+
+    def test_one_sided_path_needs_a_tolerance_of_arcs(self):
+        path = self.file(TIPS, "p.csv")
+        self.file({"inner_tolerance_mm": 0, "outer_tolerance_mm": 0.1}, "summary.json")
+        done = endmill("post", path, "--feed", "9", "--arcs", cwd=self.folder)
+        self.assert_refused(done, 2, "--arcs: the path may deviate to one side only", "--arc-fit-tolerance")
+        self.summary("post", path, "--feed", "9", "--arcs", "--arc-fit-tolerance", "0.01", "-o", "out")
+
+    def test_multax_is_written_with_every_axis(self):
+        path = self.file(TIPS, "p.csv")
+        self.summary("post", path, "--feed", "9", "--format", "apt", "--multax", "yes", "-o", "out")
+        lines = blocks(self.folder / "out/p.apt")
+        self.assertEqual(lines[:5], ["PARTNO/p", "UNITS/MM", "MULTAX", "FEDRAT/3,MMPM",
+                                     "GOTO/0.0000,0.0000,0.0000,0,0,1"])
+
+    def test_report_has_at_most_five_lines(self):
+        path = self.file(TIPS, "p.csv")
+        done = endmill("post", path, "--feed", "90", "--spindle-rpm", "6000", "-o", "out", cwd=self.folder)
+        lines = done.stdout.splitlines()
+        self.assertLessEqual(len(lines), 5)
+        self.assertRegex(lines[0], r"^p: p\.ngc, G-code for LinuxCNC, 16 lines, 0\.\d+ KiB$")
+        self.assertIn("  feed      cut 90, plunge 30 mm/min; 6000 rpm", lines)
+        self.assertIn("  accuracy  coordinates rounded by at most 0.00001 mm", lines)
+
+
 class BadInput(ProgramTest):
     def refuse(self, content, status, *words, name="p.csv", options=("--feed", "100")):
         path = self.file(content, name)
@@ -188,7 +457,7 @@ class BadInput(ProgramTest):
 
     def test_bad_programs_are_refused(self):
         for text, name, *words in (("G21\nG1 X1 Y1 Z1\n", "p.ngc", "p.ngc:2"),
-                                   ("G21\n#1=5\nG0 X#1\n", "p.ngc", "p.ngc:2", "rs274 -g"),
+                                   ("G21\n#1=5\nG0 X#1\n", "p.ngc", "p.ngc:2", "--interpreter linuxcnc"),
                                    ("UNITS/MM\nGODLTA/1,2,3\n", "p.apt", "p.apt:2: statement"),
                                    ("G21\n(" + "x" * 2**20 + ")\n", "p.ngc", "p.ngc:2: line is longer than 1 MiB")):
             self.refuse(text, 3, *words, name=name)
@@ -211,8 +480,9 @@ class BadInput(ProgramTest):
         self.assert_refused(done, 3, 'summary.json:/cutter: "bal:10"; expected ball:DIAMETER')
 
     def test_missing_or_bad_feed_is_refused(self):
-        self.refuse(TIPS, 2, "point 1 of the path has no feed", "--feed", options=())
-        self.refuse(TIPS, 2, "feed of 0.4 mm/min, which rounds to 0", options=("--feed", "0.4", "--decimals", "0"))
+        self.refuse(TIPS, 2, "point 0 of the path has no feed", "--feed", options=())
+        self.refuse(TIPS, 2, "feed of 0.4 mm/min, which rounds to 0",
+                    options=("--feed", "0.4", "--plunge-feed-mm-per-min", "0.4", "--decimals", "0"))
         for feed in ("0", "-1", "nan", "inf", "fast", "1e999"):
             self.refuse(TIPS, 2, "--feed", options=("--feed", feed))
 
@@ -231,7 +501,7 @@ class BadInput(ProgramTest):
     def test_tilted_axis_is_refused(self):
         header = "axis_x,axis_y,axis_z," + TIPS.splitlines()[0]
         self.refuse(f"{header}\n0,0,1,0,0,0\n0,0.6,0.8,1,0,0\n", 4,
-                    "p.csv: the axis at point 2 of the path is 0, 0.6, 0.8, and a 3-axis machine cannot")
+                    "p.csv: the axis at point 1 of the path is 0, 0.6, 0.8, and a 3-axis machine cannot")
         path = self.file(f"{header}\n0,0.6,0.8,1,0,0\n", "p.csv")
         self.summary("post", path, "--feed", "1", "--format", "apt", "-o", "out")
         self.assertIn("GOTO/1.0000,0.0000,0.0000,0,0.6,0.8", blocks(self.folder / "out/p.apt"))

@@ -88,7 +88,7 @@ class Program(ProgramTest):
     def test_limit_of_the_ball_is_exclusive(self):
         cylinder = ROOT / "datasets/surfaces/parabolic-cylinder.json"
         self.assertIn("radius below 20 mm", endmill("info", cylinder).stdout)
-        limit = "found radius 20 mm; expected a radius below 20 mm"
+        limit = "found radius 20 mm; expected a smaller radius than the limit of the surface, 20 mm"
         self.assert_refused(endmill("plan", cylinder, "--cutter", "ball:40", cwd=self.folder), 4, limit)
         done = endmill("plan", cylinder, "--cutter", "ball:39.99", "--chord-tolerance", "0.5", "--direction", "v",
                        cwd=self.folder)

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The progress line appears on a terminal after one second, and nowhere else."""
+"""The progress line appears on a terminal after one second; elsewhere a line appears every ten seconds."""
 import os
 import pty
+import signal
 import subprocess
+import time
 import unittest
 
 from program import ENDMILL, ROOT, SURFACES, ProgramTest
@@ -44,6 +46,31 @@ class Progress(ProgramTest):
                     self.assertIn(word, shown)
                 self.assertRegex(shown, r", \d+ s|: \d+ s")
                 self.assertEqual(shown.rsplit("\r\x1b[K", 1)[1].strip(), "", shown[-200:])
+
+    def test_time_left_is_estimated_from_the_share(self):
+        _, shown = self.on_terminal("plan", NET, "--chord-tolerance", "0.02", "-o", "left")
+        self.assertRegex(shown, r" \d+ %, \d+ s, about \d+ (s|min) left")
+        self.assertNotRegex(shown, r"passes 0 %, \d+ s, about")
+
+    def stopped_for_ten_seconds(self, *options):
+        """The lines on standard error of a plan that is no terminal's and lasts more than ten seconds."""
+        with subprocess.Popen([ENDMILL, "plan", NET, "--chord-tolerance", "0.02", *options], cwd=self.folder,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+            time.sleep(0.5)
+            process.send_signal(signal.SIGSTOP)
+            time.sleep(10)
+            process.send_signal(signal.SIGCONT)
+            _, shown = process.communicate(timeout=600)
+        self.assertEqual(process.returncode, 0, shown)
+        return shown.splitlines()
+
+    def test_lines_appear_without_a_terminal(self):
+        lines = self.stopped_for_ten_seconds("-o", "lines")
+        self.assertGreaterEqual(len(lines), 1)
+        for line in lines:
+            self.assertRegex(line, r"^endmill: planning: .*\d\d s(, about \d+ (s|min) left)?$")
+            self.assertNotRegex(line, r"[\x00-\x1f]")
+        self.assertEqual(self.stopped_for_ten_seconds("--quiet", "-o", "none"), [])
 
     def test_quiet_or_quick_work_shows_no_line(self):
         status, shown = self.on_terminal("plan", NET, "--chord-tolerance", "0.05", "--quiet", "-o", "quiet")

@@ -2,6 +2,7 @@
 """Programs of post, checked by LinuxCNC's interpreter. rs274 must accept them, and its canonical moves,
 read by our reader, must be the path. scripts/setup.sh installs rs274; without it these tests fail."""
 import csv
+import math
 import re
 import subprocess
 import unittest
@@ -108,9 +109,71 @@ class Interpreter(ProgramTest):
         done = self.interpret(self.folder / "out/p.ngc")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         said = (self.folder / "canonical.txt").read_text()
+        # The tool comes back to the path at a third of the feed.
         self.assertEqual(re.findall(r"(?:SET_FEED_RATE|SET_SPINDLE_SPEED|SELECT_TOOL)\((.*)\)", said),
-                         ["0.0000", "1", "0, 1000.0000", "100.0000", "200.0000", "12", "0, 2000.0000", "300.0000",
-                          "0.0000"])
+                         ["0.0000", "1", "0, 1000.0000", "100.0000", "200.0000", "12", "0, 2000.0000", "66.6667",
+                          "200.0000", "300.0000", "0.0000"])
+        self.assertEqual(re.findall(r"DWELL\((.*)\)", said), ["2.0000", "2.0000"])
+
+    def test_tool_length_and_coolant_are_on(self):
+        table = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n10,0,0\n", "p.csv")
+        self.summary("post", table, "--feed", "90", "--coolant", "flood", "--tool-number", "12", "-o", "out")
+        done = self.interpret(self.folder / "out/p.ngc")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        said = (self.folder / "canonical.txt").read_text()
+        words = ("SELECT_TOOL(12)", "START_SPINDLE_CLOCKWISE", "DWELL(2.0000)", "FLOOD_ON", "STRAIGHT_TRAVERSE",
+                 "STRAIGHT_FEED", "FLOOD_OFF", "PROGRAM_END")
+        order = [said.index(word) for word in words]
+        self.assertEqual(order, sorted(order))
+        self.assertIn("USE_TOOL_LENGTH_OFFSET(0.0000 0.0000 25.4000", said[order[3]:order[4]])
+
+    def test_program_in_inches_has_the_same_moves(self):
+        rows = "".join(f"{0.7 * k},{k % 3},{-0.05 * k}\n" for k in range(50))
+        table = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n" + rows, "p.csv")
+        found = []
+        for unit, scale in (("mm", 1), ("inch", 25.4)):
+            self.summary("post", table, "--feed", "508", "--units", unit, "-o", "out", "--force")
+            done = self.interpret(self.folder / "out/p.ngc")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            said = (self.folder / "canonical.txt").read_text()
+            found.append([tuple(scale * float(number) for number in move[1:]) for move in MOVE.findall(said)])
+            self.assertIn(f"SET_FEED_RATE({508 / scale:.4f})", said)
+        for in_mm, in_inches in zip(*found, strict=True):
+            for a, b in zip(in_mm, in_inches):
+                self.assertAlmostEqual(a, b, delta=25.4 * INTERPRETER_ROUNDING + 0.0002)
+
+    def test_arcs_are_within_their_bound(self):
+        """The arcs that the interpreter prints, sampled here, against the points of the path."""
+        circle = [(20 * math.cos(0.01 * k), 20 * math.sin(0.01 * k)) for k in range(400)]
+        for plane, order in (("G17", (0, 1, 2)), ("G18", (1, 2, 0)), ("G19", (2, 0, 1))):
+            # `order` gives the place of first axis, second axis and normal of the plane in x, y, z.
+            rows = []
+            for first, second in circle:
+                values = (first, second, 7.0)
+                rows.append(tuple(values[place] for place in order))
+            table = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n" + "".join(f"{x},{y},{z}\n" for x, y, z in rows), "p.csv")
+            facts = self.summary("post", table, "--feed", "508", "--arcs", "--arc-fit-tolerance", "0.002", "-o", "out",
+                                 "--force")
+            self.assertGreaterEqual(facts["arcs"], 2)
+            self.assertLessEqual(facts["lines"], 25)
+            done = self.interpret(self.folder / "out/p.ngc")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            said = (self.folder / "canonical.txt").read_text()
+            arcs = [tuple(map(float, numbers)) for numbers in
+                    re.findall(r"ARC_FEED\((\S+), (\S+), (\S+), (\S+), (\S+), (\S+),", said)]
+            self.assertEqual(len(arcs), facts["arcs"], plane)
+            bound = facts["max_arc_error_mm"] + 3 * INTERPRETER_ROUNDING
+            at = 0  # the points of the path, one arc after the other
+            for end_first, end_second, centre_first, centre_second, turns, normal in arcs:
+                self.assertEqual(turns, 1)
+                self.assertAlmostEqual(normal, 7, delta=INTERPRETER_ROUNDING)
+                radius = math.hypot(end_first - centre_first, end_second - centre_second)
+                last = min(range(len(circle)), key=lambda k: math.dist(circle[k], (end_first, end_second)))
+                self.assertGreater(last, at)
+                for k in range(at, last + 1):
+                    self.assertLessEqual(abs(math.dist(circle[k], (centre_first, centre_second)) - radius), bound)
+                at = last
+            self.assertGreaterEqual(at, 395)
 
     def test_program_with_other_feeds_has_the_same_moves(self):
         material = ROOT / "datasets/materials/steel.json"

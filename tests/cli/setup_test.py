@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import unittest
 
-from program import ENDMILL, ROOT, ProgramTest, endmill
+from program import ENDMILL, ROOT, SURFACES, ProgramTest, endmill
 
 TEAPOT = ROOT / "datasets/meshes/teapot-288.off"
 MACHINES = ROOT / "datasets/machines"
@@ -200,6 +200,7 @@ class Setup(ProgramTest):
         printed = endmill("setup", cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
                        "-o", "out-2", cwd=self.folder).stdout
         self.assertIn("beyond the limits of the linear axes", printed)
+        self.assertIn(": not machinable at this clamping on W/caxyBz/T", printed)  # exit 1 never says machinable
         self.assertIn("--mode set", printed)
         clamp = ",".join(str(x) for x in far["clamp_centred_mm"])
         self.assertTrue(self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp",
@@ -237,6 +238,7 @@ class Setup(ProgramTest):
         done = endmill("setup", part, "--machine", machine([0, 30], [0, 30], [0, 30]), *cone, "--within-travel",
                        "-o", "text", cwd=self.folder)
         self.assertIn(f"none of {none['within_travel']['poses']} poses fits the linear axes", done.stdout)
+        self.assertIn(": not machinable within the travel of the linear axes on W/xyBz/T", done.stdout)
 
     def test_travel_cannot_bound_the_search_without_limits(self):
         for machine in (("--machine", "W/caxyBz/T"), ("--family", "CA")):
@@ -300,6 +302,34 @@ class Setup(ProgramTest):
         self.assertEqual(found["machinable"], False)
         self.assertIn(0, found["empty_cones"])
         self.assertIn(1, found["empty_cones"])
+        self.assertEqual(set(found["empty_cones"]) - set(found["missed_facets"]), set())
+        first = found["hidden_facets"][0]
+        self.assertEqual(first["facet"], found["empty_cones"][0])
+        text = endmill("setup", self.folder / "box.off", "--family", "AB", "--incidence-deg", 80, "-o", "text",
+                       cwd=self.folder).stdout
+        self.assertIn(": not machinable in one setup on AB", text)
+        self.assertIn(f"facet {first['by']} hides 0", text)
+        self.assertIn("% of the area)", text)
+
+    def test_facets_that_one_setup_misses_are_named(self):
+        """On a machine of three axes the cube's best setup reaches three of its five sides: of ten facets it misses
+        four, two fifths of the area."""
+        cube = self.file(CUBE, "cube.off")
+        found = self.found(cube, "--machine", "W/xyBz/T", "--incidence-deg", 80, status=1)
+        self.assertEqual((len(found["missed_facets"]), found["empty_cones"], found["hidden_facets"]), (4, [], []))
+        self.assertAlmostEqual(found["missed_area_share"], 0.4, delta=1e-12)
+        done = endmill("setup", cube, "--machine", "W/xyBz/T", "--incidence-deg", 80, "-o", "text", cwd=self.folder)
+        numbers = " ".join(map(str, found["missed_facets"]))
+        self.assertIn("  missed       4 facets by the best single setup within the limits: "
+                      f"{numbers} (40 % of the area)\n", done.stdout)
+        good = self.found(cube, "--family", "AB", "--incidence-deg", 80)
+        self.assertEqual((good["missed_facets"], good["missed_area_share"]), (None, None))
+
+    def test_sampled_surface_gives_no_warning(self):
+        done = endmill("setup", SURFACES / "saddle.json", "--machine", "W/caxyBz/T", "--sphere", "hex:3", "-o", "out",
+                       "--json", cwd=self.folder)
+        self.assertEqual(done.stderr, "")
+        self.assertIn("the surface is sampled as 2304 triangles", " ".join(json.loads(done.stdout)["remarks"]))
 
     def test_part_without_reachable_facets_is_reported(self):
         """Every mode lists the facets, for both families and for words that begin with b."""

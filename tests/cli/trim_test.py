@@ -10,6 +10,7 @@ import unittest
 from program import ROOT, ProgramTest, endmill, plane
 
 VALLEY = ROOT / "datasets/surfaces/valley.json"
+MESHES = ROOT / "datasets/meshes"
 # docs/methods/interference.md, section 11, T1: one symmetric loop that crosses itself at (0, 0).
 LOOP = "s_mm,z_mm\n-6,6\n2,-2\n0,-1\n-2,-2\n6,6\n"
 
@@ -48,6 +49,15 @@ def table(path):
         return list(csv.DictReader(file))
 
 
+def distance(point, first, last):
+    """Distance of a point from a segment."""
+    along = [b - a for a, b in zip(first, last)]
+    squared = sum(c * c for c in along)
+    share = sum((p - a) * c for p, a, c in zip(point, first, along)) / squared if squared > 0 else 0
+    share = min(1, max(0, share))
+    return math.dist(point, [a + share * c for a, c in zip(first, along)])
+
+
 class Trim(ProgramTest):
     def test_loop_of_a_curve_is_removed(self):
         facts = self.summary("trim", "--polyline", self.file(LOOP, "t1.csv"), "-o", "out", "--explain")
@@ -84,7 +94,7 @@ class Trim(ProgramTest):
         self.assertEqual((done.returncode, facts["unresolved"], facts["loops"]), (1, 2, 0), done.stderr)
         done = endmill("trim", "--polyline", "w.csv", "--method", "3", cwd=self.folder)
         self.assertRegex(done.stdout, r"folds +2 left")
-        self.assertIn("w.csv: method 3 with --mode corrected leaves 2 folds; --method envelope", done.stderr)
+        self.assertIn("w.csv: the path fails: method 3 with --mode corrected leaves 2 folds; --method envelope", done.stderr)
 
     def test_known_gouge_exits_1_and_names_the_better_method(self):
         done = endmill("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--mode", "paper",
@@ -191,6 +201,86 @@ class Trim(ProgramTest):
                              "-o", "all")
         self.assertEqual(list(facts["methods"]), ["envelope"])
         self.assertEqual(facts["not_run"][:5], ["1", "2", "3", "3r", "winding"])
+
+    def test_mesh_path_is_accepted_by_verify_with_the_limits_of_its_summary(self):
+        # The cutter cannot touch the inner corners of pocket and groove and the foot of the dome. The roof has none.
+        for name, excused in (("prism.obj", False), ("v-groove.stl", True), ("pocket.stl", True)):
+            facts = self.summary("trim", MESHES / name, "--cutter", "ball:6", "--scallop", "0.2", "-o", "path", "--force")
+            self.assertEqual((facts["scallop_mm"], facts["inner_tolerance_mm"], facts["outer_tolerance_mm"]),
+                             (0.2, 0.01, 0.01), name)
+            judged = self.summary("verify", "path/toolpath.csv", "--resolution", "0.5", "-o", "judged", "--force")
+            self.assertEqual(judged["verdict"], "clean", name)
+            self.assertAlmostEqual(judged["scallop_limit_mm"], 0.21, delta=1e-12)
+            self.assertEqual(judged["inaccessible_area_mm2"] > 0, excused, name)
+        done = endmill("verify", "path/toolpath.csv", "--resolution", "0.5", "--inaccessible", "count", "--json",
+                       "-o", "counted", cwd=self.folder)
+        counted = json.loads(done.stdout)
+        self.assertEqual((done.returncode, counted["verdict"], counted["inaccessible_area_mm2"]), (1, "uncut", 0))
+        # In a corner of three faces a ball of radius R leaves R (1 - 1 / sqrt 3) along the normal of each.
+        self.assertAlmostEqual(counted["max_scallop_mm"], 3 * (1 - 3 ** -0.5), delta=0.12)
+
+    def test_excuse_needs_a_mesh(self):
+        self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "40", "--planes", "5", "--tolerance", "1", "-o",
+                     "path")
+        done = endmill("verify", "path/toolpath.csv", "--inaccessible", "excuse", cwd=self.folder)
+        self.assert_refused(done, 2, "--inaccessible excuse", "expected a mesh")
+
+    def test_planes_are_added_on_slopes_across_the_feed_only(self):
+        words = ("trim", MESHES / "prism.obj", "--cutter", "ball:6", "--scallop", "0.1")
+        self.assertEqual(self.summary(*words, "-o", "along")["added_planes"], 0)
+        self.assertGreater(self.summary(*words, "--direction-deg", "90", "-o", "across")["added_planes"], 10)
+
+    def test_thinned_path_stays_within_its_tolerance(self):
+        # Every vertex of trimmed.csv is near the chords of the path, and every vertex of the path is one of them.
+        for part, words in ((MESHES / "pocket.stl", ("--cutter", "ball:6")),
+                            (VALLEY, ("--cutter", "ball:20", "--grid", "60", "--tolerance", "0.05"))):
+            facts = self.summary("trim", part, *words, "--planes", "9", "-o", "out", "--force")
+            tolerance = facts["tolerance_mm"] / 10
+            self.assertAlmostEqual(facts["thin_tolerance_mm"], tolerance, delta=1e-12)
+            self.assertLessEqual(facts["thinned_within_mm"], facts["thin_tolerance_mm"])
+            self.assertLessEqual(facts["max_gouge_mm"] + facts["thinned_within_mm"], facts["tolerance_mm"])
+            out = self.folder / "out"
+            radius = float(words[1].split(":")[1]) / 2
+            curves = {}
+            for row in table(out / "trimmed.csv"):
+                at = tuple(float(row[key]) for key in ("x_mm", "y_mm", "z_mm"))
+                curves.setdefault((int(row["plane"]), int(row["curve"])), []).append(at)
+            passes = {}
+            for row in table(out / "toolpath.csv"):
+                if row["move"] in ("plunge", "cut"):
+                    tip = [float(row[f"tip_{axis}_mm"]) for axis in "xyz"]
+                    passes.setdefault(int(row["pass"]), []).append((tip[0], tip[1], tip[2] + radius))
+            self.assertEqual(facts["thinned_points"], sum(map(len, curves.values())) - sum(map(len, passes.values())))
+            self.assertGreater(facts["thinned_points"], 0)
+            for number, key in enumerate(sorted(curves)):  # passes of a zigzag: planes in their order
+                points = curves[key] if key[0] % 2 == 0 else curves[key][::-1]
+                kept = passes[number]
+                corners = [min(range(len(points)), key=lambda k, at=at: math.dist(points[k], at)) for at in kept]
+                self.assertEqual(corners, sorted(corners))
+                for (a, b), (first, last) in zip(zip(corners, corners[1:]), zip(kept, kept[1:])):
+                    self.assertLess(math.dist(points[a], first), 1e-9)
+                    for point in points[a + 1:b]:
+                        self.assertLessEqual(distance(point, first, last), tolerance + 1e-9)
+        facts = self.summary("trim", MESHES / "pocket.stl", "--cutter", "ball:6", "--planes", "3", "--thin-tolerance",
+                             "0", "-o", "all")
+        self.assertEqual((facts["thinned_points"], facts["thinned_within_mm"]), (0, 0))
+
+    def test_report_has_at_most_five_lines(self):
+        for words in ((MESHES / "pocket.stl", "--scallop", "0.2", "--cutter", "ball:6"),
+                      (VALLEY, "--planes", "5", "--grid", "40", "--cutter", "ball:20", "--tolerance", "1")):
+            done = endmill("trim", *words, "-o", "out", "--force", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertLessEqual(len(done.stdout.splitlines()), 5, done.stdout)
+            self.assertRegex(done.stdout, r"path +[\d.]+ mm at feed, \d+ points; \d+ within .* mm of a chord left out")
+
+    def test_path_that_fails_says_where_and_what_cures_it(self):
+        words = ("trim", VALLEY, "--cutter", "ball:20", "--grid", "30", "--planes", "12", "--tolerance", "0.001")
+        done = endmill(*words, "-o", "out", cwd=self.folder)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertRegex(done.stderr, r"the path fails: .* in plane \d+ \(t = \S+ mm\) at x \S+ y \S+ z \S+; "
+                                      r"--refine moves the points")
+        done = endmill(*words, "--refine", "-o", "refined", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_files_do_not_depend_on_the_number_of_threads(self):
         texts = []
@@ -374,6 +464,9 @@ class Trim(ProgramTest):
                 ((part, "--cutter", "ball:5", "--method", "3r", "--m3", "scan"), "--m3: has no effect"),
                 ((dome, "--cutter", "ball:5", "--method", "all", "--repeat", "3"), "--repeat"),
                 ((dome, "--cutter", "ball:5", "--figure", "worst"), "--figure worst"),
+                ((part, "--cutter", "ball:5", "--thin-tolerance", "0.01"), "expected less than --tolerance, 0.01 mm"),
+                ((part, "--cutter", "ball:5", "--thin-tolerance", "-1"), "--thin-tolerance"),
+                (("--polyline", curves, "--thin-tolerance", "0"), "--polyline excludes --thin-tolerance"),
                 ((part, "--cutter", "ball:5", "--grid", "1"), "--grid")):
             self.assert_refused(endmill("trim", *words, cwd=self.folder), 2, message)
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """endmill verify: verdicts and volumes on paths with closed forms, the files, and refused input."""
 import csv
+import hashlib
 import json
 import math
 import re
@@ -44,7 +45,7 @@ class VerifyTest(ProgramTest):
         self.assertEqual(done.returncode, status, done.stderr + done.stdout)
         facts = json.loads(done.stdout)
         self.assertEqual(facts, json.loads((self.folder / out / "summary.json").read_text()))
-        self.assertEqual(status == 0, facts["verdict"] == "clean")
+        self.assertEqual(status == 0, facts["verdict"] in ("clean", "not judged"))
         return facts
 
     def planned(self, *options, part=None, out="plan"):
@@ -108,7 +109,7 @@ class Verdicts(VerifyTest):
         self.assertAlmostEqual(facts["gouge_area_mm2"], 20 * width, delta=0.25 * 20 + 2)
         done = endmill("verify", "p.csv", "--part", "surface.json", "--cutter", "ball:10", "--resolution", "1", "-o",
                        "said", cwd=self.folder)
-        self.assertRegex(done.stdout, r"p: gouged\n  gouge       0\.04\d+ mm \(limit 0\.\d+ mm\) at x .*, point 2[234];")
+        self.assertRegex(done.stdout, r"p: gouged\n  gouge       0\.04\d+, tolerance 0\.01 \+ 0\.001 mm at x .*, point 2[234];")
 
     def test_report_shows_on_which_side_of_its_limit_a_gouge_lies(self):
         facts = self.judged(passes(range(31), dip=10), "--resolution", "1", status=1)
@@ -118,7 +119,7 @@ class Verdicts(VerifyTest):
                            "--tolerance", limit, "--max-refine", "0", "-o", "said", "--force", cwd=self.folder)
             found = json.loads((self.folder / "said/summary.json").read_text())["max_gouge_mm"]
             self.assertEqual(found > limit, is_beyond)
-            said = re.search(r"gouge +(\S+) mm \(limit (\S+) mm\)", done.stdout)
+            said = re.search(r"gouge +(\S+), tolerance (\S+) \+ 0\.001 mm", done.stdout)
             self.assertLessEqual(float(said[2]), limit)
             self.assertEqual(float(said[1]) > limit, is_beyond, said)
 
@@ -140,7 +141,7 @@ class Verdicts(VerifyTest):
         self.assertTrue(19.5 <= place["point_mm"][0] <= 40.5, place)
         done = endmill("verify", "p.csv", "--part", "surface.json", "--cutter", "ball:10", "--stock", "rest.vti", "-o",
                        "said", cwd=self.folder)
-        self.assertRegex(done.stdout, r"p: gouged\n  gouge       0\.0[45]\d* mm \(limit 0\.\d+ mm\) at x .*, by an earlier run;")
+        self.assertRegex(done.stdout, r"p: gouged\n  gouge       0\.0[45]\d*, tolerance 0\.01 \+ 0\.001 mm at x .*, by an earlier run;")
 
     def test_two_halves_of_a_path_are_clean_together(self):
         first = self.rest_of(passes(range(16)), status=1)
@@ -251,14 +252,36 @@ class Verdicts(VerifyTest):
 
 class Volumes(VerifyTest):
     def cut(self, *options, tips=THROUGH, name="p.csv", status=0):
-        return self.verify(self.file(tips, name), *options, status=status)
+        part = () if "--part" in options else ("--part", "none")
+        return self.verify(self.file(tips, name), *part, *options, status=status)
+
+    def test_without_a_part_nothing_is_judged(self):
+        path = self.file(THROUGH, "p.csv")
+        for options, status in (((), 1), (("--part", "none"), 0)):
+            done = endmill("verify", path, "--cutter", "ball:10", *BLOCK, *options, "-o", "said", "--force",
+                           cwd=self.folder)
+            self.assertEqual(done.returncode, status, done.stderr)
+            self.assertTrue(done.stdout.startswith("p: not judged\n"), done.stdout)
+        rapid = self.file("move," + COLUMNS + "cut,-30,0,-1\nrapid,30,0,-1\n", "r.csv")
+        facts = self.verify(rapid, "--cutter", "ball:10", *BLOCK, "--part", "none", status=1)
+        self.assertEqual(facts["verdict"], "gouged")
+
+    def test_summary_has_the_totals_of_the_path(self):
+        rows = ("rapid,0,0,20,,\nplunge,0,0,-1,100,1\ncut,3,4,-1,50,1\nlink,3,5,-1,50,1\nretract,3,5,20,210,1\n"
+                "rapid,15,5,20,,1\n")
+        header = "move," + COLUMNS.strip() + ",feed_mm_per_min,tool\n"
+        facts = self.cut("--cutter", "ball:10", *BLOCK, tips=header + rows)
+        self.assertEqual([facts[key] for key in ("cut_mm", "link_mm", "rapid_mm", "tools")], [21 + 5, 1 + 21, 12, [1]])
+        self.assertAlmostEqual(facts["time_min"], 0.21 + 0.1 + 0.02 + 0.1, delta=1e-12)
+        self.assertEqual((facts["min_mm"], facts["max_mm"]), ([0, 0, -1], [15, 5, 20]))
+        self.assertIsNone(self.cut("--cutter", "ball:10", *BLOCK)["time_min"])
 
     def test_volume_of_a_straight_cut_has_its_closed_form(self):
         facts = self.cut("--cutter", "ball:10", *BLOCK)
         # The midpoint rule across a section with steep ends has an error of O(pitch^1.5); along x it is exact.
         self.assertAlmostEqual(facts["removed_mm3"], 20 * SECTION, delta=20 * 0.1**1.5 * 0.2)
         self.assertEqual(facts["min_z_mm"], min(facts["min_z_mm"], -0.99))
-        self.assertEqual((facts["max_z_mm"], facts["verdict"], facts["part"]), (0, "clean", None))
+        self.assertEqual((facts["max_z_mm"], facts["verdict"], facts["part"]), (0, "not judged", None))
         for key in ("max_gouge_mm", "gouge_area_mm2", "max_scallop_mm", "p99_scallop_mm", "mean_scallop_mm",
                     "uncut_area_mm2", "bound_mm"):
             self.assertIsNone(facts[key])
@@ -364,8 +387,106 @@ class Volumes(VerifyTest):
 
     def test_path_above_its_block_gets_a_hint_about_stock(self):
         done = endmill("verify", self.file(THROUGH, "p.csv"), "--cutter", "ball:10", cwd=self.folder)
-        self.assertEqual(done.returncode, 0)
+        self.assertEqual(done.returncode, 1)
         self.assertIn("--stock sets where the material is", done.stdout)
+
+
+class Summaries(VerifyTest):
+    """The summary.json beside a path is used only if it describes this path."""
+
+    def warned(self, path, *options, status=0):
+        """The summary and the warnings of verify."""
+        done = endmill("verify", path, "--resolution", "1", *options, "-o", "out", "--force", "--json", cwd=self.folder)
+        self.assertEqual(done.returncode, status, done.stderr)
+        return json.loads(done.stdout), done.stderr
+
+    def test_summary_names_the_digest_of_its_path(self):
+        path = self.planned("--mode", "verified")
+        facts = json.loads((self.folder / "plan/summary.json").read_text())
+        self.assertEqual(facts["toolpath_sha256"], hashlib.sha256(path.read_bytes()).hexdigest())
+        self.assertEqual(facts["toolpath_points"], len(path.read_text().splitlines()) - 1)
+        self.assertEqual(self.warned(path)[1], "")
+        self.summary("post", path, "--feed", "500", "-o", "posted")
+        facts = json.loads((self.folder / "posted/summary.json").read_text())
+        program = self.folder / "posted/toolpath.ngc"
+        self.assertEqual(facts["toolpath_sha256"], hashlib.sha256(program.read_bytes()).hexdigest())
+
+    def test_changed_path_is_judged_without_the_summary(self):
+        path = self.planned("--mode", "verified")
+        path.write_text(path.read_text() + path.read_text().splitlines()[-1] + "\n")
+        facts, said = self.warned(path, "--cutter", "ball:10", status=1)
+        self.assertEqual((facts["verdict"], facts["part"]), ("not judged", None))
+        self.assertIn("describes another path (toolpath_sha256) and is not used", said)
+        done = endmill("verify", path, "-o", "none", cwd=self.folder)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("names the cutter; expected --cutter", done.stderr)
+
+    def test_program_beside_the_summary_of_another_path_is_safe(self):
+        self.planned("--mode", "verified")
+        program = self.file("G21 G90\nG0 X0 Y0 Z9\nG1 Z1 F100\nX9\nM2\n", "plan/part.ngc")
+        facts, said = self.warned(program, "--cutter", "ball:6", status=1)
+        self.assertEqual((facts["cutter"], facts["tolerance_mm"]), ("ball:6", 0.01))
+        self.assertIn("is not used", said)
+
+    def test_summary_without_a_digest_is_used_with_a_warning(self):
+        path = self.planned("--mode", "verified")
+        file = self.folder / "plan/summary.json"
+        facts = json.loads(file.read_text())
+        del facts["toolpath_sha256"], facts["toolpath_points"]
+        file.write_text(json.dumps(facts))
+        found, said = self.warned(path)
+        self.assertEqual(found["cutter"], "ball:10")
+        self.assertIn("names no toolpath_sha256 and may describe an earlier path", said)
+
+
+class SeveralTools(VerifyTest):
+    HEADER = "move," + COLUMNS.strip() + ",tool\n"
+    # Two slots that cross: 10 mm wide and 2 mm deep, then 4 mm wide and 4 mm deep.
+    SLOTS = HEADER + ("rapid,-30,0,5,1\ncut,-30,0,-2,1\ncut,30,0,-2,1\nrapid,30,0,9,1\nrapid,0,-30,9,2\n"
+                      "cut,0,-30,-4,2\ncut,0,30,-4,2\n")
+    TABLE = {"format": "endmill-tools/1", "tools": [{"number": 2, "tool": {"cutter": "flat:4"}},
+                                                     {"number": 1, "tool": "flat:10"}]}
+    OPTIONS = ("--part", "none", "--stock", "-15,-15,-10,15,15,0", "--resolution", "0.5")
+
+    def test_each_tool_cuts_with_its_own_cutter(self):
+        path = self.file(self.SLOTS, "p.csv")
+        for table in (self.file(self.TABLE, "t.json"), self.file("T1 D10\nT2 D4 ;flat:4 finishing\n", "t.tbl"),
+                      self.file(f"T1 D{10 / 25.4:.6f}\nT2 D{4 / 25.4:.6f}\n", "i.tbl")):
+            unit = {"t.tbl": ("--tools-units", "mm"), "i.tbl": ("--tools-units", "inch")}.get(table.name, ())
+            facts = self.verify(path, *self.OPTIONS, "--tools", table, *unit)
+            self.assertAlmostEqual(facts["removed_mm3"], 30 * 10 * 2 + 30 * 4 * 4 - 10 * 4 * 2, delta=0.01)
+            self.assertEqual((facts["cutter"], facts["tools"]), (None, [1, 2]))
+            self.assertEqual([entry["tool"] for entry in facts["cutters"]], [1, 2])
+
+    def test_holder_of_the_second_tool_collides(self):
+        table = json.loads(json.dumps(self.TABLE))
+        table["tools"][0]["tool"]["holder"] = [{"diameter_mm": 20, "from_mm": 3, "to_mm": 30}]
+        facts = self.verify(self.file(self.SLOTS, "p.csv"), *self.OPTIONS, "--tools", self.file(table, "t.json"),
+                            status=1)
+        self.assertEqual((facts["verdict"], facts["first_of_collisions"]), ("gouged", 6))
+
+    def test_rest_of_several_tools_is_cut_further(self):
+        path = self.file(self.SLOTS, "p.csv")
+        self.verify(path, *self.OPTIONS, "--tools", self.file(self.TABLE, "t.json"), "--write-stock")
+        shutil.move(self.folder / "out/stock.vti", self.folder / "rest.vti")
+        again = self.verify(path, "--part", "none", "--stock", "rest.vti", "--tools", "t.json")
+        self.assertEqual(again["removed_mm3"], 0)
+
+    def test_wrong_tables_are_refused(self):
+        path = self.file(self.SLOTS, "p.csv")
+        table = self.file(self.TABLE, "t.json")
+        one = self.file("T1 D10\n", "one.tbl")
+        for status, words, options in (
+                (2, ("several tools cut (T1, T2)", "--tools FILE"), ("--cutter", "flat:10")),
+                (3, ("one.tbl: no row with a cutter for tool 2",), ("--tools", one, "--tools-units", "mm")),
+                (2, ("one.tbl", "does not state its unit", "--tools-units"), ("--tools", one)),
+                (2, ("--tools-units: has no effect",), ("--tools", table, "--tools-units", "mm")),
+                (2, ("--tools-units: has no effect", "expected --tools"), ("--tools-units", "mm")),
+                (2, ("--cutter: has no effect with --tools",), ("--tools", table, "--cutter", "flat:10")),
+                (2, ("--engagement",), ("--tools", table, "--engagement")),
+                (3, ("none.json", "No such file"), ("--tools", "none.json"))):
+            self.assert_refused(endmill("verify", path, *options, cwd=self.folder), status, *words)
+        self.assertFalse((self.folder / "p-verify").exists())
 
 
 class Origins(VerifyTest):
@@ -441,7 +562,7 @@ class BadInput(VerifyTest):
     def test_bad_files_are_refused(self):
         self.refuse(3, 'p.csv:3: tip_y_mm is "NaN"', content=COLUMNS + "0,0,0\n1,NaN,2\n")
         self.refuse(3, "p.ngc:3: cutter compensation G41", content="G21 G90\nG1 X0 Y0 Z1 F100\nG41 X3\n", name="p.ngc")
-        self.refuse(3, "p.ngc:2", "rs274 -g", content="G21\n#1=5\n", name="p.ngc")
+        self.refuse(3, "p.ngc:2", "--interpreter linuxcnc", content="G21\n#1=5\n", name="p.ngc")
         self.refuse(3, "none.json", "No such file", options=("--cutter", "ball:10", "--part", "none.json"))
         self.refuse(3, "none.json", "No such file", options=("--tool", "none.json"))
         self.refuse(3, "none.stl", "No such file", options=("--cutter", "ball:10", "--stock", "none.stl"))
@@ -511,7 +632,7 @@ class BadInput(VerifyTest):
     def test_memory_limit_includes_the_written_stock(self):
         self.file(THROUGH, "p.csv")
         cut = ("p.csv", "--cutter", "ball:10", "--stock", "0,0,0,100,100,10", "--max-memory", "0.005",
-               "--resolution")
+               "--part", "none", "--resolution")
         whole = endmill("verify", *cut, "0.25", "-o", "plain", cwd=self.folder)
         self.assertEqual(whole.returncode, 0, whole.stderr)
         for option in ("--write-mesh", "--write-stock", "--engagement"):

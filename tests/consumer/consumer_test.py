@@ -58,7 +58,7 @@ class InstalledTest(unittest.TestCase):
 
 
 class WhatIsInstalled(InstalledTest):
-    def test_program_libraries_licence_and_machines_are_installed(self):
+    def test_program_libraries_licence_and_data_are_installed(self):
         files = {str(path.relative_to(self.prefix)) for path in self.prefix.rglob("*")
                  if path.is_file() and path.suffix != ".h"}
         package = {path for path in files if "/cmake/endmill/" in path}
@@ -68,10 +68,11 @@ class WhatIsInstalled(InstalledTest):
         self.assertEqual({Path(path).name for path in package},
                          {"endmillConfig.cmake", "endmillConfigVersion.cmake",
                           "endmillTargets.cmake", "endmillTargets-release.cmake"})
-        machines = {f"share/endmill/machines/{path.name}" for path in (ROOT / "datasets/machines").iterdir()}
+        data = {f"share/endmill/{kind}/{path.name}" for kind in ("controls", "machines")
+                for path in (ROOT / "datasets" / kind).iterdir()}
         self.assertEqual(files - package - libraries,
                          {"bin/endmill", "share/doc/endmill/LICENSE", "share/man/man1/endmill.1",
-                          "share/bash-completion/completions/endmill"} | machines)
+                          "share/bash-completion/completions/endmill"} | data)
 
     def test_all_headers_except_internal_ones_are_installed(self):
         source = ROOT / "src"

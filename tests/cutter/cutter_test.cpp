@@ -70,6 +70,10 @@ TEST(CutterWord, IsRefusedWithTheRangeOfTheWrongNumber)
     EXPECT_EQ(expected_cutter("bull:10:6"),
               "a corner radius from 0 to 5 mm, half the diameter");
     EXPECT_EQ(expected_cutter("bull:10:-1"), expected_cutter("bull:10:6"));
+    EXPECT_EQ(expected_cutter("ball:10mm"),
+              "numbers in mm without a unit, as in ball:10");
+    EXPECT_EQ(expected_cutter("bull:10mm:2mm"),
+              "numbers in mm without a unit, as in bull:10:2");
     for (const char* word : {"", "ball", "ball:nan", "bull:10", "bull:10:2:3", "drill:3"})
         EXPECT_TRUE(expected_cutter(word).starts_with("ball:DIAMETER, ")) << word;
 }

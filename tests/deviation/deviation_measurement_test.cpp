@@ -89,6 +89,47 @@ TEST(Deviation, IsUndecidedAtTheBorderWithACoarseGrid)
     EXPECT_EQ(verdict_at(0.02, true), Verdict::Gouged);
 }
 
+// The cutter is said to reach only the half x > 10 of a plane of 20 by 12 mm.
+TEST(Deviation, JudgesRemainingStockOnlyWhereTheCutterReaches)
+{
+    constexpr double scallop = 0.101020514434;  // R 5, passes 2 apart
+    DeviationOptions options;
+    options.pitch = 0.1;
+    options.limits = {0.01, 0.05};
+    const auto measured = [&] {
+        return deviation_of(plane_part(), level_passes(2), Cutter::ball(5), options);
+    };
+    const Deviation all = measured();
+    EXPECT_EQ(all.inaccessible_area_mm2, 0);
+    options.is_accessible = [](const PartRay& ray) { return ray.point.x() > 10; };
+    const Deviation half = measured();
+    EXPECT_NEAR(half.uncut_area_mm2, all.uncut_area_mm2 / 2, 1e-6 * all.uncut_area_mm2);
+    EXPECT_NEAR(half.area_mm2, 120, 0.02 * 120);
+    EXPECT_NEAR(half.inaccessible_area_mm2 + half.area_mm2, 240, 1e-3);
+    EXPECT_NEAR(half.max_inaccessible_mm, scallop, 0.01 * scallop + 0.01);
+    EXPECT_GT(half.highest->ray.point.x(), 10);
+
+    options.is_accessible = [](const PartRay&) { return false; };
+    const Deviation none = measured();
+    EXPECT_EQ(none.uncut_area_mm2, 0);
+    EXPECT_EQ(none.max_scallop_mm, 0);
+    EXPECT_EQ(verdict(none, options.limits), Verdict::Clean);
+}
+
+// Gouges are judged everywhere.
+TEST(Deviation, JudgesGougesWhereTheCutterDoesNotReach)
+{
+    DeviationOptions options;
+    options.pitch = 0.2;
+    options.limits = {0.01, 1};
+    options.is_accessible = [](const PartRay&) { return false; };
+    const auto lowered = [](int i) { return Eigen::Vector2d{2.0 * i, -0.2}; };
+    const Deviation deep =
+        deviation_of(plane_part(), passes(7, 0, 20, lowered), Cutter::ball(5), options);
+    EXPECT_NEAR(deep.max_gouge_mm, 0.2, 1e-3);
+    EXPECT_EQ(verdict(deep, options.limits), Verdict::Gouged);
+}
+
 class ParallelPasses : public testing::TestWithParam<double> {};
 
 // The passes are a whole number of pitches apart, so that cusps fall between rays.

@@ -27,10 +27,13 @@ READERS = {
     "canonical program": ("path.ngc", "post FILE --feed 500"),
     "apt program": ("path.apt", "post FILE --feed 500"),
     "json endmill-machine/1": ("machine.json", "machine FILE"),
+    "json endmill-control/1": ("control.json", "post PATH --feed 500 --control FILE"),
     "json endmill-material/1": ("material.json",
                                 "coefficients --material FILE --cutter ball:10 --flutes 2 --feed-per-tooth 0.05"
                                 " --mu-deg 10 --lambda-deg 20 --pick-feed-ratio 0.5 --depth-ratio 1"),
     "json endmill-tool/1": ("tool.json", "verify PATH --part none --tool FILE"),
+    "json endmill-tools/1": ("tools.json", "verify PATH --part none --tools FILE"),
+    "tbl tool-table": ("tools.tbl", "verify PATH --part none --tools FILE --tools-units mm"),
     "csv polyline": ("curves.csv", "trim --polyline FILE"),
     "csv tool-life": ("speeds.csv", "toollife FILE --tool-change-min 1 --tool-cost 5"
                       " --machine-cost-per-min 0.5"),
@@ -47,7 +50,7 @@ class Formats(unittest.TestCase):
                 self.assertIn(kind, READERS)
                 name, command = READERS[kind]
                 (Path(folder) / name).write_text(text, encoding="utf-8")
-                (Path(folder) / "tips.csv").write_text("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n10,0,0\n")
+                (Path(folder) / "tips.csv").write_text("tip_x_mm,tip_y_mm,tip_z_mm,tool\n0,0,0,1\n10,0,0,1\n")
                 words = command.replace("FILE", name).replace("PATH", "tips.csv").split()
                 done = subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, text=True,
                                       check=False, stdin=subprocess.DEVNULL, timeout=60)

@@ -2,6 +2,7 @@
 #include "endmill/drop_cutter/clearance.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -181,6 +182,53 @@ TEST(ProfileGap, IsThatOfTheSegments)
     EXPECT_NEAR(flat.gap, 3 / std::sqrt(2), 2e-5);
     EXPECT_FALSE(profile_gap(valley, Cutter::ball(2), std::vector<SectionPoint>{}));
     EXPECT_FALSE(profile_gap(std::vector<SectionCurve>{}, Cutter::ball(2), above));
+}
+
+// A floor and a wall meet at x = 0. A ball of radius 3 that touches the floor at x < 3 would be
+// inside the wall, and one that touches the wall below z = 3 inside the floor.
+TEST(Accessibility, EndsOneRadiusFromAnInnerCorner)
+{
+    const TriangleMesh mesh = test::both(test::box_mesh({0, -20, -5}, {20, 20, 0}),
+                                         test::box_mesh({-10, -20, -5}, {0, 20, 20}));
+    for (const Cutter& cutter : {Cutter::ball(3), Cutter{3, 1}, Cutter::flat(3)}) {
+        const DropCutter drop_cutter{mesh, cutter};
+        const double r = cutter.corner_radius();
+        for (const double away : {0.1, 0.5, 0.9, 1.1, 2.0, 2.9, 3.1, 5.0}) {
+            const CutterContact floor{{away, 1, 0}, Vec3::UnitZ()};
+            const CutterContact wall{{0, 1, away}, Vec3::UnitX()};
+            // A flat bottom reaches up to the corner radius to the wall.
+            EXPECT_EQ(is_accessible(drop_cutter, floor, 1e-3), away > r)
+                << away << ' ' << r;
+            EXPECT_EQ(is_accessible(drop_cutter, wall, 1e-3), away > r)
+                << away << ' ' << r;
+        }
+        EXPECT_TRUE(is_accessible(drop_cutter, {{10, 0, 0}, Vec3::UnitZ()}, 0.1));
+        EXPECT_FALSE(is_accessible(drop_cutter, {{10, 0, -5}, -Vec3::UnitZ()}, 0.1));
+    }
+}
+
+// Lifting the cutter by the rise at its place makes it rest there.
+TEST(GreatestRise, IsTheLiftThatARestingCutterNeeds)
+{
+    const TriangleMesh mesh = bowl_mesh(20, 4, 0.3);
+    for (const Cutter& cutter : cutters) {
+        const DropCutter drop_cutter{mesh, cutter};
+        const double r = cutter.corner_radius();
+        test::Random random{3};
+        std::vector<Vec3> places;
+        for (int k = 0; k < 500; ++k) {
+            const Eigen::Vector2d at{random.uniform(-9, 9), random.uniform(-9, 9)};
+            const double rests = drop_cutter.contact(at)->tip_z + r;
+            places.emplace_back(at.x(), at.y(), rests + random.uniform(0.1, 1));
+        }
+        EXPECT_GT(greatest_rise(drop_cutter, places)->gap, 0.1 - 1e-9);
+        places[123].z() -= 3;
+        const LeastGap found = greatest_rise(drop_cutter, places).value();
+        EXPECT_EQ(found.place, 123U);
+        // never less than the depth of the gouge
+        EXPECT_LE(found.gap, least_gap(drop_cutter, places)->gap + 1e-9);
+        EXPECT_FALSE(greatest_rise(drop_cutter, {}).has_value());
+    }
 }
 
 }  // namespace

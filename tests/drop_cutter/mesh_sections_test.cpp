@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -164,6 +165,37 @@ TEST(MeshSections, RefuseInvalidOptions)
     EXPECT_THROW(run(along_x, {.samples = 1}), DomainError);
     EXPECT_THROW(run(along_x, {.tolerance = 0}), DomainError);
     EXPECT_THROW(run({along_x.frame, {0, std::nan("")}}, {}), DomainError);
+}
+
+// A V-groove of slope 3/4: the centre of a ball runs 5/4 R above each flank, with a corner over
+// the bottom line at x = 7. Chords across the corner lie above it.
+TEST(MeshSections, KeepTheOuterToleranceInAGroove)
+{
+    const TriangleMesh mesh = plate(20, [](double x) { return 0.75 * std::abs(x - 7); });
+    const double R = 2;
+    const DropCutter drop_cutter{mesh, Cutter::ball(R)};
+    const auto most_above = [&](double outer) {
+        MeshSectionOptions options{.samples = 7, .tolerance = 0.01};
+        options.outer_tolerance = outer;
+        const auto sections = mesh_sections(drop_cutter, along_x, options);
+        double most = 0;
+        for (const SectionCurve& curve : sections[0])
+            for (std::size_t k = 0; k + 1 < curve.points.size(); ++k)
+                for (double share = 0; share <= 1; share += 0.0625) {
+                    const SectionPoint at =
+                        curve.points[k] + share * (curve.points[k + 1] - curve.points[k]);
+                    if (at.x() > 2 * R && at.x() < 14 - 2 * R)
+                        most = std::max(most,
+                                        at.y() - 0.75 * std::abs(at.x() - 7) - 1.25 * R);
+                }
+        return most;
+    };
+    EXPECT_GT(most_above(std::numeric_limits<double>::infinity()), 0.1);
+    for (const double outer : {0.1, 0.01, 0.001})
+        EXPECT_LE(most_above(outer), outer + 0.75 * 0.01);
+    EXPECT_THROW(
+        mesh_sections(drop_cutter, along_x, {.samples = 7, .outer_tolerance = 0}),
+        DomainError);
 }
 
 }  // namespace

@@ -92,7 +92,8 @@ TEST_P(FigureOfABox, HasRoomForTheWholeDrawing)
         AxonometricFigure figure{{.title = "t",
                                   .captions = {"a", "b"},
                                   .width_px = 400,
-                                  .azimuth = Angle::degrees(azimuth)},
+                                  .azimuth = Angle::degrees(azimuth),
+                                  .has_ticks = azimuth > 0},
                                  corners};
         figure.add_curve(corners, test_style);
         figure.add_legend("cut", test_style);
@@ -141,6 +142,41 @@ TEST(AxonometricFigure, TheAxesStateTheirLength)
     EXPECT_NEAR(arm_mm, 10, 0.01);
     EXPECT_THAT(SmallXml::parse(svg),
                 testing::Contains(testing::Field(&XmlElement::text, "each arm 10 mm")));
+}
+
+// Seen from the front, the ticks of x stand below the points with their coordinates, and
+// those of z beside them.
+TEST(AxonometricFigure, TicksStandWhereTheirNumbersAre)
+{
+    AxonometricFigure figure{{.azimuth = Angle::degrees(-90),
+                              .elevation = Angle::degrees(0),
+                              .has_ticks = true},
+                             box_corners({200, 120, 50})};
+    figure.add_curve(std::array<Vec3, 3>{Vec3{100, 0, 0}, {100, 0, 20}, {0, 0, 20}},
+                     test_style);
+    const std::string svg = figure.text();
+    const auto line = lines_of(svg, "#010203").at(0);
+    int seen = 0;
+    for (const XmlElement& element : SmallXml::parse(svg)) {
+        if (element.text != "100" && element.text != "20")
+            continue;
+        const PixelPoint at{std::stod(element.attributes.at("x")),
+                            std::stod(element.attributes.at("y"))};
+        if (element.text == "20" && at.x() > line[2].x())
+            continue;  // of x
+        ++seen;
+        if (element.text == "100") {
+            EXPECT_NEAR(at.x(), line[0].x(), 0.02);
+            EXPECT_GT(at.y(), line[0].y());
+        } else {
+            EXPECT_NEAR(at.y(), line[2].y(), 8);  // the base line is below the middle
+        }
+    }
+    EXPECT_EQ(seen, 2);
+    EXPECT_EQ(svg.find("each arm"), std::string::npos);
+    for (const char* name : {">x, mm<", ">z, mm<"})
+        EXPECT_NE(svg.find(name), std::string::npos);
+    EXPECT_EQ(svg.find(">y, mm<"), std::string::npos);  // y points away
 }
 
 // The shaft of an arrow equals the curve between the same points; the tip of the head is

@@ -131,9 +131,35 @@ TEST(DeviationMap, PaintsTheSquaresOfThePart)
             EXPECT_EQ(box.x, painted[0].x);
             corners.emplace(box.x, box.y);
         }
-        EXPECT_EQ(painted[0].x, 24 + static_cast<int>(k) * 20 * square);
+        EXPECT_EQ(painted[0].x, 68 + static_cast<int>(k) * 20 * square);
     }
     EXPECT_EQ(corners.size(), 160U);  // no two in one place
+}
+
+// A part of 40 x 20.3 mm in squares of 0.5 mm has 41 rows; the last one is cut, so that
+// the frame and the squares end where the part ends.
+TEST(DeviationMap, IsNoWiderThanThePart)
+{
+    const Part part = std::vector<Surface>{test::plane(40, 20.3)};
+    const PartCharts charts = part_charts(part);
+    const Deviation deviation =
+        made_deviation(charts, 0.1, [](const Vec3&) { return 0.05; });
+    DeviationFigure figure;
+    figure.limits = limits;
+    figure.squares = 80;
+    const std::string svg = deviation_svg(charts, deviation, figure);
+    auto painted = boxes_of(svg).at(std::string{deviation_colour(0.05, limits)});
+    painted.pop_back();  // of the scale
+    int top = painted[0].y;
+    int bottom = 0;
+    for (const Box& box : painted) {
+        top = std::min(top, box.y);
+        bottom = std::max(bottom, box.y + box.height);
+    }
+    EXPECT_EQ(painted.size(), 41U);
+    EXPECT_NEAR(static_cast<double>(bottom - top) / painted[0].width, 20.3 / 40, 0.002);
+    for (const char* label : {"x, mm", "y, mm", "remaining stock", "excessive gouge"})
+        EXPECT_TRUE(holds(texts_of(svg), label)) << label;
 }
 
 TEST(DeviationMap, HasEveryColourOnItsScaleInOrder)
@@ -200,6 +226,7 @@ TEST(DeviationMap, BreaksLongCaptionsAtBlanksAndCutsALongTitle)
     const Deviation deviation =
         made_deviation(charts, 1, [](const Vec3&) { return 0.0; });
     DeviationFigure figure;
+    figure.width_px = 900;
     figure.title = std::string(300, 'T');
     std::string whole;
     for (int number = 100; number < 135; ++number)

@@ -26,9 +26,10 @@ TEST(FeedSvg, HasAPanelForEachOfTheFigures)
         {.length_mm = 5, .depth_mm = 3}};
     const std::string text =
         feed_svg(cuts, std::vector{row(100), row(200)}, {"Stroke A"});
-    for (const char* label : {"Stroke A", "mu, across the feed", "lambda, of the feed",
-                              "between centres", "horizontal", "stock over the tip",
-                              "feed, mm/min", "spindle, rpm", "length of cut, mm"})
+    for (const char* label :
+         {"Stroke A", "across the feed (mu)", "of the feed (lambda)", "between centres",
+          "horizontal", "stock over the tip", "feed, mm/min", "spindle, rpm",
+          "length of cut, mm", "the feed is limited by", "tool life (economic speed)"})
         EXPECT_THAT(text, testing::HasSubstr(label));
 }
 

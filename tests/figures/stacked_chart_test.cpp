@@ -21,21 +21,6 @@ std::size_t count_of(const std::string& text, const std::string& part)
     return count;
 }
 
-TEST(RoundTicks, CoverTheRangeByRoundSteps)
-{
-    EXPECT_EQ(round_ticks(0, 10, 5), (std::vector<double>{0, 2, 4, 6, 8, 10}));
-    EXPECT_EQ(round_ticks(-3, 7, 4), (std::vector<double>{-5, 0, 5, 10}));
-    for (const auto& [low, high] :
-         {std::pair{3.3, 3.3}, std::pair{-1e6, 1e6}, std::pair{1e-7, 3e-7},
-          std::pair{0.0, 0.0}, std::pair{1e9, 1e9 + 1}}) {
-        const std::vector<double> ticks = round_ticks(low, high, 4);
-        ASSERT_GE(ticks.size(), 2u);
-        EXPECT_LE(ticks.front(), low);
-        EXPECT_GE(ticks.back(), high);
-        EXPECT_LE(ticks.size(), 8u);
-    }
-}
-
 const LineStyle red{"#ff0000", 1, ""};
 
 TEST(StackedChart, HasGapsWhereThereIsNoValue)
@@ -119,6 +104,26 @@ TEST(StackedChart, RefusesInvalidCurves)
     EXPECT_THROW(chart({1.0, 2.0}, {0, std::numeric_limits<double>::infinity()}),
                  DomainError);
     EXPECT_THROW(stacked_chart({"t", {}, "x"}, places, {}), DomainError);
+}
+
+// Two causes over 0 to 4 and 4 to 16: the boundary is at a quarter of the abscissa, which
+// goes from 80 to 880 px.
+TEST(StackedChart, HasAStripWhoseColoursChangeWithTheCause)
+{
+    const std::vector<double> places{2, 4, 16};
+    const std::vector<ChartPanel> panels{{"y", {{"line", red, {1.0, 2.0, 3.0}}}}};
+    const std::vector<ChartStrip> strips{
+        {"limited by",
+         {{"one", "#00ff00"}, {"two", "#0000ff"}, {"none", "#ff00ff"}},
+         {0, 0, 1}}};
+    const std::string text = stacked_chart({"t", {}, "x"}, places, panels, strips);
+    EXPECT_EQ(count_of(text, "#00ff00"), 2u);  // the strip and its legend
+    EXPECT_EQ(count_of(text, "#0000ff"), 2u);
+    EXPECT_EQ(count_of(text, "#ff00ff"), 0u);  // a cause that does not occur
+    EXPECT_EQ(count_of(text, "h200v14"), 1u);
+    EXPECT_EQ(count_of(text, "h600v14"), 1u);
+    const std::vector<ChartStrip> wrong{{"limited by", {{"one", "#00ff00"}}, {0, 1, 0}}};
+    EXPECT_THROW(stacked_chart({"t", {}, "x"}, places, panels, wrong), DomainError);
 }
 
 }  // namespace

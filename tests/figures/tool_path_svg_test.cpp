@@ -59,7 +59,8 @@ TEST(ToolPathSvg, ShowsLinksApartAndMovesClearOfThePartDashed)
 TEST(ToolPathSvg, LegendNamesTheDrawnMoves)
 {
     const std::set<std::string> whole = texts_of(tool_path_svg(wavy_path(2, 5)));
-    for (const char* label : {"cut", "link", "rapid, plunge, retract", "x", "y", "z"})
+    for (const char* label : {"cut", "link", "rapid, plunge, retract", "x, mm", "y, mm",
+                              "z, mm", "start", "direction"})
         EXPECT_TRUE(whole.contains(label)) << label;
     ToolPath only_cuts = wavy_path(2, 5);
     only_cuts.points.resize(5);
@@ -72,7 +73,7 @@ TEST(ToolPathSvg, LegendNamesTheDrawnMoves)
 TEST(ToolPathSvg, ShowsTitleAndCaptions)
 {
     const std::string caption =
-        "TOL = 0.5 mm  C.D. = 15 mm  NCL = 1061  TCD = 20809.3 mm";
+        "tolerance 0.5 mm, ball diameter 15 mm, 1061 points, travel 20809 mm";
     const auto texts = texts_of(
         tool_path_svg(wavy_path(2, 5), {.title = "u & v", .captions = {caption}}));
     EXPECT_TRUE(texts.contains("u & v"));

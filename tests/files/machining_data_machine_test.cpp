@@ -82,11 +82,12 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"W/caxyBz/T", "W/xyBz/T", "E_MACHINE m.json:/limits/c_deg"},
         Fault{"W/caxyBz/T", "W/caxyBz", "/T is missing at its end"},
         Fault{"W/caxyBz/T", "W/cabxyBz/T", "three rotary axes"},
-        Fault{"[-180, 90]", "[-180, 181]", "E_MACHINE m.json:/limits/c_deg: [-180, 181]"},
+        Fault{"[-180, 90]", "[-180, -1]", "E_MACHINE m.json:/limits/c_deg: [-180, -1]"},
         Fault{"[-180, 90]", "[1, 90]", "expected limits that hold 0"},
-        Fault{"[-180, 90]", "[-361, 0]", "E_MACHINE m.json:/limits/c_deg/0"},
+        Fault{"[-180, 90]", "[-1000001, 0]", "E_MACHINE m.json:/limits/c_deg/0"},
         Fault{"[-180, 90]", "[90, -180]", "E_MACHINE m.json:/limits/c_deg/1"},
-        Fault{"\"c_deg\": [-180, 90]", "\"a_deg\": [-190, 0]", "next to the tool"},
+        Fault{"[1, 2, 3]", "[1, 2, 3], \"axis_offset_mm\": [1, 2]",
+              "E_MACHINE m.json:/axis_offset_mm"},
         Fault{"[-300, 300]", "[300, -300]",
               "E_MACHINE m.json:/limits/x_mm/1: -300; expected at least the min, 300"},
         Fault{"[-300, 300]", "[300]", "E_MACHINE m.json:/limits/x_mm"},
@@ -135,6 +136,18 @@ TEST(MovingMachine, HasTheLimitsOfTheFile)
     EXPECT_EQ(plain.rotary.phi, (RotaryRange{0, 0}));
     EXPECT_EQ(plain.pivot, 0);
     EXPECT_EQ(plain.table_offset, Vec3(0, 0, 0));
+}
+
+// Directions repeat after a rotation; positions do not.
+TEST(MovingMachine, ReducesWideLimitsToOneRotationOfDirections)
+{
+    const Machine machine = moving_machine(
+        parse_machine(replaced(whole, "[-180, 90]", "[-720, 400]"), "m.json"));
+    EXPECT_EQ(machine.rotary.theta, RotaryRange{});
+    ASSERT_TRUE(machine.wide_positions[0].has_value());
+    EXPECT_DOUBLE_EQ(machine.wide_positions[0]->from, -4 * std::numbers::pi);
+    EXPECT_FALSE(machine.wide_positions[1].has_value());
+    EXPECT_FALSE(moving_machine(parse_machine(whole, "m.json")).wide_positions[0]);
 }
 
 // One file for each of the twelve configurations whose tool axis has two rotary degrees

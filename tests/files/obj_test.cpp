@@ -72,14 +72,33 @@ TEST(ParseObj, IgnoresStatementsThatDoNotAffectTheShape)
         ElementsAre(Triangle{0, 1, 2}));
 }
 
+TEST(ParseObj, SkipsAndCountsLinesWithUnknownWords)
+{
+    const RawMesh raw =
+        read("c made by hand\nc 17\n" + points + "vertex_color 1 0 0\nf 1 2 3\nc end\n");
+    EXPECT_THAT(raw.mesh.triangles(), ElementsAre(Triangle{0, 1, 2}));
+    EXPECT_THAT(raw.notes, ElementsAre("4 lines with unknown words were skipped: c (3), "
+                                       "vertex_color (1)"));
+    std::string many = points;
+    for (int k = 0; k < 20; ++k)
+        many += "w" + std::to_string(k) + " 1\n";
+    EXPECT_THAT(
+        read(many + "f 1 2 3\n").notes,
+        ElementsAre("20 lines with unknown words were skipped: w0 (1), w1 (1), w2 "
+                    "(1), w3 (1), w4 (1), w5 (1), w6 (1), w7 (1), others (12)"));
+    EXPECT_TRUE(read(points + "f 1 2 3\n").notes.empty());
+}
+
 TEST(ParseObj, RefusesOtherContent)
 {
     EXPECT_EQ(obj_complaint("cstype bezier\n" + points),
               "E_OBJ_SYNTAX f.obj:1: free-form statement \"cstype\"; "
               "expected a mesh of points (v) and faces (f)");
-    EXPECT_EQ(
-        obj_complaint(points + "face 1 2 3\n"),
-        "E_OBJ_SYNTAX f.obj:5: \"face\"; expected an OBJ statement, such as v or f");
+    EXPECT_EQ(obj_complaint(points + "f: 1 2 3\n"),
+              "E_OBJ_SYNTAX f.obj:5: \"f:\"; expected an OBJ statement, such as v or f");
+    EXPECT_EQ(obj_complaint("hello\nworld 1 2 3\n"),
+              "E_OBJ_SYNTAX f.obj:1: no line begins with a word of OBJ; expected "
+              "statements such as v and f");
     EXPECT_EQ(obj_complaint("v 0 0\n"),
               "E_OBJ_SYNTAX f.obj:1: end of line; expected a number");
     EXPECT_EQ(obj_complaint("v 0 0,5 1\n"),

@@ -25,7 +25,8 @@ TEST(PathSummary, IsReadFromTheFileBesideThePath)
     folder.put("summary.json",
                R"({"name": "net", "cutter": "bull:10:2", "chord_tolerance_mm": 0.5,
                    "inner_tolerance_mm": 0.02, "outer_tolerance_mm": 0.1, "scallop_mm": 1,
-                   "feed_mm_per_min": 800, "spindle_rpm": 5000, "axis": [0, 0, 1]})");
+                   "feed_mm_per_min": 800, "spindle_rpm": 5000, "axis": [0, 0, 1],
+                   "inaccessible": "excuse"})");
     const auto summary = read_path_summary(folder.path() / "toolpath.csv");
     ASSERT_TRUE(summary);
     EXPECT_EQ(summary->name, "net");
@@ -34,6 +35,7 @@ TEST(PathSummary, IsReadFromTheFileBesideThePath)
     EXPECT_EQ(summary->scallop_mm, 1);
     EXPECT_EQ(summary->feed_mm_per_min, 800);
     EXPECT_EQ(summary->spindle_rpm, 5000);
+    EXPECT_EQ(summary->inaccessible, InaccessibleStock::Excuse);
 }
 
 TEST(PathSummary, MayBeMissingOrEmpty)
@@ -45,6 +47,9 @@ TEST(PathSummary, MayBeMissingOrEmpty)
     ASSERT_TRUE(summary);
     EXPECT_FALSE(summary->cutter || summary->name || summary->feed_mm_per_min);
     EXPECT_FALSE(summary->tolerance_mm());
+    EXPECT_FALSE(summary->inaccessible);
+    EXPECT_THAT(path_file_summary_complaint(R"({"inaccessible": "all"})"),
+                HasSubstr("one of count, excuse"));
 }
 
 TEST(PathSummary, MayHaveAToleranceOfZeroOnOneSide)
@@ -55,6 +60,32 @@ TEST(PathSummary, MayHaveAToleranceOfZeroOnOneSide)
     ASSERT_TRUE(summary);
     EXPECT_EQ(summary->inner_tolerance_mm, 0);
     EXPECT_EQ(summary->tolerance_mm(), 0);
+}
+
+// The first digest is printed in FIPS 180-2, appendix B.1; the second is that of no text.
+TEST(PathSummary, HasTheDigestOfTheStandard)
+{
+    EXPECT_EQ(content_sha256("abc"),
+              "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(content_sha256(""),
+              "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+}
+
+TEST(PathSummary, BelongsToTheFileWhoseDigestItNames)
+{
+    const std::string table = "tip_x_mm,tip_y_mm,tip_z_mm\n0,0,0\n1,0,0\n";
+    PathSummary summary;
+    EXPECT_EQ(summary_match(summary, table), SummaryMatch::Unnamed);
+    summary.toolpath_sha256 = content_sha256(table);
+    EXPECT_EQ(summary_match(summary, table), SummaryMatch::Described);
+    EXPECT_EQ(summary_match(summary, table + "2,0,0\n"), SummaryMatch::Other);
+    summary.toolpath_points = 2;
+    EXPECT_EQ(summary_match(summary, table), SummaryMatch::Described);
+    summary.toolpath_points = 3;
+    EXPECT_EQ(summary_match(summary, table), SummaryMatch::Other);
+    summary.program_sha256 = content_sha256("G0 X1\nM2\n");
+    EXPECT_EQ(summary_match(summary, "G0 X1\nM2\n"), SummaryMatch::Described);
+    EXPECT_EQ(summary_match(summary, "G0 X2\nM2\n"), SummaryMatch::Other);
 }
 
 TEST(PathSummary, IsReadStrictly)
@@ -72,6 +103,10 @@ TEST(PathSummary, IsReadStrictly)
                 HasSubstr(":/inner_tolerance_mm: -0.1; expected a number from 0"));
     EXPECT_THAT(path_file_summary_complaint(R"({"feed_mm_per_min": "fast"})"),
                 HasSubstr(":/feed_mm_per_min: \"fast\"; expected a number"));
+    EXPECT_THAT(path_file_summary_complaint(R"({"toolpath_points": -1})"),
+                HasSubstr(":/toolpath_points: -1"));
+    EXPECT_THAT(path_file_summary_complaint(R"({"toolpath_sha256": 7})"),
+                HasSubstr(":/toolpath_sha256: 7"));
 }
 
 }  // namespace

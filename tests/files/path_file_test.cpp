@@ -38,8 +38,9 @@ TEST(PathFile, FormatFollowsTheContentBeforeTheName)
         EXPECT_EQ(path_format(
                       gcode(path, {.name = "tip_a, b", .feed_mm_per_min = 1}).text, name),
                   PathFormat::Gcode);
-        for (const char* text : {"G1 X1", "\n g 1 x 2", "(tip_x, y)\nG0", ";x", "/G0 X1",
-                                 "N10 G21", "x-1.5", "\xef\xbb\xbfG0 X0", "o<sub> call"})
+        for (const char* text :
+             {"G1 X1", "\n g 1 x 2", "(tip_x, y)\nG0", ";x", "/G0 X1", "N10 G21", ":1001",
+              "x-1.5", "\xef\xbb\xbfG0 X0", "o<sub> call"})
             EXPECT_EQ(path_format(text, "x.ngc"), PathFormat::Gcode) << text;
     }
 }

@@ -92,6 +92,12 @@ TEST(ReadFile, RefusesCompressedFiles)
                              "BZh91AY"sv, "\x28\xb5\x2f\xfd"sv})
         EXPECT_THAT(code_and_message(folder.put("a", magic)),
                     testing::StartsWith("E_COMPRESSED"));
+    EXPECT_THAT(code_and_message(folder.put("a.3MF", "PK\x03\x04"sv)),
+                testing::AllOf(testing::StartsWith("E_COMPRESSED"),
+                               testing::HasSubstr("3MF is not read"),
+                               testing::HasSubstr("exported as .stl")));
+    EXPECT_THAT(code_and_message(folder.put("a.stl.gz", "\x1f\x8b\x08"sv)),
+                testing::HasSubstr("gunzip -k"));
 }
 
 TEST(ReadFile, RefusesAFileLargerThanTheLimitBeforeReadingIt)

@@ -129,6 +129,16 @@ TEST(JsonValue, AMissingKeyIsNamedAndAnOptionalOneIsNot)
     EXPECT_THAT([&] { number.find_member("c"); }, refuses("f:/a: 1; expected an object"));
 }
 
+TEST(JsonValue, ATruthIsTrueOrFalse)
+{
+    const auto read = [](const JsonValue& value) { value.truth(); };
+    EXPECT_EQ(JsonValueOf{R"({"x": true})"}.complaint(read), "accepted");
+    EXPECT_EQ(JsonValueOf{R"({"x": false})"}.complaint(read), "accepted");
+    for (const char* text : {R"({"x": 1})", R"({"x": "true"})", R"({"x": null})"})
+        EXPECT_THAT(JsonValueOf{text}.complaint(read),
+                    HasSubstr("expected true or false"));
+}
+
 TEST(JsonValue, AWordIsOneOfThoseAllowed)
 {
     constexpr std::array<std::string_view, 2> units{"mm", "inch"};

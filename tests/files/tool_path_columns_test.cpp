@@ -76,6 +76,16 @@ TEST(PathColumns, RefuseUnknownNamesWithASuggestion)
     EXPECT_THAT(tool_path_columns_complaint("1,2,3"), HasSubstr("unknown column \"1\""));
 }
 
+TEST(PathColumns, NameThePointThatACoordinateMayMean)
+{
+    for (const char* header : {"x,y,z", "X,Y,Z"}) {
+        EXPECT_THAT(
+            tool_path_columns_complaint(header),
+            HasSubstr("x, y and z of the tip are tip_x_mm, tip_y_mm and tip_z_mm"));
+        EXPECT_THAT(tool_path_columns_complaint(header), HasSubstr("spindle_rpm"));
+    }
+}
+
 TEST(PathColumns, RefuseMissingAndRepeatedColumns)
 {
     EXPECT_EQ(

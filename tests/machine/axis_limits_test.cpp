@@ -51,6 +51,17 @@ TEST(AxisLimits, OfRotaryAxesContainZeroAndAreNoWiderThanATurn)
     EXPECT_THAT(expected_rotary_range(1, 30, -30).value_or(""), HasSubstr("hold 0"));
 }
 
+// Every turn of the wide range has an equal direction in the reduced one.
+TEST(AxisLimits, BeyondARotationAreReducedToOne)
+{
+    EXPECT_EQ(within_one_rotation(0, {-4 * pi, 4 * pi}), RotaryRange{});
+    EXPECT_EQ(within_one_rotation(0, {-1.5 * pi, 0.5 * pi}),
+              (RotaryRange{-1.5 * pi, 0.5 * pi}));
+    EXPECT_EQ(within_one_rotation(0, {-3 * pi, 0}), RotaryRange{});
+    EXPECT_EQ(within_one_rotation(1, {-0.1, 2 * pi}), (RotaryRange{-0.1, pi}));
+    EXPECT_EQ(within_one_rotation(1, {-1, 1}), (RotaryRange{-1, 1}));
+}
+
 TEST(AxisLimits, BelongToTheAxisThatTheFamilyDetermines)
 {
     RotaryLimits limits;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/path/tool_path.h"
 
+#include <optional>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -58,6 +61,30 @@ TEST(ToolPath, CanHaveANormalWithoutTheRestOfTheContact)
         0, 0, Move::Cut, 0, {{1, 2, 3}, Vec3::UnitZ()}, Vec3{0, 0.6, 0.8}};
     EXPECT_FALSE(point.contact());
     EXPECT_EQ(*point.normal(), Vec3(0, 0.6, 0.8));
+}
+
+ToolPath path_along(const std::vector<std::pair<Move, double>>& heights)
+{
+    ToolPath path;
+    for (const auto& [move, z] : heights)
+        path.points.push_back({0,
+                               static_cast<int>(path.points.size()),
+                               move,
+                               0,
+                               {{0, 0, z}, Vec3::UnitZ()}});
+    return path;
+}
+
+TEST(EntryHeight, IsTheStartOfTheFirstMoveAtFeedIfItLeadsDown)
+{
+    using enum Move;
+    EXPECT_EQ(
+        entry_height(path_along({{Rapid, 30}, {Rapid, 2}, {Plunge, -1}, {Cut, -1}})), 2);
+    EXPECT_EQ(entry_height(path_along({{Cut, 5}, {Cut, 4}, {Plunge, 0}})), 5);
+    EXPECT_EQ(entry_height(path_along({{Rapid, 5}, {Cut, 5}, {Plunge, 0}})),
+              std::nullopt);
+    EXPECT_EQ(entry_height(path_along({{Rapid, 5}, {Retract, 9}})), std::nullopt);
+    EXPECT_EQ(entry_height({}), std::nullopt);
 }
 
 }  // namespace

@@ -190,6 +190,36 @@ TEST(FedGcode, LeavesAnArcWholeBesideMCodes)
               "G21 G90\nG0 X10 Y0 Z0 S900\nG3 X-10 Y0 I-10 J0 F66.6667 M1 S600\nM2\n");
 }
 
+// The line of a cycle gets the smallest feed of its moves; its rapids have none.
+TEST(FedGcode, KeepsCyclesAndReferenceMoves)
+{
+    const std::string text =
+        "G21 G90 G97 S100 M3\nG0 X0 Y0 Z5\nG99 G83 X1 Z-2 R1 Q1 F50\nX2 F60\nG80\n"
+        "G91 G28 Z0\nG90 G0 X3\nZ1\nG1 Z0 F70\nM2\n";
+    const auto conditions_at = [](std::size_t i, const Vec3& tip) {
+        return CuttingConditions{
+            tip.x() < 1.5 ? 200 - static_cast<double>(i) : 80, 900, {}};
+    };
+    ToolPath path;
+    const std::string written = fed(text, conditions_at, &path);
+    // Pecks of the first hole end at points 3, 6 and 9 of the path.
+    EXPECT_EQ(written,
+              "G21 G90 G97 S900 M3\nG0 X0 Y0 Z5\nG99 G83 X1 Z-2 R1 Q1 F191\nX2 F80\nG80\n"
+              "G91 G28 Z0\nG90 G0 X3\nZ1\nG1 Z0 F80\nM2\n");
+    const ToolPath again = parse_gcode(written, "q.ngc").path;
+    ASSERT_EQ(again.points.size(), path.points.size());
+    for (std::size_t i = 0; i < path.points.size(); ++i)
+        EXPECT_EQ(again.points[i].location.tip, path.points[i].location.tip);
+}
+
+TEST(FedGcode, KeepsCuttingSpeeds)
+{
+    const std::string text =
+        "G21 G90 G96 S100 M3\nG0 X0 Y0 Z5\nG1 Z0 S120 F50\nG97 S800\nX1\nM2\n";
+    EXPECT_EQ(fed(text, constant),
+              "G21 G90 G96 S100 M3\nG0 X0 Y0 Z5\nG1 Z0 S120 F812.5\nG97 S3000\nX1\nM2\n");
+}
+
 TEST(FedGcode, RefusesAnotherPathAndFeedsThatVanish)
 {
     const std::string text = "G21 G90\nG0 X1 Y0 Z0\nG1 X0 F1\nM2\n";

@@ -75,15 +75,15 @@ TEST(ParseBlock, ReadsLongNumbersToTheNearestDouble)
 TEST(ParseBlock, AdvisesToExpandParametersAndSubprograms)
 {
     const std::string expand =
-        "; expected plain numbers: expand them with rs274 -g and give its output";
+        "; expected plain numbers: --interpreter linuxcnc expands them";
     EXPECT_EQ(refusal("#1=5"), "E_GCODE f:1: parameter \"#1=5\"" + expand);
     EXPECT_EQ(refusal("G1 X#1"), "E_GCODE f:1: parameter \"#1\"" + expand);
     EXPECT_EQ(refusal("X[1+2]"), "E_GCODE f:1: expression \"[1+2]\"" + expand);
     for (const std::string word : {"O100 sub", "o<a> call", "O0001"})
         EXPECT_EQ(refusal(word),
                   "E_GCODE f:1: O-word \"" + word +
-                      "\"; expected moves alone: expand subroutines with rs274 -g and "
-                      "give its output, and leave out the number of the program");
+                      "\"; expected moves alone: --interpreter linuxcnc expands "
+                      "subroutines");
 }
 
 TEST(ParseBlock, RefusesNumbersOtherThanPlainDecimals)
@@ -116,7 +116,16 @@ TEST(ParseBlock, RefusesUnknownWords)
     EXPECT_EQ(refusal("G0 U1"), "E_GCODE f:1: unknown word \"U1\"" + known);
     EXPECT_EQ(refusal("G1 X1 E5"), "E_GCODE f:1: unknown word \"E5\"" + known);
     EXPECT_EQ(refusal("\x1bX"),
-              "E_GCODE f:1: \"?X\"; expected a word: a letter and a number");
+              "E_GCODE f:1: a hidden character in \"\\x1bX\"; expected words of letters "
+              "and numbers");
+    EXPECT_EQ(
+        refusal("G0 X\xc2\xa0"
+                "5"),
+        "E_GCODE f:1: a hidden character in \"X\\u00a05\"; expected words of letters "
+        "and numbers");
+    EXPECT_EQ(refusal("G0 @5"),
+              "E_GCODE f:1: polar coordinates \"@5\"; expected X and Y: --interpreter "
+              "linuxcnc expands them");
     EXPECT_EQ(refusal("TRAORI"),
               "E_GCODE f:1: tool-centre-point code \"TRAORI\"; expected a three-axis "
               "program");

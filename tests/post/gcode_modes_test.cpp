@@ -69,8 +69,9 @@ TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
 TEST(GcodeModes, RefuseTwoOfOneGroupInABlock)
 {
     for (const std::string codes :
-         {"G0 G1", "G2 G80", "G17 G18", "G20 G21", "G43 G49", "G54 G55", "G61 G64",
-          "G61.1 G61", "G90 G91", "G90.1 G91.1", "G93 G94"}) {
+         {"G0 G1", "G2 G81", "G17 G18", "G20 G21", "G43 G49", "G54 G55", "G61 G64",
+          "G61.1 G61", "G90 G91", "G90.1 G91.1", "G93 G94", "G98 G99", "G96 G97",
+          "G28 G53"}) {
         const std::string second = codes.substr(codes.find(' ') + 1);
         EXPECT_EQ(refusal(codes),
                   "E_GCODE f:1: " + second +
@@ -85,36 +86,95 @@ TEST(GcodeModes, SupportOneCoordinateSystem)
               "E_GCODE f:3: G59.1 after G54; expected one coordinate system");
 }
 
+TEST(GcodeModes, LetAMotionCodeWinOverG80)
+{
+    EXPECT_EQ(modes_after("G0 G17 G21 G40 G49 G80 G90").motion, GcodeMotion::Rapid);
+    EXPECT_EQ(modes_after("G80 G3").motion, GcodeMotion::CounterclockwiseArc);
+    EXPECT_EQ(modes_after("G81\nG80").motion, GcodeMotion::None);
+    EXPECT_EQ(refusal("G80 G81"),
+              "E_GCODE f:1: G80 beside a canned cycle; expected two separate blocks");
+}
+
+TEST(GcodeModes, KeepTheCycleAndItsRetractLevel)
+{
+    for (const int code : {73, 74, 81, 82, 83, 84, 85, 86, 88, 89}) {
+        const GcodeModes modes = modes_after("G98 G" + std::to_string(code));
+        EXPECT_EQ(modes.motion, GcodeMotion::Cycle);
+        EXPECT_EQ(modes.cycle, code);
+        EXPECT_EQ(modes.retract, RetractLevel::Initial);
+    }
+    EXPECT_EQ(modes_after("G98\nG99").retract, RetractLevel::R);
+    EXPECT_EQ(modes_after("G21").retract, RetractLevel::Unsaid);
+}
+
+TEST(GcodeModes, KnowTheMeaningOfS)
+{
+    EXPECT_TRUE(modes_after("G96").has_surface_speed);
+    EXPECT_FALSE(modes_after("G96\nG97").has_surface_speed);
+}
+
+TEST(GcodeModes, AcceptCodesThatMoveNothing)
+{
+    for (const std::string code : {"G8", "G15", "G28.1", "G30.1", "G50", "G50.1", "G67",
+                                   "G69", "G92.1", "G92.2", "G96", "G97", "G98", "G99"})
+        EXPECT_EQ(refusal(code), "accepted") << code;
+    EXPECT_TRUE(is_idle_g_code(690));
+    EXPECT_FALSE(is_idle_g_code(170));
+}
+
+TEST(GcodeModes, KnowReferenceMoves)
+{
+    const auto of = [](const std::string& codes) {
+        const TextLines lines{codes, {"f", "E_GCODE"}};
+        return reference_move(parse_block(codes, lines));
+    };
+    EXPECT_EQ(of("G0 X1"), ReferenceMove::None);
+    EXPECT_EQ(of("G91 G28 Z0"), ReferenceMove::ReferencePoint);
+    EXPECT_EQ(of("G30"), ReferenceMove::ReferencePoint);
+    EXPECT_EQ(of("G0 G53 Z0"), ReferenceMove::MachineCoordinates);
+    EXPECT_EQ(refusal("G0 G28 Z0"), "accepted");
+    for (const std::string codes : {"G2 G28", "G81 G53"})
+        EXPECT_EQ(
+            refusal(codes),
+            "E_GCODE f:1: two codes that both use X, Y and Z; expected two separate "
+            "blocks");
+}
+
 TEST(GcodeModes, RefuseUnsupportedCodes)
 {
     const std::string frame =
         "; expected coordinates in one coordinate system of the part";
+    const std::string offsets = frame + ": --interpreter linuxcnc applies offsets";
     const std::string expand =
-        "; expected moves written out: expand them with rs274 -g and give its output";
-    const std::string tip = "; expected a path of the cutter's tip (G40)";
-    for (const std::string code : {"G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85",
-                                   "G86", "G87", "G88", "G89"})
-        EXPECT_EQ(refusal(code), "E_GCODE f:1: canned cycle " + code + expand);
+        "; expected moves written out: --interpreter linuxcnc expands them";
+    const std::string tip =
+        "; expected a path of the cutter's tip (G40): only the control knows the radius";
+    const std::string cycles = "; expected G73, G74, G81 to G86, G88 or G89";
+    for (const std::string code : {"G76", "G84.2", "G88.1"})
+        EXPECT_EQ(refusal(code), "E_GCODE f:1: canned cycle " + code + cycles);
+    EXPECT_EQ(refusal("G87"),
+              "E_GCODE f:1: back boring, which cuts from below G87" + cycles);
     for (const std::string code : {"G41", "G42", "G41.1", "G42.1"})
         EXPECT_EQ(refusal(code), "E_GCODE f:1: cutter compensation " + code + tip);
     for (const std::string code : {"G5", "G5.1", "G5.2", "G5.3"})
         EXPECT_EQ(refusal(code), "E_GCODE f:1: spline " + code + expand);
-    EXPECT_EQ(refusal("G10"), "E_GCODE f:1: setting of offsets G10" + frame);
-    for (const std::string code : {"G28", "G28.1", "G30", "G30.1"})
-        EXPECT_EQ(refusal(code), "E_GCODE f:1: reference point " + code + frame);
+    EXPECT_EQ(refusal("G7"),
+              "E_GCODE f:1: diameters of a lathe G7; expected coordinates "
+              "of a milling machine (G8)");
+    EXPECT_EQ(refusal("G10"), "E_GCODE f:1: setting of offsets G10" + offsets);
+    for (const std::string code : {"G33", "G33.1"})
+        EXPECT_EQ(refusal(code), "E_GCODE f:1: motion in step with the spindle " + code +
+                                     "; expected G1 with a feed F");
     for (const std::string code : {"G38.2", "G38.3", "G38.4", "G38.5"})
         EXPECT_EQ(refusal(code),
                   "E_GCODE f:1: probing " + code + "; expected a program that cuts");
-    EXPECT_EQ(refusal("G51"), "E_GCODE f:1: scaling G51" + frame);
-    for (const std::string code : {"G52", "G92", "G92.1", "G92.2", "G92.3"})
-        EXPECT_EQ(refusal(code), "E_GCODE f:1: coordinate offset " + code + frame);
-    EXPECT_EQ(refusal("G53"), "E_GCODE f:1: machine coordinates G53" + frame);
+    for (const std::string code : {"G51", "G51.1"})
+        EXPECT_EQ(refusal(code), "E_GCODE f:1: scaling or mirroring " + code + frame);
+    for (const std::string code : {"G52", "G92", "G92.3"})
+        EXPECT_EQ(refusal(code), "E_GCODE f:1: coordinate offset " + code + offsets);
     EXPECT_EQ(refusal("G68"), "E_GCODE f:1: rotation G68" + frame);
     EXPECT_EQ(refusal("G95"),
               "E_GCODE f:1: feed per revolution G95; expected G93 or G94");
-    EXPECT_EQ(refusal("G96"),
-              "E_GCODE f:1: constant surface speed G96; expected a spindle speed S in "
-              "1/min");
     for (const std::string code : {"G43.4", "G234"})
         EXPECT_EQ(refusal(code), "E_GCODE f:1: tool-centre-point code " + code +
                                      "; expected a three-axis program");
@@ -122,8 +182,8 @@ TEST(GcodeModes, RefuseUnsupportedCodes)
 
 TEST(GcodeModes, RefuseUnknownCodes)
 {
-    for (const std::string code : {"G6", "G7", "G33", "G43.1", "G43.2", "G54.1", "G59.4",
-                                   "G64.1", "G97", "G98", "G99", "G0.1", "G999"})
+    for (const std::string code :
+         {"G6", "G43.1", "G43.2", "G54.1", "G59.4", "G64.1", "G0.1", "G999"})
         EXPECT_EQ(refusal(code), "E_GCODE f:1: unknown code " + code +
                                      "; expected a G code of the subset");
 }
@@ -138,7 +198,7 @@ TEST(CheckMCodes, AcceptsCodesThatDoNotMove)
 TEST(CheckMCodes, RefusesSubprogramsAndCentrePointCodes)
 {
     const std::string expand =
-        "; expected moves written out: expand them with rs274 -g and give its output";
+        "; expected moves written out: --interpreter linuxcnc expands them";
     for (const std::string code : {"M97", "M98", "M99", "M198"})
         EXPECT_EQ(m_refusal(code), "E_GCODE f:1: subprogram " + code + expand);
     EXPECT_EQ(m_refusal("M128"),

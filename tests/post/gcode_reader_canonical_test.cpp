@@ -179,7 +179,6 @@ TEST(ParseCanonical, RemarksOnAssumptions)
     EXPECT_THAT(tips(arc_first), ElementsAre(Vec3(1, 2, 3)));
     EXPECT_THAT(arc_first.remarks, Contains("the first motion is an arc: its start is "
                                             "unknown, and it is left out"));
-    EXPECT_THAT(parse_canonical("1 N..... FINISH()", "f").path.points, ElementsAre());
 }
 
 TEST(ParseCanonical, RefusesUnsupportedMotion)
@@ -194,9 +193,6 @@ TEST(ParseCanonical, RefusesUnsupportedMotion)
     }
     EXPECT_EQ(refusal("SET_FEED_MODE(0, 1)"),
               "E_CANONICAL f.txt:8: feed per revolution; expected feed per minute");
-    EXPECT_EQ(refusal("SET_SPINDLE_MODE(0 2000.0000)"),
-              "E_CANONICAL f.txt:8: constant surface speed; expected a spindle speed in "
-              "1/min");
     EXPECT_EQ(
         refusal("STRAIGHT_TRAVERSE(0.0000, 0.0000, 0.0000, 0.0000, 9.0000, 0.0000)"),
         "E_CANONICAL f.txt:8: a turned rotary axis; expected a three-axis program");
@@ -205,23 +201,61 @@ TEST(ParseCanonical, RefusesUnsupportedMotion)
               "SET_FEED_RATE above 0");
 }
 
-TEST(ParseCanonical, RefusesMovesUnderOffsetsOnly)
+// The path is in the coordinates of the first move, which the beginning makes without
+// offsets; the programmed points are those of the machine less the offsets.
+TEST(ParseCanonical, AppliesOffsetsThatChangeAfterTheFirstMove)
 {
-    const std::string zero = "SET_G5X_OFFSET(2, 0.0000, 0.0000, 0.0000)\n";
-    const std::string other = "SET_G5X_OFFSET(2, 0.0000, 9.0000, 0.0000)\n";
-    const std::string move = "STRAIGHT_TRAVERSE(1.0000, 0.0000, 0.0000)\n";
-    EXPECT_EQ(refusal(other + zero + move + other), "accepted");
-    EXPECT_EQ(refusal(other + move),
-              "E_CANONICAL f.txt:9: a move under the SET_G5X_OFFSET of line 8; expected "
-              "all offsets and rotations to be 0");
-    EXPECT_EQ(refusal("SET_G92_OFFSET(0.0000, 0.0000, 1.0000)\n" + move),
-              "E_CANONICAL f.txt:9: a move under the SET_G92_OFFSET of line 8; expected "
-              "all offsets and rotations to be 0");
+    const std::string move = "STRAIGHT_TRAVERSE(1.0000, 2.0000, 3.0000)\n";
     EXPECT_EQ(
-        refusal("SET_XY_ROTATION(30.0000)\nSET_FEED_RATE(9.0)\n"
-                "ARC_FEED(0.0, 0.0, 5.0, 0.0, 1, 0.0)"),
-        "E_CANONICAL f.txt:10: a move under the SET_XY_ROTATION of line 8; expected "
-        "all offsets and rotations to be 0");
+        tips(read_canonical("SET_G5X_OFFSET(2, 0.0000, 9.0000, 0.0000)\n" + move)).back(),
+        Vec3(1, 11, 3));
+    const Program both = read_canonical(
+        "SET_G92_OFFSET(-1.0000, 0.0000, 0.5000)\nSET_XY_ROTATION(90.0000)\n" + move);
+    EXPECT_NEAR((tips(both).back() - Vec3(-2, 0, 3.5)).norm(), 0, 1e-14);
+    EXPECT_THAT(both.remarks,
+                Contains("offsets change after the first move: the path is in the "
+                         "coordinates of its first move"));
+}
+
+TEST(ParseCanonical, IsInTheCoordinatesOfItsFirstMove)
+{
+    const Program program = parse_canonical(
+        canonical("USE_LENGTH_UNITS(CANON_UNITS_MM)\nSET_G92_OFFSET(5.0, 0.0, 0.0)\n"
+                  "SET_XY_ROTATION(30.0)\nSTRAIGHT_TRAVERSE(1.0, 2.0, 3.0)\n"),
+        "f");
+    EXPECT_THAT(tips(program), ElementsAre(Vec3(1, 2, 3)));
+}
+
+// Half a circle in coordinates that are turned by 90 degrees.
+TEST(ParseCanonical, TurnsArcs)
+{
+    const std::string turned = "SET_FEED_RATE(9.0)\nSET_XY_ROTATION(90.0)\n";
+    for (const Vec3& tip :
+         tips(read_canonical(turned + "ARC_FEED(10.0, 0.0, 5.0, 0.0, 1, 0.0)")))
+        EXPECT_NEAR((tip - Vec3(0, 5, 0)).norm(), 5, 1e-12);
+    EXPECT_EQ(
+        refusal(turned + "SELECT_PLANE(CANON_PLANE_XZ)\n"
+                         "ARC_FEED(10.0, 0.0, 5.0, 0.0, 1, 0.0)"),
+        "E_CANONICAL f.txt:11: an arc across a turned coordinate system; expected an "
+        "arc in the XY plane (G17)");
+}
+
+TEST(ParseCanonical, HasNoSpindleSpeedUnderConstantSurfaceSpeed)
+{
+    const Program program = read_canonical(
+        "SET_SPINDLE_MODE(0 2000.0000)\nSET_SPINDLE_SPEED(0, 100.0000)\n"
+        "START_SPINDLE_CLOCKWISE(0)\nSTRAIGHT_TRAVERSE(1.0, 2.0, 3.0)\n"
+        "SET_SPINDLE_MODE(0 0.0000)\nSET_SPINDLE_SPEED(0, 500.0000)\n"
+        "STRAIGHT_TRAVERSE(2.0, 2.0, 3.0)\n");
+    EXPECT_EQ(program.path.points[1].conditions.spindle_rpm, std::nullopt);
+    EXPECT_EQ(program.path.points[2].conditions.spindle_rpm, 500);
+}
+
+TEST(ParseCanonical, RefusesAProgramWithoutMotion)
+{
+    EXPECT_EQ(refusal_of([] { parse_canonical("1 N..... FINISH()", "f"); }),
+              "E_CANONICAL f: no motion in 1 line; expected at least one "
+              "STRAIGHT_TRAVERSE, STRAIGHT_FEED or ARC_FEED");
 }
 
 TEST(ParseCanonical, RefusesOtherLines)

@@ -44,15 +44,6 @@ TEST(ParseGcode, LeavesMotionOutUntilEveryAxisIsKnown)
                             "is known; left out before it: 5 moves"));
 }
 
-TEST(ParseGcode, RemarksThatAllMotionIsLeftOut)
-{
-    const Program program = read_gcode("G21 G91 G1 X1 Y1 Z1 F9\nX1\nM2\n");
-    EXPECT_THAT(program.path.points, ElementsAre());
-    EXPECT_THAT(program.remarks,
-                ElementsAre("all motion is left out: the program does not "
-                            "give every axis a position"));
-}
-
 TEST(ParseGcode, RemarksOnAssumptions)
 {
     EXPECT_THAT(read_gcode("G0 X0 Y0 Z0\nM2").remarks,
@@ -62,24 +53,25 @@ TEST(ParseGcode, RemarksOnAssumptions)
         Contains("no G20 or G21 before line 2: lengths before it are taken as mm"));
     EXPECT_THAT(read_gcode("G20 G0 X0 Y0 Z0\nM2").remarks,
                 Contains("inches (G20) converted to mm"));
-    EXPECT_THAT(read_gcode("G21 G0 G43 H1 Z5\nM2").remarks,
+    EXPECT_THAT(read_gcode("G21 G0 G43 H1 X0 Y0 Z5\nM2").remarks,
                 Contains("G43 H1: the tool length is assumed to be in the control's "
                          "tool table already"));
     EXPECT_THAT(
-        read_gcode("G21 G64 P0.01\nM2").remarks,
+        read_gcode("G21 G64 P0.01 G0 X0 Y0 Z0\nM2").remarks,
         Contains("G64: a control may round corners, which the path does not show"));
     EXPECT_THAT(read_gcode("G21 G0 X0 Y0 Z0").remarks,
                 Contains("no M2, M30 or closing %: the program may be cut short"));
     EXPECT_THAT(read_gcode("%\nG21 G0 X0 Y0 Z0\n").remarks,
                 Contains("no M2, M30 or closing %: the program may be cut short"));
-    EXPECT_THAT(read_gcode("G21\nM2\nG0 X1\n").remarks,
+    EXPECT_THAT(read_gcode("G21 G0 X0 Y0 Z0\nM2\nG0 X1\n").remarks,
                 Contains("text after M2 in line 2 is ignored"));
     EXPECT_THAT(
         read_gcode(program_of("G55")).remarks,
         Contains("coordinate system first named in line 3, after motion: taken as "
                  "the system of the motion before it"));
-    EXPECT_THAT(read_gcode("%\nG21\nM30\n%\n").remarks, ElementsAre());
-    EXPECT_THAT(read_gcode("%\nG21\n%\nwhat is this\n").remarks, ElementsAre());
+    EXPECT_THAT(read_gcode("%\nG21 G0 X0 Y0 Z0\nM30\n%\n").remarks, ElementsAre());
+    EXPECT_THAT(read_gcode("%\nG21 G0 X0 Y0 Z0\n%\nwhat is this\n").remarks,
+                ElementsAre());
 }
 
 // The same program in four spellings: G90 and G91, mm and inches.
@@ -158,12 +150,22 @@ TEST(ParseGcode, EndsWithItsProgram)
 
 TEST(ParseGcode, TakesPercentSignsAroundAProgramOnly)
 {
-    EXPECT_EQ(gcode_refusal("G0 X0\n%\n"),
+    EXPECT_EQ(gcode_refusal("G0 X0\n%\nG0 X1\n"),
               "E_GCODE f.ngc:2: a first % after blocks; expected the first % before all "
               "blocks and the second at the end");
-    EXPECT_EQ(gcode_refusal("%O100\n"),
-              "E_GCODE f.ngc:1: \"%O100\"; expected a line with the % alone");
-    EXPECT_EQ(gcode_refusal("(head)\n\n % \nG21 M2\n"), "accepted");
+    EXPECT_EQ(gcode_refusal("%G0 X0\n"),
+              "E_GCODE f.ngc:1: \"%G0 X0\"; expected a line with the % alone");
+    const std::string motion = "G21 G0 X0 Y0 Z0";
+    EXPECT_EQ(gcode_refusal("(head)\n\n % \n" + motion + " M2\n"), "accepted");
+    for (const std::string around :
+         {"%\n*\n", "*\n%\n", "*\n%\n%\n", "%1001\n*\n%", "%O7 (part)\n*\n%",
+          "% (part)\n*\n%", "%\nO1001 (PART)\n*\nM30\n%", ":1001\n*\nM30",
+          "(head)\no7;x\n*\nM30"}) {
+        const std::size_t at = around.find('*');
+        EXPECT_EQ(tips(read_gcode(around.substr(0, at) + motion + around.substr(at + 1))),
+                  tips(read_gcode(motion)))
+            << around;
+    }
 }
 
 TEST(ParseGcode, SubtractsTheHeightOfTheProgrammedPoint)
@@ -175,6 +177,97 @@ TEST(ParseGcode, SubtractsTheHeightOfTheProgrammedPoint)
     for (std::size_t i = 0; i < tip.path.points.size(); ++i)
         EXPECT_EQ(tips(tip)[i] - Vec3(0, 0, 3), tips(centre)[i]);
     EXPECT_EQ(moves(tip), moves(centre));
+}
+
+TEST(ParseGcode, ReadsRotaryWordsThatStayAtZero)
+{
+    EXPECT_THAT(tips(read_gcode(program_of("G0 A0 B0. C-0\nG1 X1 A0 F9\nG91 C0"))),
+                ElementsAre(Vec3(0, 0, 0), Vec3(1, 0, 0)));
+}
+
+TEST(ParseGcode, NamesCodesThatItSkipsInOneRemark)
+{
+    const Program program =
+        read_gcode(program_of("G69 G15\nG92.1\nG97 S500 M3\nG0 X1\nG97\nG99\nG50 S3000"));
+    EXPECT_THAT(
+        program.remarks,
+        ElementsAre("skipped codes that move nothing: G15 (1, line 3), G50 (1, line "
+                    "9), G69 (1, line 3), G92.1 (1, line 4), G97 (2, from line 5), "
+                    "G99 (1, line 8)"));
+    EXPECT_EQ(program.path.points.back().conditions.spindle_rpm, 500);
+}
+
+TEST(ParseGcode, HasNoSpindleSpeedUnderConstantSurfaceSpeed)
+{
+    const Program program =
+        read_gcode(program_of("M3 S900\nG1 X1 F9\nG96 S200\nX2\nS250\nX3\nG97\nX4\n"
+                              "G97 S800\nX5"));
+    std::vector<std::optional<double>> speeds;
+    for (const PathPoint& point : program.path.points)
+        speeds.push_back(point.conditions.spindle_rpm);
+    EXPECT_THAT(speeds, ElementsAre(std::nullopt, 900, std::nullopt, std::nullopt,
+                                    std::nullopt, 800));
+    EXPECT_THAT(program.remarks,
+                Contains("G96: S is a cutting speed, so the path has no spindle speed "
+                         "until G97"));
+}
+
+// The safe height is 5 mm above the highest point, which is the start at z 20.
+TEST(ParseGcode, RisesForReferenceMovesAndComesBackOverTheNextPosition)
+{
+    const Program program = read_gcode(
+        "G21 G90 G0 X0 Y0 Z20\nG1 Z-1 F9\nX5\nG91 G28 Z0\nG90 G0 X10 Y7\nZ2\n"
+        "G1 Z-1\nG0 Z2\nG53 Z0\nG28 X0 Y0\nG0 X3 Z4 Y1\nM5\nG30\nM2");
+    EXPECT_THAT(tips(program),
+                ElementsAre(Vec3(0, 0, 20), Vec3(0, 0, -1), Vec3(5, 0, -1),
+                            Vec3(5, 0, 25),                   // G28 Z
+                            Vec3(10, 7, 25), Vec3(10, 7, 2),  // X Y, then Z
+                            Vec3(10, 7, -1), Vec3(10, 7, 2), Vec3(10, 7, 25),  // G53
+                            Vec3(0, 0, 25),  // the point that G28 passes
+                            Vec3(3, 1, 25), Vec3(3, 1, 4), Vec3(3, 1, 25)));  // G30
+    EXPECT_THAT(
+        program.remarks,
+        ElementsAre("moves to positions of the machine: G28 (2, from line 4), G30 "
+                    "(1, line 13), G53 (1, line 9); each is taken as a rapid "
+                    "straight up, to 5 mm above all points before it"));
+    for (const std::size_t point : {3U, 4U, 5U, 8U, 9U, 10U, 11U, 12U})
+        EXPECT_EQ(program.path.points[point].move, Move::Rapid);
+}
+
+TEST(ParseGcode, KeepsIncrementsOfAxesThatStay)
+{
+    const Program program =
+        read_gcode(program_of("G1 X5 F9\nG91 G28 Z0\nG0 X1 Y1\nZ-3\nG90 Z4\nG1 X0"));
+    EXPECT_THAT(tips(program), ElementsAre(Vec3(0, 0, 0), Vec3(5, 0, 0), Vec3(5, 0, 5),
+                                           Vec3(6, 1, 5), Vec3(6, 1, 4), Vec3(0, 1, 4)));
+}
+
+TEST(ParseGcode, PassesThePointOfAReferenceMove)
+{
+    EXPECT_THAT(tips(read_gcode(program_of("G1 X5 F9\nG28 X7 Z3\nG0 X1 Z1"))),
+                ElementsAre(Vec3(0, 0, 0), Vec3(5, 0, 0), Vec3(7, 0, 3), Vec3(7, 0, 8),
+                            Vec3(1, 0, 8), Vec3(1, 0, 1)));
+}
+
+TEST(ParseGcode, BeginsAfterReferenceMovesOfTheFirstLines)
+{
+    const Program program = read_gcode("G21 G91 G28 Z0\nG28 X0 Y0\nG90 G0 X1 Y2\nZ3\nM2");
+    EXPECT_THAT(tips(program), ElementsAre(Vec3(1, 2, 3)));
+    EXPECT_THAT(program.remarks,
+                Contains(testing::StartsWith("the path begins in line 4")));
+}
+
+// X and Y go away at a height above the cuts; the tool returns at the safe height.
+TEST(ParseGcode, GoesSidewaysAboveTheCutsOnly)
+{
+    const Program program =
+        read_gcode(program_of("G1 Z-2 F9\nX5\nG0 Z1\nG28 X0 Y0\nG0 X8 Y8\nG1 X9"));
+    EXPECT_THAT(tips(program), ElementsAre(Vec3(0, 0, 0), Vec3(0, 0, -2), Vec3(5, 0, -2),
+                                           Vec3(5, 0, 1), Vec3(0, 0, 1), Vec3(0, 0, 6),
+                                           Vec3(8, 8, 6), Vec3(8, 8, 1), Vec3(9, 8, 1)));
+    // A first move at feed comes to the height at which X and Y leave.
+    EXPECT_EQ(gcode_refusal("G21 G0 X0 Y0 Z5\nG1 X5 F9\nZ-2\nX9\nG0 Z5\nG28 X0 Y0\nM2"),
+              "accepted");
 }
 
 TEST(ParseGcode, ReadsTapesOfOtherSystems)

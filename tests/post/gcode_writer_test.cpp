@@ -183,7 +183,7 @@ TEST(Gcode, RefusesAnAxisThatIsNotUpright)
         FAIL();
     } catch (const GeometryError& error) {
         EXPECT_THAT(error.what(),
-                    HasSubstr("the axis at point 4 of the path is 0, 0.6, 0.8"));
+                    HasSubstr("the axis at point 3 of the path is 0, 0.6, 0.8"));
     }
     for (PathPoint& point : path.points)
         point.location.axis = {0, 0, -1};

@@ -27,7 +27,7 @@ std::string refusal(const ToolPath& path, const CuttingConditions& otherwise,
                     int decimals = 4)
 {
     try {
-        MoveConditions conditions{path, otherwise, decimals};
+        MoveConditions conditions{path, otherwise, {decimals, decimals}};
         for (std::size_t k = 0; k < path.points.size(); ++k)
             conditions.at(k);
         return "accepted";
@@ -39,19 +39,19 @@ std::string refusal(const ToolPath& path, const CuttingConditions& otherwise,
 TEST(MoveConditions, OfThePathPrecedeTheGivenDefaults)
 {
     const ToolPath path = three_moves({{100, 2000, 7}, {200, {}, {}}, {{}, {}, {}}});
-    MoveConditions conditions{path, {300, 3000, 1}, 4};
+    MoveConditions conditions{path, {300, 3000, 1}, {}};
     EXPECT_EQ(conditions.at(0), (CuttingConditions{100, 2000, 7}));
     EXPECT_EQ(conditions.at(1), (CuttingConditions{{}, 3000, 1}));
     EXPECT_EQ(conditions.at(2), (CuttingConditions{300, 3000, 1}));
-    EXPECT_EQ(conditions.feeds().least, 100);
-    EXPECT_EQ(conditions.feeds().greatest, 300);
+    EXPECT_EQ(conditions.plunge_feeds().greatest, 100);
+    EXPECT_EQ(conditions.feeds().least, 300);
     EXPECT_EQ(conditions.speeds().least, 2000);
 }
 
 TEST(MoveConditions, OfAPathWithoutAnyAreTheGivenDefaults)
 {
     const ToolPath path = three_moves({});
-    MoveConditions conditions{path, {300, {}, {}}, 4};
+    MoveConditions conditions{path, {300, {}, {}}, {}};
     EXPECT_EQ(conditions.at(0), (CuttingConditions{300, {}, {}}));
     EXPECT_EQ(conditions.at(1), CuttingConditions{});
 }
@@ -59,9 +59,9 @@ TEST(MoveConditions, OfAPathWithoutAnyAreTheGivenDefaults)
 TEST(MoveConditions, RefuseAMoveWithoutAFeedAndNameIt)
 {
     EXPECT_THAT(refusal(three_moves({}), {}),
-                testing::HasSubstr("point 1 of the path has no feed"));
+                testing::HasSubstr("point 0 of the path has no feed"));
     EXPECT_THAT(refusal(three_moves({{100, {}, {}}, {}, {}}), {}),
-                testing::HasSubstr("point 3 of the path has no feed"));
+                testing::HasSubstr("point 2 of the path has no feed"));
     EXPECT_EQ(refusal(three_moves({{100, {}, {}}, {}, {200, {}, {}}}), {}), "accepted");
 }
 
@@ -72,6 +72,16 @@ TEST(MoveConditions, RefuseAFeedThatRoundsToZero)
     EXPECT_THAT(refusal(three_moves({}), {4e-5, {}, {}}), testing::HasSubstr("rounds"));
     EXPECT_EQ(refusal(three_moves({}), {0.4, {}, {}}, 1), "accepted");
     EXPECT_EQ(refusal(three_moves({}), {6e-5, {}, {}}), "accepted");
+}
+
+// 0.001 mm/min is 3.9e-5 inch/min, which rounds to 0 with four decimals.
+TEST(MoveConditions, RoundAFeedInTheUnitOfTheProgram)
+{
+    const ToolPath path = three_moves({{0.001, {}, {}}});
+    MoveConditions in_mm{path, {}, {4, 4, 1}};
+    EXPECT_NO_THROW(in_mm.at(0));
+    MoveConditions in_inches{path, {}, {4, 4, 25.4}};
+    EXPECT_THROW(in_inches.at(0), DomainError);
 }
 
 TEST(MoveConditions, RefuseNumbersOutOfTheirRange)

@@ -63,8 +63,19 @@ TEST(TextLines, KeepTheLineNumberAndTheRemainingText)
 TEST(Quoted, HasNoControlCharacters)
 {
     const std::string long_text(41, 'x');
-    EXPECT_EQ(quoted("a\x1b[31mb\xc3"), "\"a?[31mb?\"");
+    EXPECT_EQ(quoted("a\x1b[31mb\xc3"), R"("a\x1b[31mb\xc3")");
     EXPECT_EQ(quoted(std::string_view{long_text}), '"' + std::string(40, 'x') + "...\"");
+}
+
+// Code points of RFC 3629: no-break space, byte order mark, zero-width space, a letter of
+// four bytes; then bytes that are no character.
+TEST(Quoted, ShowsCharactersThatAreHidden)
+{
+    EXPECT_EQ(quoted("X\xc2\xa0"
+                     "1\xef\xbb\xbf\xe2\x80\x8b"),
+              R"("X\u00a01\ufeff\u200b")");
+    EXPECT_EQ(quoted("\xf0\x90\x8d\x88"), R"("\U00010348")");
+    EXPECT_EQ(quoted("\x07\xff\xc0\x80 \r"), R"("\x07\xff\xc0\x80")");
 }
 
 TEST(WithoutIndent, BeginsWithAWord)

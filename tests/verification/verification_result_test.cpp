@@ -26,8 +26,15 @@ TEST(VerdictWithContacts, IsThatOfTheDeviationIfNothingTouches)
     EXPECT_EQ(verdict_with_contacts(found), Verdict::Clean);
     found.on_part->deviation.max_scallop_mm = 0.2;
     EXPECT_EQ(verdict_with_contacts(found), Verdict::Uncut);
+}
+
+TEST(VerdictWithContacts, IsNotJudgedWithoutAPart)
+{
+    Verification found = clean_verification();
     found.on_part.reset();
-    EXPECT_EQ(verdict_with_contacts(found), Verdict::Clean);
+    EXPECT_EQ(verdict_with_contacts(found), Verdict::NotJudged);
+    found.contacts.rapid_cuts.count = 1;
+    EXPECT_EQ(verdict_with_contacts(found), Verdict::Gouged);
 }
 
 TEST(VerdictWithContacts, IsGougedForEveryKindOfContact)

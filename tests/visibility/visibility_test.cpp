@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
@@ -251,6 +252,22 @@ TEST(VisibleFractions, AreSharesOfTheSolidAngle)
     EXPECT_DOUBLE_EQ(fractions[0], 0.75);
     EXPECT_DOUBLE_EQ(fractions[1], 0.625);
     EXPECT_THROW(visible_fractions(map, std::vector<double>{1}), DomainError);
+}
+
+// Three facets above each other: the middle one hides the lower one, although the upper
+// one comes first in the mesh, and nothing hides the upper one.
+TEST(HidingFacet, IsTheFirstOneThatTheRayMeets)
+{
+    const TriangleMesh part = test::both(test::both(small_facet({0, 0, 9}, {0, 0, 1}, 5),
+                                                    small_facet({0, 0, 0}, {0, 0, 1}, 1)),
+                                         small_facet({0, 0, 4}, {0, 0.2, 1}, 5));
+    EXPECT_EQ(hiding_facet(part, 1, Vec3::UnitZ()), 2U);
+    EXPECT_EQ(hiding_facet(part, 2, Vec3::UnitZ()), 0U);
+    EXPECT_EQ(hiding_facet(part, 2, -Vec3::UnitZ()), 1U);
+    EXPECT_EQ(hiding_facet(part, 0, Vec3::UnitZ()), std::nullopt);
+    EXPECT_EQ(hiding_facet(part, 1, Vec3{1, 0, 0.01}), std::nullopt);
+    EXPECT_THROW(hiding_facet(part, 3, Vec3::UnitZ()), DomainError);
+    EXPECT_THROW(hiding_facet(part, 0, Vec3::Zero()), DomainError);
 }
 
 }  // namespace

@@ -38,6 +38,17 @@ std::optional<CutterSizes> sizes_of(std::string_view word)
     return CutterSizes{*diameter / 2, name == "ball" ? *diameter / 2 : 0};
 }
 
+// The word without "mm" after its numbers, which is a frequent mistake.
+std::string without_units(std::string_view word)
+{
+    constexpr std::string_view unit = "mm";
+    std::string plain{word};
+    for (std::size_t at = plain.find(unit); at != std::string::npos;
+         at = plain.find(unit))
+        plain.erase(at, unit.size());
+    return plain;
+}
+
 }  // namespace
 
 Cutter::Cutter(double radius, double corner_radius)
@@ -84,6 +95,8 @@ std::optional<Cutter> cutter_from_word(std::string_view word)
 std::string expected_cutter(std::string_view word)
 {
     const auto sizes = sizes_of(word);
+    if (const std::string plain = without_units(word); !sizes && cutter_from_word(plain))
+        return "numbers in mm without a unit, as in " + plain;
     if (!sizes)
         return "ball:DIAMETER, flat:DIAMETER or bull:DIAMETER:CORNER_RADIUS in mm, such "
                "as ball:10";

@@ -57,7 +57,8 @@ std::string cutter_word(const Cutter& cutter);
 std::optional<Cutter> cutter_from_word(std::string_view word);
 
 /// Text for a message about a `word` that `cutter_from_word` could not read: the allowed
-/// range, if a number is out of range, or else the form of a cutter word.
+/// range if a number is out of range, the word without units if it has units, or else the
+/// form of a cutter word.
 std::string expected_cutter(std::string_view word);
 
 /// The point at which the cutter touches the part, with the normal there.

@@ -16,6 +16,8 @@ std::string_view verdict_name(Verdict verdict)
             return "uncut";
         case Verdict::Undecided:
             return "undecided";
+        case Verdict::NotJudged:
+            return "not judged";
     }
     return {};
 }

@@ -32,6 +32,9 @@ struct DeviationOptions {
     double pitch = 0.1;           ///< distance of the first rays along the part, mm
     int max_refine = 8;           ///< largest number of halvings of a cell, 0 to 20
     std::size_t most_cells = 100'000'000;  ///< limit of the first cells
+    /// Whether the cutter can reach a place of the part. If set, remaining stock is judged
+    /// only where it returns true. Any thread calls it.
+    std::function<bool(const PartRay& ray)> is_accessible = {};
     /// If set, it is called with the finished share, 0 to 1.
     std::function<void(double share)> progress = {};
 };
@@ -58,6 +61,11 @@ struct Deviation {
     double gouge_area_mm2 = 0;  ///< area with a gouge deeper than the tolerance
     double uncut_area_mm2 = 0;  ///< area with more remaining stock than the limit
     double area_mm2 = 0;        ///< area that was judged
+    /// Area that the cutter cannot reach, where remaining stock is not judged; 0 unless
+    /// DeviationOptions::is_accessible is set.
+    double inaccessible_area_mm2 = 0;
+    /// Greatest remaining stock there, at the first rays, mm. Relative error 0.01.
+    double max_inaccessible_mm = 0;
     /// Error bound: the true greatest depth exceeds max_gouge_mm by at most this.
     double gouge_bound_mm = 0;
     /// Error bound: the true greatest remaining stock exceeds max_scallop_mm by at most
@@ -89,9 +97,11 @@ enum class Verdict {
     /// tolerance is possible.
     Uncut,
     Undecided,  ///< the bounds allow a violation that was not measured
+    NotJudged,  ///< there is no part with which the stock could be compared
 };
 
-/// Returns the word for a verdict in files: "clean", "gouged", "uncut" or "undecided".
+/// Returns the word for a verdict in files: "clean", "gouged", "uncut", "undecided" or
+/// "not judged".
 std::string_view verdict_name(Verdict verdict);
 
 /// Returns the verdict on a deviation, with both limits raised by `verdict_slack`. The first

@@ -5,11 +5,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/drop_cutter/detail/drop_tree.h"
 #include "endmill/gouge/detail/surface_gap.h"
 
@@ -214,6 +216,54 @@ std::optional<LeastGap> profile_gap(std::span<const SectionCurve> profiles,
     for (const SectionPoint& at : references)
         places.emplace_back(at.x(), 0, at.y());
     return least_gap(DropCutter{mesh, cutter}, places, resolution);
+}
+
+std::optional<LeastGap> greatest_rise(const DropCutter& drop_cutter,
+                                      std::span<const Vec3> references)
+{
+    check(references, gap_resolution);
+    std::vector<Eigen::Vector2d> places;
+    places.reserve(references.size());
+    for (const Vec3& reference : references)
+        places.emplace_back(reference.head<2>());
+    const double r = drop_cutter.cutter().corner_radius();
+    const std::vector<std::optional<DropContact>> contacts = drop_cutter.contacts(places);
+    std::optional<LeastGap> least;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+        if (!contacts[k])
+            continue;
+        const double gap = references[k].z() - r - contacts[k]->tip_z;
+        if (!least || gap < least->gap)
+            least = LeastGap{gap, k, contacts[k]->point};
+    }
+    return least;
+}
+
+bool is_accessible(const DropCutter& drop_cutter, const CutterContact& contact,
+                   double distance)
+{
+    constexpr int rim_points = 8;
+    if (contact.normal.z() < 0)
+        return false;
+    const Cutter& cutter = drop_cutter.cutter();
+    const Vec3 tip =
+        control_point(cutter, {contact.point + distance * contact.normal, contact.normal},
+                      ControlPoint::Tip);
+    const auto is_clear_at = [&](const Eigen::Vector2d& place) {
+        const auto found = drop_cutter.contact(place);
+        return !found || found->tip_z <= tip.z() + rest_gouge;
+    };
+    if (is_clear_at(tip.head<2>()))
+        return true;
+    if (!(cutter.flat_radius() > 0 && is_level(contact.normal)))
+        return false;
+    for (int k = 0; k < rim_points; ++k) {
+        const double angle = 2 * std::numbers::pi * k / rim_points;
+        const Eigen::Vector2d beside{std::cos(angle), std::sin(angle)};
+        if (is_clear_at(tip.head<2>() + cutter.flat_radius() * beside))
+            return true;
+    }
+    return false;
 }
 
 }  // namespace endmill

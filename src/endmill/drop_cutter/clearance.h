@@ -69,4 +69,28 @@ std::optional<LeastGap> profile_gap(std::span<const SectionCurve> profiles,
                                     std::span<const SectionPoint> references,
                                     double resolution = gap_resolution);
 
+/// The greatest rise in mm of the mesh into the cutter, measured along the axis, at any of the
+/// positions, and its place: the height at which the cutter rests there minus its own height.
+/// It is 0 or below for a position that does not gouge, and never less than the depth of a
+/// gouge. It takes a few microseconds for each position, far less than least_gap on positions
+/// that touch the mesh. The contact is the point of the LeastGap, and minus the rise its gap.
+/// \param drop_cutter the mesh and the cutter.
+/// \param references reference points (tip + r) in mm, finite.
+/// \return nothing if no position is over the mesh.
+/// \throws DomainError unless the positions are finite.
+std::optional<LeastGap> greatest_rise(const DropCutter& drop_cutter,
+                                      std::span<const Vec3> references);
+
+/// Whether a cutter can come within `distance` of a point of a mesh: placed such that it would
+/// touch the point, and moved away from it by the distance along the normal, it is clear of the
+/// mesh. On a level place a cutter with a flat bottom may touch with any point of the
+/// bottom; its centre and eight points of its rim are tried.
+/// \param drop_cutter the mesh and the cutter.
+/// \param contact the point and the unit normal of the part there; a normal that points
+///     downwards is never accessible.
+/// \param distance in mm, >= 0.
+/// \throws DomainError unless the point is finite.
+bool is_accessible(const DropCutter& drop_cutter, const CutterContact& contact,
+                   double distance);
+
 }  // namespace endmill

@@ -12,6 +12,7 @@
 #include "endmill/drop_cutter/detail/concave_bound.h"
 #include "endmill/drop_cutter/detail/drop_tree.h"
 #include "endmill/drop_cutter/detail/hilbert_curve.h"
+#include "endmill/drop_cutter/detail/reached_share.h"
 #include "endmill/drop_cutter/detail/triangle_drop.h"
 
 namespace endmill {
@@ -120,13 +121,20 @@ public:
     }
 
     // Along the move, the height of the tip on one triangle minus that of the move is a
-    // concave function, so that stays_below can bound it from few values.
+    // concave function where the cutter reaches the triangle, so that stays_below can bound it
+    // from few values there.
     void look_at(std::size_t triangle)
     {
         const auto corners = tree_.mesh().corners(triangle);
+        const auto reached = reached_share(corners, from_.head<2>(), to_.head<2>(),
+                                           tree_.cutter().radius());
+        if (!reached)
+            return;
+        const double length = reached->second - reached->first;
         is_clear_ = stays_below(
             [&](double share) {
-                const Vec3 tip = from_ + share * (to_ - from_);
+                const Vec3 tip =
+                    from_ + (reached->first + share * length) * (to_ - from_);
                 return drop_(corners, tip.x(), tip.y()).tip_z - tip.z();
             },
             tolerance_);

@@ -4,14 +4,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/figures/detail/round_ticks.h"
 
 // The page has four parts from top to bottom: title and captions, the drawing, and a
-// footer with the axes to the left and the legend to the right. The width of the page is
+// footer with the axes to the left and the legend to the right. Axes with ticks are not in
+// the footer but at three edges of the box around the drawing, and the drawing leaves room
+// for their numbers. The width of the page is
 // given; the height follows from the drawing, which is as wide as the page but at most
 // 640 px high.
 
@@ -34,6 +39,11 @@ constexpr double legend_sample = 38;
 constexpr double legend_offset = 190;
 constexpr double legend_column = 222;
 constexpr int legend_column_lines = 5;  // the footer has room for five
+constexpr double tick_room = 48;        // beside and below the drawing, for numbers
+constexpr double tick_size = 12;        // of the font
+constexpr double tick_length = 5;
+constexpr double tick_distance = 45;  // of neighbouring ticks, at least about
+constexpr double least_axis = 30;     // a shorter axis has no ticks
 
 // Largest numbers of characters; longer texts would be too small to read.
 constexpr std::size_t longest_title = 100;
@@ -68,6 +78,20 @@ double round_length(double length)
     return power;
 }
 
+// The corners of the box around points; corner k has the high x, y, z for its bits 0, 1, 2.
+std::array<Vec3, 8> corners_around(std::span<const Vec3> points)
+{
+    Eigen::AlignedBox3d box;
+    for (const Vec3& point : points)
+        box.extend(point);
+    std::array<Vec3, 8> corners;
+    for (std::size_t k = 0; k < corners.size(); ++k)
+        corners[k] = {((k & 1) != 0 ? box.max() : box.min()).x(),
+                      ((k & 2) != 0 ? box.max() : box.min()).y(),
+                      ((k & 4) != 0 ? box.max() : box.min()).z()};
+    return corners;
+}
+
 // Height of the title and captions with the margin, in px.
 double heading_height(const FigureOptions& options)
 {
@@ -93,7 +117,10 @@ AxonometricFigure::AxonometricFigure(const FigureOptions& options,
       picture_{layout_.width_px, layout_.height_px, options.title}
 {
     add_heading(options);
-    add_axes(options);
+    if (options.has_ticks)
+        add_ticks(options, corners_around(extent));
+    else
+        add_axes(options);
 }
 
 // The scale is the largest at which the drawing fits into the width and the largest
@@ -109,7 +136,11 @@ AxonometricFigure::Layout AxonometricFigure::layout_for(const FigureOptions& opt
         require(point.allFinite(), "AxonometricFigure: a point is not finite");
         box.extend(projected(view, point));
     }
-    const double room = options.width_px - 2 * margin;
+    if (options.has_ticks)
+        for (const Vec3& corner : corners_around(extent))
+            box.extend(projected(view, corner));
+    const double beside = options.has_ticks ? tick_room : 0;
+    const double room = options.width_px - 2 * (margin + beside);
     const Eigen::Vector2d size = box.sizes();
     const bool is_point = size.maxCoeff() <= 0;
     const double scale =
@@ -120,8 +151,10 @@ AxonometricFigure::Layout AxonometricFigure::layout_for(const FigureOptions& opt
     const double bottom = top + scale * size.y();
     const PixelPoint origin{options.width_px / 2 - scale * box.center().x(),
                             bottom + scale * box.min().y()};
-    return {options.width_px, bottom + drawing_gap + footer_height, bottom + drawing_gap,
-            scale, origin};
+    const double footer = bottom + drawing_gap + beside;
+    return {options.width_px, footer + footer_height,
+            footer,           scale,
+            origin,           margin + (options.has_ticks ? 0 : legend_offset)};
 }
 
 // The place of a point in the picture, in px.
@@ -210,7 +243,7 @@ PixelPoint AxonometricFigure::next_legend() const
 {
     const int column = legend_lines_ / legend_column_lines;
     const int line = legend_lines_ % legend_column_lines;
-    return {margin + legend_offset + legend_column * column,
+    return {layout_.legend_px + legend_column * column,
             layout_.footer_px + legend_line * (line + 1)};
 }
 
@@ -264,6 +297,73 @@ void AxonometricFigure::add_axes(const FigureOptions& options)
         picture_.add_text({margin, layout_.footer_px + footer_height - 16},
                           "each arm " + to_text(arm_mm) + " mm",
                           {0.9 * caption_size, axis_colour});
+}
+
+// The axes x and y are at the lower edges of the box that are nearest to the viewer, z at
+// the edge that is farthest to the left.
+void AxonometricFigure::add_ticks(const FigureOptions& options,
+                                  std::span<const Vec3> corners)
+{
+    const std::size_t near_x = view_.toward.x() > 0 ? 1 : 0;
+    const std::size_t near_y = view_.toward.y() > 0 ? 2 : 0;
+    const auto outward = [&](const Vec3& direction) -> PixelPoint {
+        const Eigen::Vector2d seen = projected(view_, direction);
+        const double length = seen.norm();
+        if (length < 0.1 || seen.y() > 0.01)  // seen along the view, or pointing upwards
+            return {0, 1};
+        return {seen.x() / length, -seen.y() / length};
+    };
+    const Vec3 out_of_x{0, near_y != 0 ? 1.0 : -1.0, 0};
+    const Vec3 out_of_y{near_x != 0 ? 1.0 : -1.0, 0, 0};
+    add_ticked_axis({0, corners[near_y], corners[near_y + 1], outward(out_of_x),
+                     options.axis_names[0]});
+    add_ticked_axis({1, corners[near_x], corners[near_x + 2], outward(out_of_y),
+                     options.axis_names[1]});
+    const auto leftmost = std::ranges::min_element(
+        corners.first(4), {},
+        [this](const Vec3& corner) { return view_.right.dot(corner); });
+    const auto edge = static_cast<std::size_t>(leftmost - corners.begin());
+    add_ticked_axis(
+        {2, corners[edge], corners[edge + 4], {-1, 0}, options.axis_names[2]});
+}
+
+// Draws an axis, its ticks and numbers, and its name with the unit: below the middle of x
+// and y, above the end of z.
+void AxonometricFigure::add_ticked_axis(const TickedAxis& axis)
+{
+    const LineStyle style{axis_colour, 1, ""};
+    const PixelPoint from = pixels(axis.low);
+    const PixelPoint to = pixels(axis.high);
+    const double length = (to - from).norm();
+    if (length < least_axis)
+        return;
+    picture_.add_polyline(std::array{from, to}, style);
+    const auto coordinate = static_cast<Eigen::Index>(axis.number);
+    const std::vector<double> ticks =
+        ticks_within(axis.low[coordinate], axis.high[coordinate],
+                     std::max(1, static_cast<int>(length / tick_distance)));
+    const PixelPoint base{0, 0.36 * tick_size};  // centres the letters vertically
+    const bool is_upright = axis.number == 2;
+    for (const double tick : ticks) {
+        Vec3 point = axis.low;
+        point[coordinate] = tick;
+        const PixelPoint at = pixels(point);
+        const std::string number = tick_text(tick, step_of(ticks));
+        const double half_width =
+            0.5 * letter_width * tick_size * static_cast<double>(number.size());
+        const double shift = tick_length + 3 + half_width * std::abs(axis.outward.x()) +
+                             0.7 * tick_size * std::abs(axis.outward.y());
+        picture_.add_polyline(
+            std::array<PixelPoint, 2>{at, at + tick_length * axis.outward}, style);
+        picture_.add_text(at + shift * axis.outward + base, number,
+                          {tick_size, axis_colour, false, true});
+    }
+    const double name_shift = tick_size * (2.8 + 1.6 * std::abs(axis.outward.x()));
+    PixelPoint name_at = (from + to) / 2 + name_shift * axis.outward;
+    if (is_upright)
+        name_at = to + PixelPoint{0, -tick_size};
+    picture_.add_text(name_at + base, std::string{axis.name} + ", mm",
+                      {tick_size, axis_colour, true, true});
 }
 
 }  // namespace endmill

@@ -99,6 +99,9 @@ struct FigureOptions {
     Angle elevation = Angle::degrees(30);  ///< of the viewer above the xy plane
     std::array<std::string_view, 3> axis_names{"x", "y", "z"};  ///< at the axes' arrows
     bool has_length = true;  ///< whether the axis arrows are labelled with their length
+    /// Whether axes with ticks in mm stand at the box around the drawing, in place of the
+    /// arrows below it.
+    bool has_ticks = false;
 };
 
 /// Directions of a parallel projection from space to a picture plane, mm to mm.
@@ -112,7 +115,8 @@ struct AxonometricView {
 };
 
 /// A drawing in space in parallel projection: title and captions, the drawing, and below
-/// it the axes x, y, z with their length in mm and a legend.
+/// it the axes x, y, z with their length in mm and a legend. With ticks the axes are
+/// beside the drawing instead.
 class AxonometricFigure {
 public:
     /// An empty drawing with its title and axes.
@@ -160,6 +164,16 @@ private:
         double footer_px;   ///< y at which the axes and the legend begin
         double scale;       ///< px per mm
         PixelPoint origin;  ///< of the point (0, 0, 0)
+        double legend_px;   ///< x at which the legend begins
+    };
+
+    // An axis with ticks along an edge of the box around the drawing.
+    struct TickedAxis {
+        std::size_t number;  // 0 to 2: x, y, z
+        Vec3 low;            // ends of the edge, in mm
+        Vec3 high;           //
+        PixelPoint outward;  // unit vector away from the drawing
+        std::string_view name;
     };
 
     static Layout layout_for(const FigureOptions& options, const AxonometricView& view,
@@ -170,6 +184,8 @@ private:
     bool add_pixel_arrow(const PixelPoint& from, const PixelPoint& to,
                          const LineStyle& style);
     void add_axes(const FigureOptions& options);
+    void add_ticks(const FigureOptions& options, std::span<const Vec3> corners);
+    void add_ticked_axis(const TickedAxis& axis);
     PixelPoint next_legend() const;  // where the sample of the next line begins
     void name_legend(std::string_view label);
 

@@ -17,6 +17,7 @@
 #include "endmill/core/tolerance.h"
 #include "endmill/figures/axonometric_figure.h"
 #include "endmill/figures/detail/deviation_raster.h"
+#include "endmill/figures/detail/round_ticks.h"
 
 // The map has three layers: the squares of the raster, each in the colour of its class;
 // the marks of the deepest gouge and the largest remaining stock; and beside them a scale
@@ -30,7 +31,11 @@ constexpr double margin_px = 24;
 constexpr double title_px = 20;
 constexpr double caption_px = 13;
 constexpr double line_px = 20;              // distance between captions
-constexpr double legend_px = 130;           // width of the scale to the right of the map
+constexpr double legend_px = 228;           // width of the scale to the right of the map
+constexpr double number_px = 57;            // width of the numbers of the scale
+constexpr double left_px = 68;              // left of the map, with the ticks of y
+constexpr double tick_px = 5;               // length of a tick
+constexpr double tick_distance = 70;        // of neighbouring ticks, at least about
 constexpr int swatch_px = 22;               // height of a colour on the scale
 constexpr std::size_t shown_caption = 150;  // largest number of characters
 // Mean width of a letter of wide fonts, as a share of the font size.
@@ -51,6 +56,18 @@ constexpr std::array<std::string_view, 12> colours{
     "#5c0a5c", "#c2259f", "#2456b0", "#6f9fdc", "#bcd6f2", "#ececec",
     "#c9e6b4", "#86c76b", "#f6e04b", "#f29a2e", "#c0241c", "#6b0d0d"};
 constexpr std::size_t neutral = 5;  // class of deviations below a tenth of a limit
+
+// Names of neighbouring classes on the scale.
+struct ClassName {
+    std::string_view name;
+    std::size_t first;
+    std::size_t last;
+};
+
+constexpr std::array class_names{
+    ClassName{"excessive stock", 10, 11}, ClassName{"remaining stock", 6, 9},
+    ClassName{"on size", neutral, neutral}, ClassName{"tolerated gouge", 2, 4},
+    ClassName{"excessive gouge", 0, 1}};
 
 // Edges of the classes in mm. The edges at the limits include the slack of the verdict.
 std::array<double, colours.size() - 1> class_edges(const DeviationLimits& limits)
@@ -138,18 +155,26 @@ struct Layout {
            std::size_t captions)
         : width{figure.width_px}
     {
-        const double room = width - 2 * margin_px - legend_px;
+        const double room = width - left_px - margin_px - legend_px;
         square =
             std::max(1, static_cast<int>(room / std::max(raster.columns, raster.rows)));
-        left = static_cast<int>(margin_px);
-        top = static_cast<int>(margin_px + title_px +
-                               line_px * static_cast<double>(captions) + margin_px / 2);
-        map_width = square * raster.columns;
-        map_height = square * raster.rows;
+        left = static_cast<int>(left_px);
+        // The name of the y axis stands above the map.
+        top =
+            static_cast<int>(margin_px + title_px +
+                             line_px * static_cast<double>(captions + 1) + margin_px / 2);
+        // The last column and row may reach beyond the part; the map does not.
+        const auto across = [&](double mm) {
+            return std::max(square,
+                            static_cast<int>(std::lround(square * mm / raster.side)));
+        };
+        map_width = across(raster.high.x() - raster.low.x());
+        map_height = across(raster.high.y() - raster.low.y());
         const int scale = swatch_px * static_cast<int>(colours.size() + 1);
-        height =
-            top + std::max(map_height + static_cast<int>(2 * line_px), scale) + margin_px;
-        scale_left = left + std::max(map_width, label_room_px) + left;
+        height = top + std::max(map_height + static_cast<int>(4.5 * line_px), scale) +
+                 margin_px;
+        scale_left =
+            left + std::max(map_width, label_room_px) + static_cast<int>(margin_px);
         width = std::max(width, scale_left + legend_px);
     }
 };
@@ -192,21 +217,25 @@ private:
                               {caption_px, "#222222", false, false});
     }
 
-    // Neighbouring squares of one colour in a row are drawn as one box.
+    // Neighbouring squares of one colour in a row are drawn as one box, cut at the border of
+    // the part.
     void add_squares()
     {
         std::array<std::vector<PixelBox>, colours.size()> boxes;
+        const int bottom = layout_.top + layout_.map_height;
+        const int right = layout_.left + layout_.map_width;
         for (int row = 0; row < raster_.rows; ++row) {
-            const int y = layout_.top + layout_.square * (raster_.rows - 1 - row);
+            const int low = bottom - layout_.square * row;
+            const int high = std::max(low - layout_.square, layout_.top);
             for (int column = 0; column < raster_.columns;) {
                 const auto kind = class_at(column, row);
                 int end = column + 1;
                 while (end < raster_.columns && class_at(end, row) == kind)
                     ++end;
-                if (kind)
-                    boxes[*kind].push_back({layout_.left + layout_.square * column, y,
-                                            layout_.square * (end - column),
-                                            layout_.square});
+                const int from = layout_.left + layout_.square * column;
+                const int to = std::min(layout_.left + layout_.square * end, right);
+                if (kind && from < to && high < low)
+                    boxes[*kind].push_back({from, high, to - from, low - high});
                 column = end;
             }
         }
@@ -223,7 +252,7 @@ private:
         return class_of(left, figure_.limits);
     }
 
-    // Draws the frame of the map and states its extent below.
+    // Draws the frame of the map with ticks in mm, and states below how it is read.
     void add_frame()
     {
         const double x = layout_.left;
@@ -234,18 +263,50 @@ private:
                                               PixelPoint{right, bottom},
                                               PixelPoint{x, bottom}};
         picture_.add_polygon(frame, "none", frame_style);
-        const auto range = [&](double low, int count) {
-            return shown(low) + " to " + shown(low + count * raster_.side) + " mm";
+        add_ticks();
+        const TextStyle style{caption_px, "#555555", false, false};
+        picture_.add_text({x, bottom + 3 * line_px},
+                          "seen from above, along -z; each square, " +
+                              shown(raster_.side) + " mm wide,",
+                          style);
+        picture_.add_text({x, bottom + 4 * line_px},
+                          "shows its worst place as a share of its limit", style);
+    }
+
+    // Draws the ticks and names of both axes.
+    void add_ticks()
+    {
+        const double left = layout_.left;
+        const double bottom = layout_.top + layout_.map_height;
+        const double px_per_mm = layout_.square / raster_.side;
+        const TextStyle style{caption_px, "#444444", false, true};
+        const auto ticks_of = [&](int axis, int length) {
+            return ticks_within(raster_.low[axis], raster_.low[axis] + length / px_per_mm,
+                                std::max(1, static_cast<int>(length / tick_distance)));
         };
-        picture_.add_text({x, bottom + line_px},
-                          "x " + range(raster_.low.x(), raster_.columns) +
-                              " to the right, y " + range(raster_.low.y(), raster_.rows) +
-                              " upwards, seen along -z",
-                          {caption_px, "#555555", false, false});
-        picture_.add_text({x, bottom + 2 * line_px},
-                          "each square, " + shown(raster_.side) +
-                              " mm wide, shows its worst place as a share of its limit",
-                          {caption_px, "#555555", false, false});
+        const std::vector<double> across = ticks_of(0, layout_.map_width);
+        for (const double tick : across) {
+            const double x = left + px_per_mm * (tick - raster_.low.x());
+            picture_.add_polyline(
+                std::array<PixelPoint, 2>{PixelPoint{x, bottom}, {x, bottom + tick_px}},
+                frame_style);
+            picture_.add_text({x, bottom + tick_px + caption_px},
+                              tick_text(tick, step_of(across)), style);
+        }
+        const std::vector<double> upward = ticks_of(1, layout_.map_height);
+        for (const double tick : upward) {
+            const double y = bottom - px_per_mm * (tick - raster_.low.y());
+            picture_.add_polyline(
+                std::array<PixelPoint, 2>{PixelPoint{left - tick_px, y}, {left, y}},
+                frame_style);
+            picture_.add_text({left - tick_px - 19, y + caption_px / 3},
+                              tick_text(tick, step_of(upward)), style);
+        }
+        const TextStyle name{caption_px, "#444444", true, true};
+        picture_.add_text(
+            {left + layout_.map_width / 2.0, bottom + tick_px + 2.3 * caption_px},
+            "x, mm", name);
+        picture_.add_text({left - tick_px - 19, layout_.top - caption_px}, "y, mm", name);
     }
 
     // Draws the scale: remaining stock above, gouges below.
@@ -262,6 +323,14 @@ private:
             if (k < edges.size())
                 picture_.add_text({x + swatch_px + 6.0, y + caption_px / 3},
                                   shown(edges[k]), {caption_px, "#222222", false, false});
+        }
+        for (const ClassName& named : class_names) {
+            const double middle =
+                layout_.top +
+                swatch_px * (static_cast<double>(colours.size()) + 0.5 -
+                             static_cast<double>(named.first + named.last) / 2);
+            picture_.add_text({x + swatch_px + 6 + number_px, middle + caption_px / 3},
+                              named.name, {caption_px, "#222222", false, false});
         }
     }
 

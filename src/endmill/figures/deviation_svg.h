@@ -14,7 +14,7 @@ struct DeviationFigure {
     DeviationLimits limits = {};          ///< tolerance and scallop limit of the verdict
     std::string title = "Deviation";      ///< above the map; cut after 100 characters
     std::vector<std::string> captions{};  ///< lines below the verdict; cut after 150
-    double width_px = 900;                ///< of the whole picture, 400 to 4000
+    double width_px = 1040;               ///< of the whole picture, 400 to 4000
     int squares = 240;  ///< number along the longer side of the map, at most; 1 to 1000
 };
 
@@ -26,9 +26,9 @@ struct DeviationFigure {
 /// \pre limits are positive.
 std::string_view deviation_colour(double left, const DeviationLimits& limits);
 
-/// A map of the deviation seen along -z, as an SVG file. Each square has the colour of
-/// its worst cell: the one with the largest deviation divided by the limit. It is white
-/// where the part is not visible. The deepest gouge and the largest remaining stock are
+/// A map of the deviation seen along -z, as an SVG file, as wide as the part and with axes
+/// in mm. Each square has the colour of its worst cell: the one with the largest deviation
+/// divided by the limit. It is white where the part is not visible. The deepest gouge and the largest remaining stock are
 /// circled and labelled if they exceed a tenth of their limit. Verdict, maxima and a
 /// scale are beside the map.
 /// \param charts those that the deviation was measured on.

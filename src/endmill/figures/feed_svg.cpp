@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/figures/feed_svg.h"
 
+#include <array>
 #include <functional>
 #include <optional>
 
@@ -38,6 +39,35 @@ std::optional<double> degrees(const std::optional<double>& radians)
     return Angle::radians(*radians).degrees();
 }
 
+// What limits the feed, in the order of FeedLimit.
+constexpr std::array feed_causes{StripCause{"force across the tool axis", "#0072b2"},
+                                 StripCause{"force along the tool axis", "#56b4e9"},
+                                 StripCause{"torque", "#cc79a7"},
+                                 StripCause{"feed per tooth of the material", "#009e73"},
+                                 StripCause{"time of a block", "#e69f00"},
+                                 StripCause{"no feasible feed", "#c0241c"}};
+
+// What limits the spindle speed, in the order of SpeedLimit.
+constexpr std::array speed_causes{StripCause{"tool life (economic speed)", "#009e73"},
+                                  StripCause{"spindle speed", "#0072b2"},
+                                  StripCause{"spindle power", "#cc79a7"},
+                                  StripCause{"feed drive", "#e69f00"}};
+
+// The causes that govern feed and spindle speed of all rows.
+std::vector<ChartStrip> strips_of(std::span<const SegmentFeed> rows)
+{
+    std::vector<ChartStrip> strips{
+        {"the feed is limited by", {feed_causes.begin(), feed_causes.end()}, {}},
+        {"the spindle speed is limited by",
+         {speed_causes.begin(), speed_causes.end()},
+         {}}};
+    for (const SegmentFeed& row : rows) {
+        strips[0].cause.push_back(static_cast<std::size_t>(reported_limit(row)));
+        strips[1].cause.push_back(static_cast<std::size_t>(row.table.speed_limit));
+    }
+    return strips;
+}
+
 }  // namespace
 
 std::string feed_svg(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows,
@@ -50,9 +80,9 @@ std::string feed_svg(std::span<const SegmentCut> cuts, std::span<const SegmentFe
         places.push_back(along += cut.length_mm);
     const std::vector<ChartPanel> panels{
         {"slope, degrees",
-         {{"mu, across the feed", first_style,
+         {{"across the feed (mu)", first_style,
            values(cuts, [](const SegmentCut& c) { return degrees(c.mu); })},
-          {"lambda, of the feed", second_style,
+          {"of the feed (lambda)", second_style,
            values(cuts, [](const SegmentCut& c) { return degrees(c.lambda); })}}},
         {"pick feed, mm",
          {{"between centres", first_style, values(cuts, &SegmentCut::pick_feed_mm)},
@@ -67,7 +97,7 @@ std::string feed_svg(std::span<const SegmentCut> cuts, std::span<const SegmentFe
                                return r.table.spindle_rpm;
                            })}}}};
     return stacked_chart({figure.title, figure.captions, "length of cut, mm"}, places,
-                         panels);
+                         panels, strips_of(rows));
 }
 
 }  // namespace endmill

@@ -18,7 +18,8 @@ struct FeedFigure {
 
 /// Geometry and feed of each cutting move over the length of cut, as an SVG file. Five
 /// panels show the angles mu and lambda, the pick feed and its horizontal component, the
-/// depth, the feed, and the spindle speed.
+/// depth, the feed, and the spindle speed. Below them two strips show where which limit
+/// governs feed and spindle speed.
 /// Source: after [ParkMaeng, fig. 8, 9].
 /// \throws DomainError unless there is one row for each of `cuts` and every number is
 ///         finite.

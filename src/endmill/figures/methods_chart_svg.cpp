@@ -6,7 +6,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
-#include "endmill/figures/detail/stacked_chart.h"
+#include "endmill/figures/detail/round_ticks.h"
 #include "endmill/figures/section_svg.h"
 
 // The chart has three columns: names and medians, times, differences. Each method has one

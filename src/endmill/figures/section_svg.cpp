@@ -168,6 +168,7 @@ FigureOptions seen_from_front(FigureOptions figure)
     figure.azimuth = Angle::degrees(-90);
     figure.elevation = Angle::degrees(0);
     figure.axis_names = {"s", "", "z"};
+    figure.has_ticks = true;
     return figure;
 }
 
@@ -273,7 +274,9 @@ std::string curves_svg(std::span<const std::vector<Vec3>> curves,
     std::vector<Vec3> points;
     for (const auto& curve : curves)
         points.insert(points.end(), curve.begin(), curve.end());
-    AxonometricFigure picture{figure, points};
+    FigureOptions ticked = figure;
+    ticked.has_ticks = true;
+    AxonometricFigure picture{ticked, points};
     for (const auto& curve : curves)
         picture.add_curve(curve, curve_style);
     return picture.text();

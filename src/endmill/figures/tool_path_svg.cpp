@@ -5,10 +5,17 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <string_view>
+#include <utility>
 #include <vector>
 
-// Moves are grouped by style: cuts, links, and moves clear of the part. Each style is
-// drawn as a whole, so that links are visible above the cuts that they join.
+#include <Eigen/Geometry>
+
+#include "endmill/figures/detail/surface_cells.h"
+
+// The part is drawn first, from back to front. Moves are grouped by style: cuts, links,
+// and moves clear of the part. Each style is drawn as a whole, so that links are visible
+// above the cuts that they join. Start and direction are on top.
 
 namespace endmill {
 namespace {
@@ -25,6 +32,19 @@ constexpr std::array<Stroke, 3> strokes{
     Stroke{"link", {"#d1402f", 1.5, ""}},
     Stroke{"rapid, plunge, retract", {"#7d8590", 1, "5 3"}},
 };
+
+constexpr LineStyle part_outline{"#c3d0e0", 0.5, ""};
+constexpr LineStyle direction_style{"#111111", 1.6, ""};
+constexpr std::string_view start_colour = "#1a7f37";
+constexpr double start_radius_px = 5;
+
+// Number of arrows on the path, and their length as a share of its diagonal.
+constexpr std::size_t most_arrows = 7;
+constexpr double arrow_share = 0.03;
+
+// Most cells of the drawn part, and most of them along the side of a patch.
+constexpr int most_cells = 4000;
+constexpr int most_spaces = 12;
 
 // The index in `strokes` of the style for a move.
 std::size_t stroke_of(Move move)
@@ -64,15 +84,106 @@ bool add_runs(AxonometricFigure& figure, const ToolPath& path,
     return any;
 }
 
+// The cells of the part. Parts of many patches have fewer cells in each.
+std::vector<SurfaceCell> cells_of(std::span<const Surface> part)
+{
+    double patches = 0;
+    for (const Surface& surface : part)
+        patches += double(surface.patches(Parameter::U)) * surface.patches(Parameter::V);
+    int spaces = most_spaces;
+    while (spaces > 1 && spaces * spaces * patches > most_cells)
+        --spaces;
+    std::vector<SurfaceCell> cells;
+    for (const Surface& surface : part)
+        for (const SurfaceCell& cell : surface_cells(surface, spaces))
+            cells.push_back(cell);
+    return cells;
+}
+
+// Draws the cells of the part from back to front.
+void add_part(AxonometricFigure& figure, std::vector<SurfaceCell> cells)
+{
+    const Vec3 toward = figure.view().toward;
+    std::ranges::stable_sort(
+        cells, {}, [&](const SurfaceCell& cell) { return toward.dot(cell.middle()); });
+    for (const SurfaceCell& cell : cells)
+        figure.add_polygon(cell.outline, shade_of(cell, figure.view()), part_outline);
+    if (!cells.empty())
+        figure.add_legend("part", {"#a6bad4", 8, ""});
+}
+
+// The runs of consecutive cuts, as the indices of their first and last points.
+std::vector<std::pair<std::size_t, std::size_t>> cuts_of(const ToolPath& path)
+{
+    std::vector<std::pair<std::size_t, std::size_t>> cuts;
+    for (std::size_t i = 1; i < path.points.size(); ++i) {
+        if (path.points[i].move != Move::Cut)
+            continue;
+        if (cuts.empty() || cuts.back().second + 1 != i)
+            cuts.emplace_back(i - 1, i);
+        cuts.back().second = i;
+    }
+    return cuts;
+}
+
+// Draws an arrow that ends half way along the points.
+void add_direction(AxonometricFigure& figure, std::span<const Vec3> points, double size)
+{
+    double whole = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        whole += (points[i] - points[i - 1]).norm();
+    double along = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        const Vec3 step = points[i] - points[i - 1];
+        const double length = step.norm();
+        if (along + length >= whole / 2 && length > 0) {
+            const Vec3 head = points[i - 1] + (whole / 2 - along) / length * step;
+            figure.add_arrow(head - size / length * step, head, direction_style);
+            return;
+        }
+        along += length;
+    }
+}
+
+// Marks the start of the path and the direction of a few cuts at equal steps.
+void add_marks(AxonometricFigure& figure, const ToolPath& path,
+               std::span<const Vec3> places)
+{
+    Eigen::AlignedBox3d box;
+    for (const Vec3& place : places)
+        box.extend(place);
+    const auto cuts = cuts_of(path);
+    const std::size_t arrows = std::min(most_arrows, cuts.size());
+    for (std::size_t k = 0; k < arrows; ++k) {
+        const auto& [first, last] = cuts[k * cuts.size() / arrows];
+        add_direction(figure, places.subspan(first, last - first + 1),
+                      arrow_share * box.diagonal().norm());
+    }
+    figure.add_disc(places.front(), start_radius_px, start_colour);
+    figure.add_disc_legend("start", start_radius_px, start_colour);
+    if (arrows > 0)
+        figure.add_legend("direction", direction_style);
+}
+
 }  // namespace
 
-std::string tool_path_svg(const ToolPath& path, const FigureOptions& options)
+std::string tool_path_svg(const ToolPath& path, const FigureOptions& options,
+                          std::span<const Surface> part)
 {
     const std::vector<Vec3> places = drawn_points(path);
-    AxonometricFigure figure{options, places};
+    std::vector<SurfaceCell> cells = cells_of(part);
+    std::vector<Vec3> extent = places;
+    for (const SurfaceCell& cell : cells)
+        extent.insert(extent.end(), cell.outline.begin(), cell.outline.end());
+    FigureOptions ticked = options;
+    ticked.has_ticks = true;
+    AxonometricFigure figure{ticked, extent};
+    add_part(figure, std::move(cells));
     for (std::size_t stroke = 0; stroke < strokes.size(); ++stroke)
         if (add_runs(figure, path, places, stroke))
             figure.add_legend(strokes[stroke].label, strokes[stroke].style);
+    if (!places.empty())
+        add_marks(figure, path, places);
     return figure.text();
 }
 

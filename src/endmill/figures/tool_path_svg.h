@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "endmill/figures/axonometric_figure.h"
@@ -15,10 +16,14 @@ namespace endmill {
 
 /// A tool path in parallel projection, as an SVG file: contact points (tips where there
 /// is no contact) joined in the order of the path. Links have another colour; rapids,
-/// plunges and retracts are dashed.
+/// plunges and retracts are dashed. A disc marks the first point, and arrows mark the
+/// direction of a few cuts. Axes with ticks are in mm.
 /// Source: after [KimChoi, figs. 12 and 13].
+/// \param path the path. \param options title, captions, size and view.
+/// \param part surfaces that are drawn shaded under the path.
 /// \throws DomainError if the path has no points or one that is not finite.
-std::string tool_path_svg(const ToolPath& path, const FigureOptions& options = {});
+std::string tool_path_svg(const ToolPath& path, const FigureOptions& options = {},
+                          std::span<const Surface> part = {});
 
 /// Title, view and content of the figure of a surface.
 struct SurfaceDrawing {

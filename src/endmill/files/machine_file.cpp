@@ -25,7 +25,7 @@ constexpr std::string_view format_name = "endmill-machine/1";
 constexpr std::string_view code = "E_MACHINE";
 // Upper end for rpm, W, N m, mm/min and m/s^2: beyond every machine, and finite.
 constexpr double most_of_all = 1e9;
-constexpr double most_turn_deg = 360;  // a wider range does not limit the axis
+constexpr double most_turn_deg = 1e6;  // beyond every axis that turns without end
 
 // A key of `limits`, and its axis.
 struct AxisKey {
@@ -64,18 +64,16 @@ std::string configuration(const JsonValue& root, const std::string& otherwise)
 }
 
 // Checks the limits of a rotary axis.
-// \param place number of the axis among the rotary axes of the machine, from the part.
-void require_rotary_range(const JsonValue& value, std::size_t place, double from_deg,
-                          double to_deg)
+void require_rotary_range(const JsonValue& value, double from_deg, double to_deg)
 {
-    if (const auto expected = expected_rotary_range(place, from_deg, to_deg))
+    if (!(from_deg <= 0 && 0 <= to_deg))
         throw value.complaint("[" + to_text(from_deg) + ", " + to_text(to_deg) + "]",
-                              *expected, std::string{code});
+                              "limits that hold 0, the lower one first",
+                              std::string{code});
 }
 
 // The range of one axis: [min, max] in mm or degrees; the result is in mm or rad.
-AxisTravel travel(const JsonValue& value, const AxisKey& key, std::size_t place,
-                  const ReadLimits& limits)
+AxisTravel travel(const JsonValue& value, const AxisKey& key, const ReadLimits& limits)
 {
     if (value.size() != 2)
         throw machine_complaint(value, "[min, max]");
@@ -89,7 +87,7 @@ AxisTravel travel(const JsonValue& value, const AxisKey& key, std::size_t place,
         throw machine_complaint(last, "at least the min, " + to_text(from));
     if (!key.is_rotary)
         return {key.axis, from, to};
-    require_rotary_range(value, place, from, to);
+    require_rotary_range(value, from, to);
     return {key.axis, Angle::degrees(from).radians(), Angle::degrees(to).radians()};
 }
 
@@ -122,9 +120,7 @@ std::vector<AxisTravel> travels(const JsonValue& root, std::string_view configur
             throw found->complaint("limits of an axis that the machine does not have",
                                    "one of " + std::string{configuration},
                                    std::string{code});
-        const std::size_t place =
-            place_of(configuration_from_word(configuration), key.axis);
-        all.push_back(travel(*found, key, place, limits));
+        all.push_back(travel(*found, key, limits));
     }
     return all;
 }
@@ -147,10 +143,10 @@ MachineLimits machine_limits(const JsonValue& root)
     return limits;
 }
 
-// The offset of the table, an array of three lengths.
-std::optional<Vec3> table_offset(const JsonValue& root, double most)
+// An offset, an array of three lengths.
+std::optional<Vec3> offset(const JsonValue& root, std::string_view key, double most)
 {
-    const auto value = root.find_member("table_offset_mm");
+    const auto value = root.find_member(key);
     if (!value)
         return std::nullopt;
     if (value->size() != 3)
@@ -162,6 +158,21 @@ std::optional<Vec3> table_offset(const JsonValue& root, double most)
             number_in(item, {.above = -most, .most = most, .from = true, .code = code});
     }
     return offset;
+}
+
+// The offset between the lines of two rotary axes, of which one carries the other.
+std::optional<Vec3> axis_offset(const JsonValue& root, const std::string& configuration,
+                                double most)
+{
+    constexpr std::string_view key = "axis_offset_mm";
+    const std::optional<Vec3> found = offset(root, key, most);
+    const auto rotary = configuration_from_word(configuration).rotary;
+    const bool has_neighbours = rotary.size() == 2 && rotary[0].side == rotary[1].side;
+    if (found && !has_neighbours)
+        throw root.find_member(key)->complaint(
+            "an offset between the rotary axes of " + configuration,
+            "a machine with two rotary axes on one side of the bed", std::string{code});
+    return found;
 }
 
 }  // namespace
@@ -176,13 +187,14 @@ MachineDescription parse_machine(std::string_view content,
                                  const std::filesystem::path& path,
                                  const ReadLimits& limits)
 {
-    constexpr std::array<std::string_view, 10> keys{"format",
+    constexpr std::array<std::string_view, 11> keys{"format",
                                                     "name",
                                                     "source",
                                                     "configuration",
                                                     "limits",
                                                     "pivot_mm",
                                                     "table_offset_mm",
+                                                    "axis_offset_mm",
                                                     "spindle",
                                                     "max_feed_mm_per_min",
                                                     "acceleration_m_per_s2"};
@@ -198,17 +210,20 @@ MachineDescription parse_machine(std::string_view content,
     machine.travels = travels(root, machine.configuration, limits);
     machine.pivot_mm = find_number(
         root, "pivot_mm", {.above = -most, .most = most, .from = true, .code = code});
-    machine.table_offset_mm = table_offset(root, most);
+    machine.table_offset_mm = offset(root, "table_offset_mm", most);
+    machine.axis_offset_mm = axis_offset(root, machine.configuration, most);
     return machine;
 }
 
 // The file has positions of the axes. The kinematic model has turns of the tool against
-// the part, so ranges of axes that carry the part are mirrored.
+// the part, so ranges of axes that carry the part are mirrored. Directions repeat after a
+// full rotation, so that wider ranges are reduced to one.
 Machine moving_machine(const MachineDescription& description)
 {
     Machine machine{.configuration = configuration_from_word(description.configuration),
                     .pivot = description.pivot_mm.value_or(0),
-                    .table_offset = description.table_offset_mm.value_or(Vec3::Zero())};
+                    .table_offset = description.table_offset_mm.value_or(Vec3::Zero()),
+                    .axis_offset = description.axis_offset_mm.value_or(Vec3::Zero())};
     machine.rotary = widest_limits(machine.configuration);
     for (const AxisTravel& travel : description.travels) {
         if (travel.axis >= 'x') {
@@ -217,10 +232,14 @@ Machine moving_machine(const MachineDescription& description)
             continue;
         }
         const std::size_t place = place_of(machine.configuration, travel.axis);
-        if (machine.configuration.is_valid())
-            turns_of(machine.rotary, machine.configuration, place) =
-                mirrored(machine.configuration.rotary[place].side,
-                         RotaryRange{travel.from, travel.to});
+        if (!machine.configuration.is_valid())
+            continue;
+        const RotaryRange turns = mirrored(machine.configuration.rotary[place].side,
+                                           RotaryRange{travel.from, travel.to});
+        const RotaryRange used = within_one_rotation(place, turns);
+        turns_of(machine.rotary, machine.configuration, place) = used;
+        if (used != turns)
+            machine.wide_positions[place] = RotaryRange{travel.from, travel.to};
     }
     return machine;
 }

@@ -38,6 +38,18 @@ namespace {
 
 constexpr std::array<std::string_view, 4> extensions{".stl", ".obj", ".ply", ".off"};
 
+// Formats of other programs that are refused by name, by the extension of the file.
+struct OtherFormat {
+    std::string_view extension;
+    std::string_view name;
+};
+
+constexpr std::array other_formats{
+    OtherFormat{".3mf", "3MF"},   OtherFormat{".amf", "AMF"},
+    OtherFormat{".step", "STEP"}, OtherFormat{".stp", "STEP"},
+    OtherFormat{".iges", "IGES"}, OtherFormat{".igs", "IGES"},
+};
+
 // Upper bound of the memory that exact welding takes for each point (weld.h).
 constexpr double bytes_per_welded_point = 72;
 
@@ -57,6 +69,12 @@ std::string checked_extension(std::string_view content, const std::string& file,
     constexpr std::size_t longest_echo = 40;
     std::string extension = lower_case(path.extension().string());
     const auto format = recognized_format(content);
+    const auto other =
+        std::ranges::find(other_formats, extension, &OtherFormat::extension);
+    if (other != other_formats.end())
+        throw FormatError{"E_FORMAT",
+                          {file, "", std::string{other->name} + " is not read",
+                           "the part exported as a mesh: .stl, .obj, .ply or .off"}};
     if (std::ranges::find(extensions, extension) == extensions.end()) {
         const std::string guess =
             format ? ", content looks like " + std::string{*format} : "";
@@ -130,7 +148,7 @@ ReadAndWelded read_indexed(std::string& content, const MeshSource& source,
         points * (sizeof(Vec3) + sizeof(std::int32_t) + bytes_per_welded_point) +
             triangles * 2 * sizeof(Triangle),
         source.limits);
-    ReadAndWelded result{weld(raw.mesh), {}};
+    ReadAndWelded result{weld(raw.mesh), raw.notes};
     const std::size_t welded = result.welded.welded_points;
     if (welded > 0)
         result.notes.push_back(counted(welded, "point") + " at the place of another" +

@@ -57,7 +57,7 @@ std::optional<std::string> foreign_format(std::string_view content, bool is_gcod
 }
 
 // Whether the content begins like a G-code program: with %, a comment, a block delete, a
-// parameter, or a letter and a number.
+// parameter, a number of the program after a colon, or a letter and a number.
 bool begins_as_gcode(std::string_view content)
 {
     constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
@@ -74,6 +74,8 @@ bool begins_as_gcode(std::string_view content)
     const char first = content[begin];
     if ("%(;/#"sv.find(first) != std::string_view::npos)
         return true;
+    if (first == ':')
+        return "0123456789"sv.find(next(begin + 1)) != std::string_view::npos;
     const bool is_letter =
         ('A' <= first && first <= 'Z') || ('a' <= first && first <= 'z');
     const char second = next(begin + 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
@@ -95,6 +96,16 @@ struct PartReference {
     UpAxis up = UpAxis::Z;              ///< of a mesh file
 };
 
+/// What a verification does with remaining stock where the cutter cannot touch the part, such
+/// as in a corner that is sharper than the cutter.
+enum class InaccessibleStock {
+    Count,   ///< it is judged as everywhere
+    Excuse,  ///< it is measured and not judged
+};
+
+/// Names in the order of the enumeration.
+inline constexpr std::array<std::string_view, 2> inaccessible_names{"count", "excuse"};
+
 /// The content of the summary.json beside a tool path. A value that is missing or null in
 /// the file is empty.
 struct PathSummary {
@@ -105,13 +116,32 @@ struct PathSummary {
     std::optional<double> inner_tolerance_mm;  ///< largest depth of a gouge
     /// Largest remaining stock along a pass.
     std::optional<double> outer_tolerance_mm;
-    std::optional<double> scallop_mm;       ///< scallop height
-    std::optional<double> feed_mm_per_min;  ///< programmed feed
-    std::optional<double> spindle_rpm;      ///< programmed spindle speed
+    std::optional<double> scallop_mm;                 ///< scallop height
+    /// Whether remaining stock is judged where the cutter cannot touch the part.
+    std::optional<InaccessibleStock> inaccessible;
+    std::optional<double> feed_mm_per_min;            ///< programmed feed
+    std::optional<double> spindle_rpm;                ///< programmed spindle speed
+    std::optional<std::size_t> toolpath_points = {};  ///< rows of the path file, if CSV
+    std::optional<std::string> toolpath_sha256 = {};  ///< `content_sha256` of that file
+    /// The same of a machine program that was written with the path.
+    std::optional<std::string> program_sha256 = {};
 
     /// The smallest of the three tolerances; nothing if none is known.
     std::optional<double> tolerance_mm() const;
 };
+
+/// The SHA-256 of the content of a file, as 64 hexadecimal digits in lower case.
+std::string content_sha256(std::string_view content);
+
+/// How a summary.json belongs to the path file beside it.
+enum class SummaryMatch {
+    Described,  ///< it names the SHA-256 of this file
+    Unnamed,    ///< it names no SHA-256, as an earlier version or a person writes it
+    Other,      ///< it describes another file, or this one with other content
+};
+
+/// Compares a summary with the content of the path file beside it.
+SummaryMatch summary_match(const PathSummary& summary, std::string_view content);
 
 /// Reads the summary.json in the folder of `tool_path`. Unknown keys are ignored.
 /// \return nothing if there is no such file.

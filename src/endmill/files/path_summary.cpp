@@ -3,9 +3,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <stdexcept>
 #include <system_error>
 
+#include <openssl/evp.h>
+
+#include "endmill/files/detail/csv_lines.h"
 #include "endmill/files/detail/strict_json.h"
+#include "endmill/files/detail/tool_path_reader.h"
 #include "endmill/files/read_file.h"
 
 // The summary.json beside a tool path is written by the commands that plan paths. Its
@@ -81,6 +87,16 @@ Choice choice(const JsonValue& object, std::string_view key,
     return static_cast<Choice>(found - names.begin());
 }
 
+// The number of rows of the path; nothing if the key is missing or null.
+std::optional<std::size_t> row_count(const JsonValue& root)
+{
+    constexpr std::int64_t most = 1'000'000'000'000;
+    const std::optional<JsonValue> value = known_member(root, "toolpath_points");
+    if (!value)
+        return std::nullopt;
+    return static_cast<std::size_t>(value->whole_number(0, most));
+}
+
 // The part; its path in the file is relative to the folder of the summary.
 std::optional<PartReference> part(const JsonValue& root,
                                   const std::filesystem::path& folder)
@@ -94,6 +110,13 @@ std::optional<PartReference> part(const JsonValue& root,
     if (known_member(root, "part_up"))
         part.up = choice<UpAxis>(root, "part_up", up_axis_names);
     return part;
+}
+
+std::optional<InaccessibleStock> inaccessible(const JsonValue& root)
+{
+    if (!known_member(root, "inaccessible"))
+        return std::nullopt;
+    return choice<InaccessibleStock>(root, "inaccessible", inaccessible_names);
 }
 
 }  // namespace
@@ -124,8 +147,42 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
                        tolerance(root, "inner_tolerance_mm"),
                        tolerance(root, "outer_tolerance_mm"),
                        positive_number(root, "scallop_mm"),
+                       inaccessible(root),
                        positive_number(root, "feed_mm_per_min"),
-                       positive_number(root, "spindle_rpm")};
+                       positive_number(root, "spindle_rpm"),
+                       row_count(root),
+                       text(root, "toolpath_sha256"),
+                       text(root, "program_sha256")};
+}
+
+std::string content_sha256(std::string_view content)
+{
+    std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
+    unsigned size = 0;
+    if (EVP_Digest(content.data(), content.size(), bytes.data(), &size, EVP_sha256(),
+                   nullptr) != 1)
+        throw std::runtime_error{"content_sha256: libcrypto has no SHA-256"};
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string word;
+    for (unsigned i = 0; i < size; ++i) {
+        word += digits[bytes[i] / 16];
+        word += digits[bytes[i] % 16];
+    }
+    return word;
+}
+
+SummaryMatch summary_match(const PathSummary& summary, std::string_view content)
+{
+    if (!summary.toolpath_sha256 && !summary.program_sha256)
+        return SummaryMatch::Unnamed;
+    const std::string found = content_sha256(content);
+    if (summary.program_sha256 == found)
+        return SummaryMatch::Described;
+    const bool is_counted = summary.toolpath_points && is_tool_path_csv(content);
+    const bool has_other_count =
+        is_counted && line_count(content) != *summary.toolpath_points + 1;
+    return summary.toolpath_sha256 == found && !has_other_count ? SummaryMatch::Described
+                                                                : SummaryMatch::Other;
 }
 
 }  // namespace endmill

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
@@ -38,6 +39,26 @@ constexpr std::array compressed_beginnings{
     "BZh"sv,               // bzip2
     "\x28\xb5\x2f\xfd"sv,  // zstd
 };
+
+// Refuses compressed content, and says what to do with the file. A 3MF file is a zip archive
+// and is known by its extension only.
+[[noreturn]] void refuse_compressed(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char letter) {
+        return static_cast<char>(std::tolower(letter));
+    });
+    if (extension == ".3mf")
+        throw FormatError{
+            "E_COMPRESSED",
+            {shown_path(path), "", "3MF is not read: it is a compressed file",
+             "the mesh exported as .stl, .obj, .ply or .off"}};
+    const bool is_gzip = extension == ".gz";
+    throw FormatError{"E_COMPRESSED",
+                      {shown_path(path), "", "compressed input is not accepted",
+                       is_gzip ? "the decompressed file, as gunzip -k makes it"
+                               : "the decompressed file"}};
+}
 
 // Throws the error that a file cannot be opened or read.
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& found,
@@ -128,9 +149,7 @@ std::string read_file(const std::filesystem::path& path, const ReadLimits& limit
     input.append_to(text, beginning_bytes);
     for (const std::string_view beginning : compressed_beginnings)
         if (text.starts_with(beginning))
-            throw FormatError{
-                "E_COMPRESSED",
-                {file, "", "compressed input is not accepted", "the decompressed file"}};
+            refuse_compressed(path);
     // A file that exceeds the limit is refused before it is read. Readers check the
     // memory of the data that they build from the text separately.
     require_memory(file, static_cast<double>(size), limits);

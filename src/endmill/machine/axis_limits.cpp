@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/machine/axis_limits.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace endmill {
@@ -55,6 +56,14 @@ std::optional<std::string> expected_rotary_range(std::size_t axis, double from_d
     if (axis > 0 && !(from_deg >= -180 && to_deg <= 180))
         return "limits within 180 degrees either way, the axis being next to the tool";
     return std::nullopt;
+}
+
+RotaryRange within_one_rotation(std::size_t axis, const RotaryRange& range)
+{
+    constexpr double pi = std::numbers::pi;
+    if (axis == 0)
+        return range.to - range.from > 2 * pi ? RotaryRange{-pi, pi} : range;
+    return {std::max(range.from, -pi), std::min(range.to, pi)};
 }
 
 RotaryRange& turns_of(RotaryLimits& limits, const MachineConfiguration& configuration,

@@ -89,6 +89,12 @@ RotaryRange mirrored(MachineSide side, const RotaryRange& range);
 std::optional<std::string> expected_rotary_range(std::size_t axis, double from_deg,
                                                  double to_deg);
 
+/// Reduces a range of turns to the part from which directions are computed: a full
+/// rotation of the axis nearer to the part becomes [-pi, pi], and the other axis is cut to
+/// it. Ranges that `expected_rotary_range` accepts stay as they are.
+/// \param axis as there. \param range rad; it contains 0.
+RotaryRange within_one_rotation(std::size_t axis, const RotaryRange& range);
+
 /// Selects the limits of one rotary axis: theta for the first axis of C,A and the second
 /// axis of A,B, else phi.
 /// \param limits turns. \param configuration the machine.

@@ -186,6 +186,12 @@ bool is_within_travel(const Machine& machine, const AxisPositions& positions)
 {
     const MachineConfiguration& configuration = machine.configuration;
     for (std::size_t k = 0; k < configuration.rotary.size(); ++k) {
+        if (const auto& wide = machine.wide_positions[k]) {
+            if (!(wide->from - turn_tolerance <= positions.rotary[k] &&
+                  positions.rotary[k] <= wide->to + turn_tolerance))
+                return false;
+            continue;
+        }
         const RotaryRange& range = turns_of(machine.rotary, configuration, k);
         const double turn = mirrored(configuration.rotary[k].side, positions.rotary[k]);
         const bool is_round =

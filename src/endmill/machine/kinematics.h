@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "endmill/core/vec.h"
@@ -73,6 +74,12 @@ struct Machine {
     Vec3 table_offset{0, 0, 0};  ///< mm, the point where the part-side axes meet
     RotaryLimits rotary = {};    ///< limits as turns of the tool against the part
     LinearLimits linear = {};    ///< travel of X, Y, Z
+    /// mm, with all axes at zero: from the line of R1 to that of R2, which are on one side
+    /// of the bed. No function uses it yet: positions hold for lines that meet.
+    Vec3 axis_offset{0, 0, 0};
+    /// rad, limits of the positions of an axis that turns by more than `rotary` states,
+    /// from the part to the tool. Nothing: the limits in `rotary` hold.
+    std::array<std::optional<RotaryRange>, 2> wide_positions = {};
 };
 
 /// Positions of the rotary axes, from the part to the tool, in rad. A position is the
@@ -102,7 +109,8 @@ CutterLocation tool_location(const Machine& machine, const AxisPositions& positi
                              double tool_length);
 
 /// Tests whether all axes can take these positions, the rotary ones to `turn_tolerance`.
-/// A rotary axis without limits may be at any number of full rotations.
+/// A rotary axis without limits may be at any number of full rotations, one with wide
+/// limits at all positions within them.
 /// \pre the configuration is valid.
 bool is_within_travel(const Machine& machine, const AxisPositions& positions);
 

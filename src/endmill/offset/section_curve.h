@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -36,5 +38,20 @@ struct CrossedEdge {
 /// \param curves curves with at least two points each; the last point of a closed one
 ///     equals its first.
 std::vector<SectionCurve> arranged(std::vector<SectionCurve> curves);
+
+/// Numbers of the points of a polyline that remain if it is thinned: chords replace runs of
+/// points. Every point of the thinned polyline lies within `tolerance` of the given one, and
+/// every point of the given one within `tolerance` of the thinned one. The first and the last
+/// point remain. Each chord is the longest that a cone of directions from its beginning
+/// allows; the time is linear in the number of points.
+///
+/// A cutter that is moved by a distance d goes at most d deeper into a part. Therefore the
+/// gouge of a thinned path exceeds that of the given one by at most the tolerance, and so does
+/// the remaining stock.
+/// Source: docs/methods/interference.md, section 1 (thinned paths).
+/// \param points in their order, any number.
+/// \param tolerance in mm; 0: all points remain.
+/// \throws DomainError unless 0 <= tolerance and it is finite.
+std::vector<std::size_t> thinned(std::span<const SectionPoint> points, double tolerance);
 
 }  // namespace endmill

@@ -91,4 +91,32 @@ struct PathLengths {
 /// The lengths of the moves of `path`. No move leads to its first point.
 PathLengths path_lengths(const ToolPath& path);
 
+/// A box along the coordinate axes that holds all tips of a path.
+struct TipBox {
+    Vec3 low;   ///< mm
+    Vec3 high;  ///< mm
+};
+
+/// Lengths, time, tools and extent of a path, measured along the tip. The three lengths
+/// add up to the length of the path.
+struct PathTotals {
+    double cut_mm = 0;    ///< mm, of cuts and plunges
+    double link_mm = 0;   ///< mm, of links and retracts
+    double rapid_mm = 0;  ///< mm, of rapids
+    /// min, of all moves but the rapids, whose rate is not part of a path. Nothing if one
+    /// of these moves has no feed, or if there are none.
+    std::optional<double> time_min = {};
+    std::vector<int> tools = {};        ///< numbers of the tools, ascending, each once
+    std::optional<TipBox> extent = {};  ///< nothing for a path without points
+};
+
+/// The totals of `path`. No move leads to its first point, which counts for the tools and
+/// the extent only.
+PathTotals path_totals(const ToolPath& path);
+
+/// The height from which the cutter first moves down at feed. It is still clear of the
+/// stock there, so that a stock with a flat top is no higher.
+/// \return mm; nothing if the first move at feed does not lead down, or there is none.
+std::optional<double> entry_height(const ToolPath& path);
+
 }  // namespace endmill

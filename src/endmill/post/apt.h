@@ -54,11 +54,13 @@ struct AptOptions {
     std::optional<double> feed_mm_per_min = {};  ///< mm/min, for moves without a feed
     std::optional<double> spindle_rpm = {};  ///< rpm, for moves without a spindle speed
     int decimals = 4;  ///< digits after the point of coordinates, feeds, speeds; 0 to 9
+    bool multax = false;  ///< whether MULTAX is written, and the axis of every point
 };
 
 /// The path as CL data in the words of APT (ISO 4343): PARTNO, UNITS/MM, CUTTER, then
 /// SPINDL and FEDRAT where they change, RAPID before each rapid move, GOTO to each tip,
-/// with the axis where it is not +z, and FINI. The cutter and the axes are written
+/// with the axis where it is not +z, and FINI. With `multax`, MULTAX follows UNITS and
+/// every GOTO has its axis. The cutter and the axes are written
 /// exactly: reading gives the same doubles. Tool number and safe start are not written;
 /// the post-processor that reads the data adds them.
 /// \param path the path.

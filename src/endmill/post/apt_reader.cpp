@@ -27,7 +27,8 @@ namespace endmill {
 namespace {
 
 constexpr const char* known_statements =
-    "PARTNO, UNITS, CUTTER, SPINDL, FEDRAT, RAPID, GOTO, FINI, REMARK, PPRINT, LOADTL, "
+    "PARTNO, UNITS, MULTAX, CUTTER, SPINDL, FEDRAT, RAPID, GOTO, FINI, REMARK, PPRINT, "
+    "LOADTL, "
     "COOLNT, STOP or a comment after $$";
 
 // `text` without surrounding blanks, which have no meaning in APT outside texts.
@@ -86,8 +87,8 @@ constexpr std::array<std::string_view, 3> text_words{"PARTNO", "REMARK", "PPRINT
 // Statements about the machine, which have no effect on the path.
 constexpr std::array<std::string_view, 3> ignored_words{"LOADTL", "COOLNT", "STOP"};
 // Statements that define the path.
-constexpr std::array<std::string_view, 7> read_words{
-    "UNITS", "CUTTER", "SPINDL", "FEDRAT", "RAPID", "GOTO", "FINI"};
+constexpr std::array<std::string_view, 8> read_words{
+    "UNITS", "MULTAX", "CUTTER", "SPINDL", "FEDRAT", "RAPID", "GOTO", "FINI"};
 
 // A typical statement GOTO has about this length.
 constexpr std::size_t likely_bytes_per_statement = 32;
@@ -132,6 +133,8 @@ private:
             read_cutter(statement);
         else if (statement.is("UNITS"))
             read_units(statement);
+        else if (statement.is("MULTAX"))
+            read_multax(statement);
         else if (!statement.is_any(text_words) && !statement.is_any(ignored_words))
             throw lines_.complaint("statement " + quoted(trimmed(lines_.line())),
                                    known_statements);
@@ -177,6 +180,8 @@ private:
             location.tip[c] = coordinate(parts[static_cast<std::size_t>(c)]);
         if (parts.size() == 6)
             location.axis = axis(parts.subspan(3));
+        if (has_multax_ && location.axis != Vec3::UnitZ())
+            refuse("the axis 0,0,1 after MULTAX: tilted axes are not read yet");
         add_point(location);
     }
 
@@ -280,11 +285,27 @@ private:
         has_units_ = true;
     }
 
+    // MULTAX announces axes in GOTO. OFF ends it.
+    void read_multax(const Statement& statement)
+    {
+        const auto parts = arguments(statement);
+        const bool is_off = parts.size() == 1 && is_word(parts[0], "OFF");
+        const bool is_on = statement.has_slash
+                               ? parts.size() == 1 && is_word(parts[0], "ON")
+                               : statement.rest.empty();
+        if (!is_on && !is_off)
+            refuse("MULTAX, MULTAX/ON or MULTAX/OFF");
+        has_multax_ = is_on;
+    }
+
     // Completes the program at the end of the file.
     void finish()
     {
         if (program_.path.points.empty())
-            throw FormatError{"E_APT", {lines_.file(), "", "no GOTO", "a path"}};
+            throw FormatError{
+                "E_APT",
+                {lines_.file(), "", "no GOTO in " + counted(lines_.number(), "line"),
+                 "at least one GOTO/x,y,z"}};
         if (!has_units_)
             program_.remarks.emplace_back("no UNITS statement: lengths are taken as mm");
         if (!is_finished_)
@@ -302,6 +323,7 @@ private:
     bool is_rapid_ = false;
     bool is_finished_ = false;
     bool has_units_ = false;
+    bool has_multax_ = false;
 };
 
 }  // namespace

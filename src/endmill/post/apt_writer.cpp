@@ -30,6 +30,8 @@ public:
     {
         add("PARTNO/" + comment_text(options_.name));
         add("UNITS/MM");
+        if (options_.multax)
+            add("MULTAX");
         if (!options_.cutter)
             return;
         std::string cutter = "CUTTER/";
@@ -84,7 +86,7 @@ private:
             program_.max_rounding_error_mm = std::max(
                 program_.max_rounding_error_mm, std::abs(rounded - location.tip[c]));
         }
-        if (location.axis != Vec3::UnitZ())
+        if (options_.multax || location.axis != Vec3::UnitZ())
             for (const double component : location.axis) {
                 text += ',';
                 append_exact(text, component);
@@ -104,15 +106,18 @@ private:
 WrittenProgram apt(const ToolPath& path, const AptOptions& options)
 {
     require(!path.points.empty(), "apt: need a path with points");
-    MoveConditions conditions{
-        path, {options.feed_mm_per_min, options.spindle_rpm, {}}, options.decimals};
+    MoveConditions conditions{path,
+                              {options.feed_mm_per_min, options.spindle_rpm, {}},
+                              {options.decimals, options.decimals}};
     StatementWriter writer{options, path.points.size()};
     writer.add_heading();
     for (std::size_t i = 0; i < path.points.size(); ++i)
         writer.add_point(path.points[i], conditions.at(i));
     writer.add("FINI");
     WrittenProgram program = writer.take();
+    program.decimals = options.decimals;
     program.feed_mm_per_min = conditions.feeds();
+    program.plunge_feed_mm_per_min = conditions.plunge_feeds();
     program.spindle_rpm = conditions.speeds();
     return program;
 }

@@ -10,12 +10,14 @@
 #include <utility>
 
 #include "endmill/core/detail/units.h"
+#include "endmill/core/text.h"
 #include "endmill/post/detail/arc.h"
 #include "endmill/post/detail/canonical_line.h"
 #include "endmill/post/detail/gcode_arc.h"
 #include "endmill/post/detail/idle_commands.h"
 #include "endmill/post/detail/plain_number.h"
 #include "endmill/post/detail/program_builder.h"
+#include "endmill/post/detail/program_frame.h"
 #include "endmill/post/detail/text_lines.h"
 
 // Every line of canonical output is one command with arguments, already resolved by the
@@ -24,8 +26,8 @@
 // 2. calls the handler of the name: motions go to the ProgramBuilder, settings change the
 //    state,
 // 3. passes over commands that cannot move the tool, and refuses unknown ones.
-// Offsets and rotations are only checked, not applied: while one is not 0, a motion is an
-// error.
+// Coordinates do not include the offsets of the interpreter. The path is in the coordinates
+// of its first move; later moves are converted where the offsets have changed since.
 
 namespace endmill {
 namespace {
@@ -51,6 +53,12 @@ public:
             builder_.remark("no PROGRAM_END: the program may be cut short");
         builder_.remark("four decimals: coordinates are known to " + brief(error_mm_) +
                         " mm");
+        if (!builder_.has_position())
+            throw FormatError{
+                "E_CANONICAL",
+                {lines_.file(), "", "no motion in " + counted(lines_.number(), "line"),
+                 "at least one STRAIGHT_TRAVERSE, STRAIGHT_FEED or "
+                 "ARC_FEED"}};
         Program program = builder_.take();
         program.position_error_mm = error_mm_;
         return program;
@@ -141,28 +149,32 @@ private:
 
     void go_straight(const std::optional<MoveFeed>& feed)
     {
-        expect_no_offset();
         const double x = length();
         const double y = length();
         const double z = length();
         expect_no_rotation();
-        position_ = {x, y, z};
+        position_ = in_path({x, y, z});
         builder_.go_to(position_, feed);
         note_precision();
     }
 
     void arc_feed()
     {
-        expect_no_offset();
         const PlaneAxes axes = plane_axes(plane_);
-        Arc arc{.start = position_, .end = {}, .centre = position_, .plane = plane_};
+        Arc arc{.start = position_, .end = {}, .centre = {}, .plane = plane_};
         arc.end[axes.first] = length();
         arc.end[axes.second] = length();
         arc.centre[axes.first] = length();
         arc.centre[axes.second] = length();
         const double rotation = number();
         arc.end[axes.normal] = length();
+        arc.centre[axes.normal] = arc.end[axes.normal];
         expect_no_rotation();
+        arc.end = in_path(arc.end);
+        arc.centre = in_path(arc.centre);
+        if (plane_ != ArcPlane::Xy && frame_.rotation_degrees != first_.rotation_degrees)
+            throw lines_.complaint("an arc across a turned coordinate system",
+                                   "an arc in the XY plane (G17)");
         if (rotation == 0 || rotation != std::floor(rotation))
             throw lines_.complaint("an arc of " + brief(rotation) + " turns",
                                    "a whole number, negative if clockwise");
@@ -256,35 +268,35 @@ private:
     void set_g5x_offset()
     {
         number();  // number of the coordinate system
-        g5x_line_ = is_all_zero() ? 0 : lines_.number();
+        frame_.system_offset = offset();
     }
 
-    void set_g92_offset() { g92_line_ = is_all_zero() ? 0 : lines_.number(); }
+    void set_g92_offset() { frame_.axis_offset = offset(); }
 
-    void set_xy_rotation() { rotation_line_ = is_all_zero() ? 0 : lines_.number(); }
+    void set_xy_rotation() { frame_.rotation_degrees = number(); }
 
-    // Whether all remaining arguments are 0.
-    bool is_all_zero()
+    // The remaining arguments as an offset of X, Y and Z. Those of rotary axes must be 0.
+    Vec3 offset()
     {
-        bool all = true;
-        while (!without_indent(arguments_).empty())
-            all = (number() == 0) && all;
-        return all;
+        const double x = length();
+        const double y = length();
+        const double z = length();
+        expect_no_rotation();
+        for (const double coordinate : {x, y, z})
+            check_extent(coordinate, options_.max_extent_mm, lines_);
+        return {x, y, z};
     }
 
-    // Coordinates do not include the offsets, so a move under an offset would be
-    // misplaced. An offset that is not 0 is therefore refused, but only at a move: the
-    // interpreter prints the offsets of its own table before any motion.
-    void expect_no_offset() const
+    // The point in the coordinates of the path, which are those of its first move.
+    Vec3 in_path(const Vec3& point)
     {
-        const std::array offsets{std::pair{"SET_G5X_OFFSET", g5x_line_},
-                                 std::pair{"SET_G92_OFFSET", g92_line_},
-                                 std::pair{"SET_XY_ROTATION", rotation_line_}};
-        for (const auto& [name, line] : offsets)
-            if (line != 0)
-                throw lines_.complaint(std::string{"a move under the "} + name +
-                                           " of line " + std::to_string(line),
-                                       "all offsets and rotations to be 0");
+        if (!builder_.has_position())
+            first_ = frame_;
+        if (frame_ != first_)
+            builder_.remark(
+                "offsets change after the first move: the path is in the coordinates of "
+                "its first move");
+        return moved_to_frame(point, frame_, first_);
     }
 
     // The numbers are separated by blanks and commas. The handler only checks whether all
@@ -299,22 +311,26 @@ private:
     // Arguments: spindle and speed. Earlier releases print the speed alone.
     void set_spindle_speed()
     {
-        double rpm = number();
+        double speed = number();
         if (!without_indent(arguments_).empty())
-            rpm = number();
-        builder_.set_spindle_speed(std::abs(rpm));
+            speed = number();
+        builder_.set_spindle_speed(has_surface_speed_ ? 0 : std::abs(speed));
     }
 
     void start_spindle() { builder_.start_spindle(); }
     void stop_spindle() { builder_.stop_spindle(); }
 
     // Arguments: spindle and highest speed, without a comma. 0 means constant spindle
-    // speed (G97).
+    // speed (G97), another number constant surface speed (G96).
     void set_spindle_mode()
     {
         const std::size_t blank = arguments_.find(' ');
-        if (arguments_.find_first_of("123456789", blank) != std::string_view::npos)
-            throw lines_.complaint("constant surface speed", "a spindle speed in 1/min");
+        has_surface_speed_ =
+            arguments_.find_first_of("123456789", blank) != std::string_view::npos;
+        if (!has_surface_speed_)
+            return;
+        builder_.set_spindle_speed(0);
+        builder_.remark("constant surface speed: the path has no spindle speed under it");
     }
 
     int tool_number()
@@ -345,10 +361,9 @@ private:
     double feed_mm_per_min_ = 0;
     double mm_per_unit_ = 1;
     double error_mm_ = half_last_decimal;
-    std::size_t g5x_line_ =
-        0;  // line that set an offset other than 0; 0 if the offset is 0
-    std::size_t g92_line_ = 0;       // likewise
-    std::size_t rotation_line_ = 0;  // likewise
+    ProgramFrame frame_;  // in force
+    ProgramFrame first_;  // at the first move
+    bool has_surface_speed_ = false;
     bool is_unit_said_ = false;
     bool has_ended_ = false;
 };

@@ -21,6 +21,7 @@
 // 2. The points of a line that moves are divided into runs of about equal feed and speed.
 //    A straight move has one point, so one run.
 // 3. One run: F and S of the line are set, if they differ from those in force.
+//    So is a canned cycle: the feeds of all its moves are those of one line.
 // 4. Several runs, on an arc: the arc is written as one arc per run. The first keeps the
 //    other words of the line, and all get new ends and centres.
 // A run gets the smallest speed and the smallest feed per revolution of its points, so
@@ -108,7 +109,8 @@ private:
     void pass_by(GcodeLine& line, const GcodeMove& next)
     {
         const auto speed = conditions(next.first).spindle_rpm;
-        if (line.has('S') && speed && line.number('S') > 0.0)
+        const bool is_rpm = !next.modes.has_surface_speed;
+        if (line.has('S') && is_rpm && speed && line.number('S') > 0.0)
             line.set('S', speed_ = number_text(*speed, speed_decimals));
         if (line.has('F'))
             feed_.clear();
@@ -222,19 +224,34 @@ private:
                is_about(&CuttingConditions::spindle_rpm);
     }
 
+    bool is_rapid(std::size_t point) const
+    {
+        return path_.points[point].move == Move::Rapid;
+    }
+
     // The smallest speed and the smallest feed per revolution, so that all limits hold on
-    // the whole run.
+    // the whole run. The rapids of a canned cycle have no feed and do not count.
     CuttingConditions least_conditions(const Run& run) const
     {
-        CuttingConditions least = conditions(run.first);
-        for (std::size_t i = run.first; i < run.end; ++i) {
+        std::size_t first = run.first;
+        while (first + 1 < run.end && is_rapid(first))
+            ++first;
+        const auto counts = [&](std::size_t point) {
+            return is_rapid(first) || !is_rapid(point);
+        };
+        CuttingConditions least = conditions(first);
+        for (std::size_t i = first; i < run.end; ++i) {
+            if (!counts(i))
+                continue;
             if (!conditions(i).feed_mm_per_min)
                 least.feed_mm_per_min.reset();
             if (least.spindle_rpm && conditions(i).spindle_rpm)
                 least.spindle_rpm =
                     std::min(*least.spindle_rpm, *conditions(i).spindle_rpm);
         }
-        for (std::size_t i = run.first; i < run.end && least.feed_mm_per_min; ++i) {
+        for (std::size_t i = first; i < run.end && least.feed_mm_per_min; ++i) {
+            if (!counts(i))
+                continue;
             const double turns = least.spindle_rpm && conditions(i).spindle_rpm
                                      ? *least.spindle_rpm / *conditions(i).spindle_rpm
                                      : 1;
@@ -257,7 +274,7 @@ private:
     void set_conditions(GcodeLine& line, const GcodeModes& modes, const Run& run)
     {
         const CuttingConditions least = least_conditions(run);
-        if (least.spindle_rpm) {
+        if (least.spindle_rpm && !modes.has_surface_speed) {
             const std::string speed = number_text(*least.spindle_rpm, speed_decimals);
             if (line.has('S') || speed != speed_)
                 line.set('S', speed);

@@ -22,6 +22,9 @@ namespace endmill {
 /// circle, each below a full turn, with ends written to 1e-6 of the unit. An arc on a
 /// line with M codes is never split, because an M code may stop the program there.
 ///
+/// A canned cycle keeps its line too, with the smallest feed of its moves. Under G96 the
+/// words S are cutting speeds and stay as they are.
+///
 /// \param text the program.
 /// \param file name of the file for messages.
 /// \param options the options with which the path was read.

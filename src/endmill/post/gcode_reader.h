@@ -15,7 +15,8 @@
 namespace endmill {
 
 /// The path that a three-axis program of RS-274 (G-code) describes. A code or word that
-/// the reader does not support is an error; it is never skipped.
+/// would move the tool and is not supported is an error. Codes that move nothing are
+/// skipped; a remark counts them.
 ///
 /// Words, modes and the order of execution within a block follow LinuxCNC. Lengths become
 /// mm and feeds mm/min.
@@ -25,16 +26,23 @@ namespace endmill {
 ///   a radius R may be too small by as much.
 /// - *Start*: the position is unknown until the program has given each axis an absolute
 ///   position. Earlier moves are left out; a remark reports them.
+/// - *Canned cycles* are the moves that LinuxCNC makes (`detail/canned_cycle.h`).
+/// - *Reference moves*: G28, G30 and G53 go to positions that only the machine knows. The
+///   path rises straight to 5 mm above all points before, and stays there until the axes
+///   that moved have an absolute position again; a remark counts these moves. A cut before
+///   that is an error, and so is such a move sideways at the height of a cut or below.
 /// - *Feed*: F in the block of a G20 or G21 is in the new unit. G93 and G94 discard the F
 ///   before them.
 /// - *M codes*: M2 and M30 end the program, M3 to M5 control the spindle, M6 changes the
 ///   tool, unsupported ones are refused, and all others have no effect.
-/// - *%*: the first % must stand before all words; the second one ends the program.
+/// - *%*: a % after words ends the program; no blocks may stand on both sides of the
+///   first %. A program number, "O1001" or ":1001", may stand before the first block.
 ///
 /// \param text the program.
 /// \param file name of the file for messages.
 /// \param options arc tolerance, programmed point and limits.
-/// \throws FormatError with file and line: E_GCODE for what is not supported, E_RANGE for
+/// \throws FormatError with file and line: E_GCODE for what is not supported, and for a
+///         program without motion or without a position of every axis; E_RANGE for
 ///         numbers that are too large, E_LIMIT for a line over 1 MiB, E_EMPTY for a file
 ///         of white space.
 /// \throws LimitError if the path would have more points than the options allow.
@@ -50,16 +58,18 @@ bool is_canonical(std::string_view text);
 /// The path in the canonical output of LinuxCNC's interpreter, `rs274 -g`, in which
 /// parameters, subprograms and cycles are expanded. Moves, passes, tools and arcs are
 /// those of `parse_gcode`. Known commands that cannot move the tool are ignored; unknown
-/// commands are errors. Coordinates have four decimals, so `position_error_mm` is half of
-/// the last one.
+/// commands are errors. The output states coordinates without the offsets in force; the
+/// path is in the coordinates of its first move, and moves under other offsets are
+/// converted. Coordinates have four decimals, so `position_error_mm` is half of the last
+/// one.
 ///
 /// \param text the output.
 /// \param file name of the file for messages.
 /// \param options as for `parse_gcode`. `block_delete` has no effect, because the
 ///        interpreter has applied it already.
 /// \throws FormatError with file and line: E_CANONICAL for a line of another form,
-///         unsupported motion, rotary axes, a move under an offset or a rotation, or a
-///         move without a feed; E_RANGE, E_LIMIT and E_EMPTY as `parse_gcode`.
+///         unsupported motion, rotary axes, an arc across turned coordinates, a move
+///         without a feed, or no motion at all; E_RANGE, E_LIMIT and E_EMPTY as `parse_gcode`.
 /// \throws LimitError, DomainError as `parse_gcode`.
 /// Source: docs/methods/removal.md, sections 5 and 6.
 Program parse_canonical(std::string_view text, const std::string& file,

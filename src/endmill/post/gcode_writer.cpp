@@ -7,15 +7,18 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/post/detail/arc_fitting.h"
 #include "endmill/post/detail/block_writer.h"
 #include "endmill/post/detail/comment_text.h"
+#include "endmill/post/detail/lead_in.h"
 #include "endmill/post/detail/move_conditions.h"
 #include "endmill/post/detail/plain_number.h"
 
 // A program is written in three parts: start (%, comment, modes, path control), one block
-// per move, and end (retract, M5, M30, %). BlockWriter omits words that repeat the value
-// in force. A change of tool, including the first one, adds T and M6, the start of the
-// spindle and the way over the next point.
+// per move or arc, and end (retract, M5, M30, %). BlockWriter omits words that repeat the
+// value in force. A change of tool, including the first one, adds T and M6, the start of
+// the spindle and the way over the next point. Slopes are points of the path before the
+// writer sees it.
 
 namespace endmill {
 namespace {
@@ -24,6 +27,24 @@ namespace {
 constexpr std::size_t likely_bytes_per_point = 34;
 // Largest relative change of half the tolerance by rounding it for P.
 constexpr double negligible_share = 0.01;
+constexpr int dwell_decimals = 3;  // of seconds
+constexpr double milliseconds_per_s = 1000;
+
+int decimals_of(const GcodeOptions& options)
+{
+    const Control& control = options.control;
+    return options.decimals.value_or(
+        options.unit == ProgramUnit::Inch ? control.decimals_inch : control.decimals_mm);
+}
+
+BlockFormat block_format(const GcodeOptions& options)
+{
+    const Control& control = options.control;
+    return {decimals_of(options),          options.line_numbers,
+            millimetres_per(options.unit), control.speed_decimals,
+            control.always_point,          control.crlf ? "\r\n" : "\n",
+            control.largest_line_number,   control.longest_line};
+}
 
 // The lowest height with the default clearance above all moves at feed and not below a
 // rapid of the path. Rapids need no clearance, because the path already uses their
@@ -43,10 +64,11 @@ double default_safe_height(const ToolPath& path)
 // of the path.
 double safe_height(const ToolPath& path, const GcodeOptions& options)
 {
+    const double unit = millimetres_per(options.unit);
+    const double wanted = options.safe_height.value_or(default_safe_height(path));
     std::string spelled;
     const double height =
-        append_fixed(spelled, options.safe_height.value_or(default_safe_height(path)),
-                     options.decimals);
+        append_fixed(spelled, wanted / unit, decimals_of(options)) * unit;
     if (!options.safe_height)
         return height;
     double top = path.points.front().location.tip.z();
@@ -60,23 +82,93 @@ double safe_height(const ToolPath& path, const GcodeOptions& options)
 }
 
 // "G64 P" with half the tolerance: the control may round corners by that much.
-std::string path_control(const GcodeOptions& options)
+std::string path_control_of_tolerance(const GcodeOptions& options)
 {
     if (!options.tolerance)
         return "G64";
-    const double half = *options.tolerance / 2;
+    const double half = *options.tolerance / 2 / millimetres_per(options.unit);
     require(half >= 0, "gcode: need a tolerance from 0");
     if (half == 0)
         return "G61";  // a rounded corner would leave the path to the forbidden side
     std::string text;
     // A small tolerance needs more decimals than coordinates.
-    for (int decimals = options.decimals; decimals <= most_decimals; ++decimals) {
+    for (int decimals = decimals_of(options); decimals <= most_decimals; ++decimals) {
         text = "G64 P";
         const double rounded = append_trimmed(text, half, decimals);
         if (std::abs(rounded - half) <= negligible_share * half)
             return text;
     }
     return "G61";  // too small for nine decimals: the control must not round corners
+}
+
+// The block of the path control; empty if the control has none.
+std::string path_control(const GcodeOptions& options)
+{
+    switch (options.control.path_control) {
+        case PathControl::Exact:
+            return "G61";
+        case PathControl::None:
+            return "";
+        case PathControl::Tolerance:
+            break;
+    }
+    return path_control_of_tolerance(options);
+}
+
+// The comment at the start, in the form of the control; empty if it has none.
+std::string comment(const GcodeOptions& options)
+{
+    const Control& control = options.control;
+    if (!options.comments || control.comments == CommentStyle::None)
+        return "";
+    std::string text = opening_comment(options.name, options.cutter);
+    if (control.capital_comments)
+        std::ranges::transform(text, text.begin(), [](char letter) {
+            return 'a' <= letter && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A')
+                                                  : letter;
+        });
+    const bool in_parentheses = control.comments == CommentStyle::Parentheses;
+    constexpr std::size_t longest_frame = 10;  // O0001 ( )
+    if (control.longest_line)
+        text.resize(std::min(text.size(), *control.longest_line > longest_frame
+                                              ? *control.longest_line - longest_frame
+                                              : 0));
+    return in_parentheses ? '(' + text + ')' : ';' + text;
+}
+
+// "O0001", or empty.
+std::string program_number(const Control& control)
+{
+    constexpr std::size_t digits = 4;
+    if (!control.program_number)
+        return "";
+    const std::string number = std::to_string(*control.program_number);
+    return 'O' + std::string(digits - std::min(digits, number.size()), '0') + number;
+}
+
+// The block that waits, G4 P.
+std::string dwell(const GcodeOptions& options)
+{
+    std::string text = "G4 P";
+    if (options.control.dwell == DwellUnit::Milliseconds)
+        append_trimmed(text, options.dwell_s * milliseconds_per_s, 0);
+    else
+        append_trimmed(text, options.dwell_s, dwell_decimals);
+    return text;
+}
+
+// The word that turns the coolant on; nothing for no coolant.
+std::optional<std::string> coolant_word(const GcodeOptions& options)
+{
+    if (options.coolant == Coolant::Off)
+        return std::nullopt;
+    const bool is_flood = options.coolant == Coolant::Flood;
+    const auto& word = is_flood ? options.control.flood : options.control.mist;
+    if (!word)
+        throw DomainError{"gcode: the control " + options.control.name + " has no " +
+                          (is_flood ? "flood" : "mist") +
+                          " coolant; expected another coolant, or a control with it"};
+    return word;
 }
 
 std::string shown(const Vec3& vector)
@@ -90,39 +182,66 @@ void require_upright(const ToolPath& path)
         const Vec3& axis = path.points[i].location.axis;
         require(axis.allFinite(), "gcode: an axis must be finite");
         if (axis != Vec3::UnitZ())
-            throw GeometryError{"the axis at point " + std::to_string(i + 1) +
+            throw GeometryError{"the axis at point " + std::to_string(i) +
                                 " of the path is " + shown(axis) +
                                 ", and a 3-axis machine cannot turn the tool; expected "
                                 "0, 0, 1 throughout"};
     }
 }
 
+void require_possible(const GcodeOptions& options)
+{
+    require_sound(options.control);
+    require(0 <= decimals_of(options) && decimals_of(options) <= most_decimals,
+            "gcode: need 0 to 9 decimals");
+    require(std::isfinite(options.dwell_s) && options.dwell_s >= 0,
+            "gcode: need a dwell from 0");
+    const auto require_word = [&](bool has_it, const std::string& what) {
+        if (!has_it)
+            throw DomainError{"gcode: the control " + options.control.name + " has no " +
+                              what + "; expected a control that has it, or none of it"};
+    };
+    require_word(options.dwell_s == 0 || options.control.dwell, "dwell");
+    require_word(!options.arc_tolerance || options.control.arcs != ArcForm::None, "arcs");
+    require(!options.arc_tolerance ||
+                (std::isfinite(*options.arc_tolerance) && *options.arc_tolerance > 0),
+            "gcode: need an arc tolerance above 0");
+}
+
+MoveConditions conditions_of(const ToolPath& path, const GcodeOptions& options)
+{
+    const int decimals = decimals_of(options);
+    return {path,
+            {options.feed_mm_per_min, options.spindle_rpm, options.tool},
+            {decimals, options.control.speed_decimals.value_or(decimals),
+             millimetres_per(options.unit)}};
+}
+
 // Writes the blocks of a program.
 class ProgramWriter {
 public:
-    ProgramWriter(const ToolPath& path, const GcodeOptions& options)
-        : options_{options},
-          conditions_{path,
-                      {options.feed_mm_per_min, options.spindle_rpm, options.tool},
-                      options.decimals},
-          blocks_{{options.decimals, options.line_numbers}}
+    ProgramWriter(const ToolPath& path, const GcodeOptions& options, double height)
+        : path_{path},
+          options_{options},
+          coolant_{coolant_word(options)},
+          conditions_{conditions_of(path, options)},
+          blocks_{block_format(options)}
     {
-        program_.safe_height_mm = safe_height(path, options);
+        program_.safe_height_mm = height;
         blocks_.text().reserve(path.points.size() * likely_bytes_per_point);
     }
 
-    WrittenProgram write(const ToolPath& path)
+    // \param first the place over which the tool starts.
+    WrittenProgram write(const Vec3& first)
     {
         start();
-        for (std::size_t i = 0; i < path.points.size(); ++i)
-            add_point(path.points[i], conditions_.at(i));
-        retract();
-        for (const char* last : {"M5", "M30"})
-            blocks_.add_block(last);
-        blocks_.add_line("%");
+        add_moves(first);
+        finish();
+        program_.decimals = decimals_of(options_);
         program_.lines = blocks_.lines();
         program_.max_rounding_error_mm = blocks_.max_rounding_error_mm();
         program_.feed_mm_per_min = conditions_.feeds();
+        program_.plunge_feed_mm_per_min = conditions_.plunge_feeds();
         program_.spindle_rpm = conditions_.speeds();
         program_.text = std::move(blocks_.text());
         return std::move(program_);
@@ -131,23 +250,83 @@ public:
 private:
     void start()
     {
-        blocks_.add_line("%");
-        if (options_.comments)
-            blocks_.add_line('(' + opening_comment(options_.name, options_.cutter) + ')');
-        blocks_.add_block("G21 G90 G94 G17 G40 G49 G80 G54");
-        blocks_.add_block(path_control(options_));
+        const Control& control = options_.control;
+        if (control.percent)
+            blocks_.add_line("%");
+        std::string heading = program_number(control);
+        const std::string text = comment(options_);
+        if (!heading.empty() && !text.empty())
+            heading += ' ';
+        if (heading += text; !heading.empty())
+            blocks_.add_line(heading);
+        std::string first = options_.unit == ProgramUnit::Inch ? "G20" : "G21";
+        if (!control.start.empty())
+            first += ' ' + control.start.front();
+        blocks_.add_block(first);
+        for (std::size_t k = 1; k < control.start.size(); ++k)
+            blocks_.add_block(control.start[k]);
+        if (const std::string block = path_control(options_); !block.empty())
+            blocks_.add_block(block);
+    }
+
+    void finish()
+    {
+        retract();
+        if (coolant_)
+            blocks_.add_block(options_.control.coolant_off);
+        for (const std::string& block : options_.control.end)
+            blocks_.add_block(block);
+        if (options_.control.percent)
+            blocks_.add_line("%");
+    }
+
+    void add_moves(const Vec3& first)
+    {
+        for (std::size_t i = 0; i < path_.points.size(); ++i) {
+            const CuttingConditions conditions = conditions_.at(i);
+            if (conditions.tool != tool_)
+                change_tool(i, conditions, first);
+            else if (const auto arc = arc_to(i, conditions)) {
+                blocks_.add_arc(arc->arc, arc->radius, conditions.feed_mm_per_min);
+                ++program_.arcs;
+                program_.max_arc_error_mm =
+                    std::max(program_.max_arc_error_mm, arc->error_mm);
+                i = arc->last;
+                continue;
+            }
+            add_point(path_.points[i], conditions);
+        }
+    }
+
+    // The arc from the point before `point`, if one is wanted and possible.
+    std::optional<FittedArc> arc_to(std::size_t point,
+                                    const CuttingConditions& conditions)
+    {
+        if (!options_.arc_tolerance || path_.points[point].move != Move::Cut)
+            return std::nullopt;
+        if (conditions.spindle_rpm)
+            blocks_.set_speed(*conditions.spindle_rpm);
+        for (run_end_ = std::max(run_end_, point + 1);
+             run_end_ < path_.points.size() && continues_run(run_end_, conditions);)
+            ++run_end_;
+        return longest_arc(path_, point - 1, run_end_,
+                           {*options_.arc_tolerance, options_.control.arcs,
+                            decimals_of(options_), millimetres_per(options_.unit)});
+    }
+
+    bool continues_run(std::size_t point, const CuttingConditions& conditions)
+    {
+        return path_.points[point].move == Move::Cut &&
+               conditions_.at(point) == conditions;
     }
 
     void add_point(const PathPoint& point, const CuttingConditions& conditions)
     {
         const Motion motion = point.move == Move::Rapid ? Motion::Rapid : Motion::Feed;
-        const Vec3& tip = point.location.tip;
-        if (conditions.tool != tool_)
-            change_tool(conditions, motion, tip);
         if (conditions.spindle_rpm)
             blocks_.set_speed(*conditions.spindle_rpm);
         const Vec3 from = blocks_.tip();
-        if (!blocks_.add_move(motion, tip, conditions.feed_mm_per_min))
+        if (!blocks_.add_move(motion, point.location.tip, conditions.feed_mm_per_min))
             ++program_.repeated_points;
         else if (motion == Motion::Rapid && is_slanted(from, blocks_.tip()))
             ++program_.slanted_rapids;
@@ -160,44 +339,79 @@ private:
 
     // The first tool goes over the first point. A later tool goes over the last point and
     // down to it, so that the next move at feed starts where the path has it.
-    void change_tool(const CuttingConditions& conditions, Motion next, const Vec3& tip)
+    void change_tool(std::size_t point, const CuttingConditions& conditions,
+                     const Vec3& first)
     {
         const std::optional<Vec3> back =
             tool_ ? std::optional{blocks_.tip()} : std::nullopt;
         if (back)
-            retract();
+            leave_tool(point, conditions);
         tool_ = conditions.tool;
-        blocks_.add_block('T' + std::to_string(*conditions.tool) + " M6");
+        if (options_.control.tool_change)
+            blocks_.add_block('T' + std::to_string(*tool_) + ' ' +
+                              *options_.control.tool_change);
         if (conditions.spindle_rpm)
             blocks_.set_speed(*conditions.spindle_rpm);
         blocks_.start_spindle();
-        go_over(back.value_or(tip));
-        if (back && next == Motion::Feed)
-            blocks_.add_move(next, *back, conditions.feed_mm_per_min);
+        if (options_.dwell_s > 0)
+            blocks_.add_block(dwell(options_));
+        if (coolant_)
+            blocks_.add_block(*coolant_);
+        go_over(back.value_or(first));
+        if (back && path_.points[point].move != Move::Rapid)
+            blocks_.add_move(Motion::Feed, *back, descent_feed(point, conditions));
+    }
+
+    // Feed of the descent before the move to `point`.
+    std::optional<double> descent_feed(std::size_t point,
+                                       const CuttingConditions& conditions) const
+    {
+        if (is_descent(path_, point) || !conditions.feed_mm_per_min)
+            return conditions.feed_mm_per_min;
+        return options_.feeds.plunge(*conditions.feed_mm_per_min);
+    }
+
+    void leave_tool(std::size_t point, const CuttingConditions& conditions)
+    {
+        if (!options_.control.tool_change)
+            throw DomainError{"the path changes from tool " + std::to_string(*tool_) +
+                              " to tool " + std::to_string(*conditions.tool) +
+                              " at point " + std::to_string(point) +
+                              ", and the control " + options_.control.name +
+                              " has no tool change; expected one tool"};
+        retract();
+        if (coolant_)
+            blocks_.add_block(options_.control.coolant_off);
     }
 
     // Rises vertically first, because the position of the tool is unknown, then moves
-    // level.
+    // level. The tool length is set in the block of the rise: some controls move at once
+    // where it stands alone.
     void go_over(const Vec3& place)
     {
+        const auto& length = options_.control.tool_length;
         blocks_.forget_position();
-        blocks_.add_rise(program_.safe_height_mm);
+        blocks_.add_rise(program_.safe_height_mm,
+                         length ? *length + " H" + std::to_string(*tool_) : "");
         blocks_.add_move(Motion::Rapid, {place.x(), place.y(), program_.safe_height_mm},
                          std::nullopt);
     }
 
     void retract()
     {
-        const Vec3& tip = blocks_.tip();
+        const Vec3 tip = blocks_.tip();
         blocks_.add_move(Motion::Rapid, {tip.x(), tip.y(), program_.safe_height_mm},
                          std::nullopt);
     }
 
+    const ToolPath& path_;
     const GcodeOptions& options_;
+    std::optional<std::string> coolant_;
     MoveConditions conditions_;
     BlockWriter blocks_;
     WrittenProgram program_;
     std::optional<int> tool_;
+    std::size_t run_end_ = 0;  // one past the cuts with the conditions of the last one
 };
 
 }  // namespace
@@ -205,10 +419,21 @@ private:
 WrittenProgram gcode(const ToolPath& path, const GcodeOptions& options)
 {
     require(!path.points.empty(), "gcode: need a path with points");
-    require(0 <= options.decimals && options.decimals <= most_decimals,
-            "gcode: need 0 to 9 decimals");
+    require_possible(options);
     require_upright(path);
-    return ProgramWriter{path, options}.write(path);
+    const double height = safe_height(path, options);
+    const Vec3& first = path.points.front().location.tip;
+    if (!options.ramp)
+        return ProgramWriter{path, options, height}.write(first);
+    // Errors name the points of the path as it was given.
+    MoveConditions given = conditions_of(path, options);
+    for (std::size_t i = 0; i < path.points.size(); ++i)
+        given.at(i);
+    const RampedPath ramped = with_ramps(path, height, std::tan(options.ramp->radians()));
+    WrittenProgram program = ProgramWriter{ramped.path, options, height}.write(first);
+    program.ramps = ramped.ramps;
+    program.straight_descents = ramped.straight;
+    return program;
 }
 
 }  // namespace endmill

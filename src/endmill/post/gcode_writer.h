@@ -4,8 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "endmill/core/angle.h"
 #include "endmill/cutter/cutter.h"
 #include "endmill/path/tool_path.h"
+#include "endmill/post/control.h"
 #include "endmill/post/program.h"
 
 namespace endmill {
@@ -25,15 +27,26 @@ struct GcodeOptions {
     std::optional<double> safe_height = {};
     /// mm, tolerance for which the path was planned; 0 if it may deviate to one side only.
     std::optional<double> tolerance = {};
-    int decimals = 4;           ///< digits after the point of coordinates, 0 to 9
-    bool line_numbers = false;  ///< whether every block has a number N1, N2, ...
-    bool comments = true;       ///< whether the comment at the start is written
+    std::optional<int> decimals = {};    ///< of coordinates, 0 to 9; none: the control's
+    bool line_numbers = false;           ///< whether every block has a number N1, N2, ...
+    bool comments = true;                ///< whether the comment at the start is written
+    Control control = {};                ///< words and number formats
+    ProgramUnit unit = ProgramUnit::Mm;  ///< unit of the program
+    Coolant coolant = Coolant::Off;      ///< coolant during the program
+    double dwell_s = 0;                  ///< s, wait after each start of the spindle
+    /// Feeds of the descents that the path does not have: back to the path after a tool
+    /// change. The feeds of its own moves are those of the path.
+    MoveFeeds feeds = {};
+    std::optional<Angle> ramp = {};  ///< slope of the descents; none: straight down
+    /// mm, above 0: largest distance of arcs from the moves that they replace; none: no
+    /// arcs.
+    std::optional<double> arc_tolerance = {};
 };
 
-/// The path as a program in the subset of RS-274 that three-axis controls share:
-/// millimetres, plain decimals, and the words X, Y, Z, F, S, G0 and G1 only where they
-/// change. Rapid moves are G0, all others G1. Coordinates are those of the tip; the
-/// control applies the tool length.
+/// The path as a program in the subset of RS-274 that three-axis controls share: plain
+/// decimals, and the words X, Y, Z, F, S, G0 and G1 only where they change. Rapid moves
+/// are G0, all others G1, or G2 and G3 if arcs are wanted. Coordinates are those of the
+/// tip; the control applies the tool length.
 ///
 /// Before the first point, the tool rises to the safe height and moves to the place above
 /// the point. After the last point it rises again. At a tool change it rises, the tool is
@@ -43,15 +56,17 @@ struct GcodeOptions {
 /// The path control is `G64 P` with half the tolerance, so that the rounding of corners
 /// by the control leaves the other half. P is rounded to the nearest number with enough
 /// decimals to be within 1 % of that half. If nine decimals are not enough, or the
-/// tolerance is 0, the program has G61 (exact path). Without a tolerance it has plain `G64`. F and S have as many
-/// decimals as coordinates, without trailing zeros.
+/// tolerance is 0, the program has G61 (exact path). Without a tolerance it has plain
+/// `G64`. F and S have as many decimals as coordinates, without trailing zeros.
 ///
 /// \param path the path.
 /// \param options format and missing data.
 /// \throws DomainError for a path without points; for decimals outside 0 to 9; if a move
 ///         at feed has no feed; for a feed or spindle speed that is not above 0 after
 ///         rounding; for a negative tool number; if the safe height lies below the path;
-///         if the tolerance is below 0; for a number that is not finite.
+///         if the tolerance is below 0; for a number that is not finite; for an unsound control; if the control
+///         has no words for a second tool, the coolant, the dwell or arcs, or takes
+///         shorter lines only.
 /// \throws GeometryError unless the axis of every point is +z: three axes cannot turn the
 ///          tool.
 /// Source: docs/methods/removal.md, section 6.

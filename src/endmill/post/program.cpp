@@ -7,6 +7,7 @@
 
 #include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 
@@ -34,6 +35,40 @@ void require_sound(const GcodeReadOptions& options)
             "GcodeReadOptions: need 0 <= height of the programmed point");
     require(options.most_points <= std::numeric_limits<int>::max(),
             "GcodeReadOptions: need at most 2^31 - 1 points");
+}
+
+bool is_descent(const ToolPath& path, std::size_t point)
+{
+    const Move move = path.points[point].move;
+    return move == Move::Plunge || (point == 0 && move != Move::Rapid);
+}
+
+void set_feeds(ToolPath& path, const MoveFeeds& feeds)
+{
+    require(feeds.cutting_mm_per_min.value_or(1) > 0 &&
+                feeds.plunge_mm_per_min.value_or(1) > 0,
+            "set_feeds: need feeds above 0");
+    require(0 < feeds.plunge_share && feeds.plunge_share <= 1,
+            "set_feeds: need a share above 0, at most 1");
+    MinMax cutting;
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        std::optional<double>& feed = path.points[i].conditions.feed_mm_per_min;
+        if (path.points[i].move == Move::Rapid)
+            continue;
+        const bool descends = is_descent(path, i);
+        if (feeds.cutting_mm_per_min && (feeds.replace || !feed))
+            feed = descends ? feeds.plunge(*feeds.cutting_mm_per_min)
+                            : *feeds.cutting_mm_per_min;
+        if (descends && feeds.plunge_mm_per_min)
+            feed = feeds.plunge_mm_per_min;
+        if (!descends && feed)
+            cutting.add(*feed);
+    }
+    if (feeds.plunge_mm_per_min && cutting.greatest &&
+        *feeds.plunge_mm_per_min > *cutting.greatest)
+        throw DomainError{"the plunge feed " + to_text(*feeds.plunge_mm_per_min) +
+                          " mm/min is above the cutting feed; expected at most " +
+                          to_text(*cutting.greatest) + " mm/min"};
 }
 
 }  // namespace endmill

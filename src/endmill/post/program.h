@@ -68,6 +68,31 @@ struct MinMax {
     }
 };
 
+/// Whether the move to this point of `path` is a descent: a plunge, or the move at feed to
+/// the first point, which the tool reaches from above.
+bool is_descent(const ToolPath& path, std::size_t point);
+
+/// Feeds for the moves of a path.
+struct MoveFeeds {
+    std::optional<double> cutting_mm_per_min = {};  ///< mm/min, of all moves but rapids
+    bool replace = false;  ///< whether feeds of the path are replaced too
+    std::optional<double> plunge_mm_per_min = {};  ///< mm/min, of all descents
+    /// Feed of descents as a share of the cutting feed; above 0, at most 1.
+    double plunge_share = 1;
+
+    /// mm/min, of a descent before moves with this cutting feed.
+    double plunge(double cutting) const
+    {
+        return plunge_mm_per_min.value_or(plunge_share * cutting);
+    }
+};
+
+/// Sets the feeds of `path`. Without `replace` a move keeps its own feed, but a descent
+/// gets a given `plunge_mm_per_min` in any case.
+/// \throws DomainError if `plunge_mm_per_min` is above the largest feed of the other moves
+///         of the changed path; unless all numbers are above 0 and the share at most 1.
+void set_feeds(ToolPath& path, const MoveFeeds& feeds);
+
 /// The text of a program, and a record of the changes that writing made.
 struct WrittenProgram {
     std::string text;       ///< the whole program
@@ -76,9 +101,15 @@ struct WrittenProgram {
     std::size_t repeated_points = 0;
     std::size_t slanted_rapids = 0;    ///< rapids that change height and position at once
     double max_rounding_error_mm = 0;  ///< mm, largest rounding error of a coordinate
+    int decimals = 4;                  ///< digits after the point of coordinates
     double safe_height_mm = 0;         ///< mm, safe height of a G-code program
-    MinMax feed_mm_per_min;            ///< mm/min, range of the feeds before rounding
-    MinMax spindle_rpm;  ///< rpm, range of the spindle speeds before rounding
+    std::size_t arcs = 0;              ///< number of arcs
+    double max_arc_error_mm = 0;  ///< mm, bound of the distance between arcs and path
+    std::size_t ramps = 0;        ///< descents along a slope
+    std::size_t straight_descents = 0;  ///< descents for which a slope had no room
+    MinMax feed_mm_per_min;  ///< mm/min, range of the cutting feeds before rounding
+    MinMax plunge_feed_mm_per_min;  ///< mm/min, range of the feeds of descents
+    MinMax spindle_rpm;             ///< rpm, range of the spindle speeds before rounding
 
     /// Length in m of a punched tape with the text, line ends included.
     double tape_length_m() const

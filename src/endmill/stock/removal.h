@@ -19,6 +19,13 @@ struct RemovalOptions {
     std::vector<ToolCylinder> body = {};
 };
 
+/// A change of the tool within a path.
+struct ToolChange {
+    std::size_t first;  ///< number of the first point to which the new tool moves
+    Cutter cutter;      ///< the shape that cuts from there on
+    std::vector<ToolCylinder> body = {};  ///< cylinders of shank and holder
+};
+
 /// Statistics of the moves with a common property, such as the rapids that cut.
 struct MoveCount {
     std::size_t count = 0;  ///< number of moves

@@ -64,14 +64,19 @@ std::size_t sweep_count(const StockHistory& history)
 
 JoinedSweeps::JoinedSweeps(const StockHistory* history, const ToolPath& path,
                            const Cutter& cutter)
+    : JoinedSweeps{history, path_sweeps(path, cutter), path.points.size()}
+{
+}
+
+JoinedSweeps::JoinedSweeps(const StockHistory* history,
+                           std::span<const StraightSweep> own, std::size_t points)
 {
     if (history)
         sweeps_ = history_sweeps(*history);
     earlier_ = sweeps_.size();
-    const std::vector<StraightSweep> own = path_sweeps(path, cutter);
     sweeps_.insert(sweeps_.end(), own.begin(), own.end());
     // The first point has no sweep if the path begins with a rapid or a retract.
-    first_point_ = static_cast<std::int32_t>(path.points.size() - own.size());
+    first_point_ = static_cast<std::int32_t>(points - own.size());
 }
 
 std::int32_t JoinedSweeps::point_of(std::int32_t sweep) const

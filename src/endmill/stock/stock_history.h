@@ -62,6 +62,12 @@ public:
     /// \throws GeometryError if the axis of a point is not +z.
     JoinedSweeps(const StockHistory* history, const ToolPath& path, const Cutter& cutter);
 
+    /// The same for a path of several tools.
+    /// \param own the sweeps to all points of the path, or to all but its first.
+    /// \param points number of points of the path.
+    JoinedSweeps(const StockHistory* history, std::span<const StraightSweep> own,
+                 std::size_t points);
+
     std::span<const StraightSweep> all() const { return sweeps_; }  ///< of all runs
     /// The sweeps of the path.
     std::span<const StraightSweep> own() const { return all().subspan(earlier_); }

@@ -155,6 +155,25 @@ std::vector<Trimmed> untrimmed_planes(std::span<const PlaneSection> planes)
     return kept;
 }
 
+std::vector<Trimmed> thinned_planes(std::span<const Trimmed> trimmed, double tolerance)
+{
+    std::vector<Trimmed> result{trimmed.begin(), trimmed.end()};
+    parallel_for(result.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            for (TrimmedCurve& curve : result[k].curves) {
+                std::vector<SectionPoint> points;
+                points.reserve(curve.points.size());
+                for (const TrimmedPoint& point : curve.points)
+                    points.push_back(point.at);
+                std::vector<TrimmedPoint> kept;
+                for (const std::size_t number : thinned(points, tolerance))
+                    kept.push_back(curve.points[number]);
+                curve.points = std::move(kept);
+            }
+    });
+    return result;
+}
+
 double section_height(std::span<const PlaneSection> planes)
 {
     double low = std::numeric_limits<double>::infinity();

@@ -35,6 +35,14 @@ std::vector<Trimmed> trim_planes(std::span<const PlaneSection> planes,
 /// \return one result for each plane.
 std::vector<Trimmed> untrimmed_planes(std::span<const PlaneSection> planes);
 
+/// Trimmed sections whose curves are thinned, see `thinned` in section_curve.h: points are
+/// dropped, and the chords that replace them stay within `tolerance`. Everything else is
+/// unchanged.
+/// \param trimmed one result for each plane.
+/// \param tolerance in mm; 0: no point is dropped.
+/// \throws DomainError as thinned.
+std::vector<Trimmed> thinned_planes(std::span<const Trimmed> trimmed, double tolerance);
+
 /// The extent in z of all curves together, in mm; 0 without a curve.
 double section_height(std::span<const PlaneSection> planes);
 

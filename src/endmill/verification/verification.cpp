@@ -19,6 +19,7 @@
 #include "endmill/verification/detail/finer_contacts.h"
 #include "endmill/verification/detail/part_collisions.h"
 #include "endmill/verification/detail/stock_ray.h"
+#include "endmill/verification/detail/tool_runs.h"
 
 namespace endmill {
 namespace {
@@ -40,6 +41,12 @@ constexpr double spare = 1.05;
 // Share of the memory for finer cells, and for the triangles against which shank and
 // holder are tested.
 constexpr double finer_share = 0.125;
+
+// The path of the task with its tools, which it must outlive.
+ChangingTool changing_tool(const VerificationTask& task)
+{
+    return {*task.path, task.cutter, task.body, task.changes};
+}
 
 // Returns the kept stock of the task; null if the stock is a block.
 const KeptStock* kept_stock(const VerificationTask& task)
@@ -249,11 +256,43 @@ void require_cutting(const VerificationTask& task, const PartCharts& charts,
                             why_nothing_is_cut(part_gap(charts, own))};
 }
 
+// The sweeps of all runs.
+std::vector<StraightSweep> sweeps_of(std::span<const ToolRun> runs)
+{
+    std::vector<StraightSweep> sweeps;
+    for (const ToolRun& run : runs) {
+        const std::vector<StraightSweep> own = path_sweeps(run.path, run.cutter);
+        sweeps.insert(sweeps.end(), own.begin(), own.end());
+    }
+    return sweeps;
+}
+
+// The contacts of shank and holder of all runs with the part.
+PartCollisions collisions_of(std::span<const ToolRun> runs, const Part& part,
+                             double most_bytes)
+{
+    PartCollisions all;
+    for (const ToolRun& run : runs) {
+        PartCollisions found =
+            part_collisions(part, run.path, run.cutter, run.body, most_bytes);
+        if (found.deepest && found.moves.deepest > all.moves.deepest)
+            all.deepest = {found.deepest->point, found.deepest->move + run.offset};
+        all.moves.count += found.moves.count;
+        if (!all.moves.first && found.moves.first)
+            all.moves.first = *found.moves.first + run.offset;
+        all.moves.deepest = std::max(all.moves.deepest, found.moves.deepest);
+        all.error_mm = std::max(all.error_mm, found.error_mm);
+        all.bound_mm = std::max(all.bound_mm, found.bound_mm);
+    }
+    return all;
+}
+
 // Measures the deviation from the part.
-Deviation deviation_of(const VerificationTask& task, const JudgedPart& judged)
+Deviation deviation_of(const VerificationTask& task, std::span<const ToolRun> runs,
+                       const JudgedPart& judged)
 {
     const PartCharts charts = part_charts(*judged.part);
-    const JoinedSweeps all{history_of(task), *task.path, task.cutter};
+    const JoinedSweeps all{history_of(task), sweeps_of(runs), task.path->points.size()};
     const MachinedStock stock{all.all(), all.earlier(), initial_ray_of(task)};
     Deviation deviation =
         measure_deviation(charts, stock,
@@ -261,6 +300,7 @@ Deviation deviation_of(const VerificationTask& task, const JudgedPart& judged)
                            .pitch = task.resolution,
                            .max_refine = judged.max_refine,
                            .most_cells = static_cast<std::size_t>(most_rays),
+                           .is_accessible = judged.is_accessible,
                            .progress = judged.progress});
     require_cutting(task, charts, all, deviation);
     for (auto* place : {&deviation.deepest, &deviation.highest})
@@ -271,11 +311,14 @@ Deviation deviation_of(const VerificationTask& task, const JudgedPart& judged)
 
 // A kept stock is known only at the centres of its cells, so finer cells cannot show
 // more.
-StockContacts contacts_with_stock(const VerificationTask& task, const Removal& removal,
+StockContacts contacts_with_stock(const VerificationTask& task,
+                                  std::span<const ToolRun> runs, const Removal& removal,
                                   const StockGrid& grid)
 {
-    const FinerContacts finer{*task.path, task.cutter, task.body,
-                              finer_share * task.max_memory_gib * bytes_per_gib};
+    const ToolRun& first = runs.front();
+    const FinerContacts finer{first.path, first.cutter, first.body,
+                              finer_share * task.max_memory_gib * bytes_per_gib,
+                              runs.subspan(1)};
     const Block box = stock_box(task);
     return kept_stock(task) ? contacts_of(removal, grid, box.high.z(), finer)
                             : finer_contacts(removal, box, grid, finer);
@@ -368,7 +411,9 @@ std::optional<StockHistory> history_of_rest(const VerificationTask& task)
         return std::nullopt;
     StockHistory history =
         kept ? *kept->history : StockHistory{std::get<Block>(task.stock), {}};
-    history.runs.push_back(run_along(*task.path, task.cutter));
+    const ToolRuns runs{changing_tool(task)};
+    for (const ToolRun& run : runs.list())
+        history.runs.push_back(run_along(run.path, run.cutter));
     return history;
 }
 
@@ -376,21 +421,22 @@ Verification verify_path(const VerificationTask& task)
 {
     require(task.path != nullptr, "verify_path: need a path");
     require(!task.judged || task.judged->part != nullptr, "verify_path: need a part");
+    const ToolRuns tools{changing_tool(task)};
+    const std::span<const ToolRun> runs = tools.list();
     require_fitting(task);
     const KeptStock* kept = kept_stock(task);
     std::optional<PartFindings> on_part;
     if (const auto& judged = task.judged)
         on_part = PartFindings{.limits = judged->limits,
-                               .deviation = deviation_of(task, *judged),
+                               .deviation = deviation_of(task, runs, *judged),
                                .collisions = {}};
     HeightStock rest =
         kept ? kept->heights : block_stock(std::get<Block>(task.stock), task.resolution);
-    Removal removal = remove_along(rest, *task.path, task.cutter, {task.body});
+    Removal removal = remove_along(rest, runs);
     if (on_part)
-        on_part->collisions =
-            part_collisions(*task.judged->part, *task.path, task.cutter, task.body,
-                            finer_share * task.max_memory_gib * bytes_per_gib);
-    const StockContacts contacts = contacts_with_stock(task, removal, rest.grid());
+        on_part->collisions = collisions_of(
+            runs, *task.judged->part, finer_share * task.max_memory_gib * bytes_per_gib);
+    const StockContacts contacts = contacts_with_stock(task, runs, removal, rest.grid());
     removal.rapid_cuts = contacts.rapid_cuts;
     removal.collisions = contacts.collisions;
     Verification found{.on_part = std::move(on_part),

@@ -10,6 +10,7 @@
 #include "endmill/deviation/deviation.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/stock/height_stock.h"
+#include "endmill/stock/removal.h"
 #include "endmill/stock/stock_history.h"
 #include "endmill/surface/part.h"
 #include "endmill/verification/verification_result.h"
@@ -75,6 +76,8 @@ struct JudgedPart {
     const Part* part;             ///< not null; must outlive this object
     DeviationLimits limits = {};  ///< of the verdict
     int max_refine = 8;           ///< largest number of halvings of a cell, 0 to 20
+    /// If set, remaining stock is judged only where it returns true, see DeviationOptions.
+    std::function<bool(const PartRay& ray)> is_accessible = {};
     /// If set, it is called with the finished share of the measurement, 0 to 1.
     std::function<void(double share)> progress = {};
 };
@@ -93,6 +96,9 @@ struct VerificationTask {
     double resolution = 0.1;  ///< mm; cell size of a block and distance of the first rays
     double max_memory_gib = 8;        ///< limit of the memory, GiB
     double extra_bytes_per_cell = 0;  ///< memory for output made from the remaining stock
+    /// Changes to other tools, ascending by their first point. `cutter` and `body` are
+    /// those of the tool before the first change.
+    std::vector<ToolChange> changes = {};
 };
 
 /// Returns the history of the stock that remains after `task`.
@@ -108,13 +114,16 @@ std::optional<StockHistory> history_of_rest(const VerificationTask& task);
 /// heights prove it. If the heights allow a gouge beyond the tolerance but do not prove
 /// it, the verdict is `Undecided`.
 ///
+/// A path may change its tool. The moves from a change on are those of the new tool.
+///
 /// The verdict is `Gouged` if a rapid cuts, or if shank or holder is in the stock or in
 /// the part. It is `Undecided` if shank or holder may be in the part.
 /// Source: docs/methods/removal.md, section 3.
 /// \throws GeometryError if the path cuts nothing over the part, with the gap between
 ///         cutter and part, or if an axis is not +z.
 /// \throws LimitError if the memory does not suffice, with a resolution that fits.
-/// \throws DomainError if path or part is null, or an option is out of range.
+/// \throws DomainError if path or part is null, an option is out of range, or the changes
+///         of the tool do not ascend within the path.
 Verification verify_path(const VerificationTask& task);
 
 /// Returns the unit axis that all points of `path` share; +z for a path without points.

@@ -28,7 +28,7 @@ Verdict verdict_with_contacts(const Verification& found)
         (on_part && on_part->collisions.moves.count > 0))
         return Verdict::Gouged;
     if (!on_part)
-        return Verdict::Clean;
+        return Verdict::NotJudged;
     const Verdict of_rest = verdict(on_part->deviation, on_part->limits);
     const bool is_open =
         may_be_in_part(on_part->collisions) || may_be_gouged_before(*on_part);

@@ -85,7 +85,7 @@ struct Verification {
 /// 1. `Gouged` if a rapid cuts, or shank or holder is in the stock or in the part.
 /// 2. `Undecided` if a bound allows shank or holder to be in the part, or an earlier
 ///    gouge beyond the tolerance, and the verdict on the deviation is not `Gouged`.
-/// 3. Otherwise the verdict on the deviation; `Clean` without a part.
+/// 3. Otherwise the verdict on the deviation; `NotJudged` without a part.
 /// \param found its member `verdict` is not used.
 /// Source: docs/methods/removal.md, section 3.
 Verdict verdict_with_contacts(const Verification& found);

@@ -2,10 +2,12 @@
 #include "endmill/visibility/visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
@@ -22,6 +24,7 @@
 #include "endmill/visibility/detail/facet_boxes.h"
 #include "endmill/visibility/detail/facet_groups.h"
 #include "endmill/visibility/detail/part_facets.h"
+#include "endmill/visibility/detail/ray_blocking.h"
 #include "endmill/visibility/detail/shadow_raster.h"
 
 namespace endmill {
@@ -146,6 +149,14 @@ private:
     std::vector<ToolCylinder> body_;
 };
 
+// The corners of a facet in mm.
+std::array<Vec3, 3> corners_of(const TriangleMesh& part, std::size_t facet)
+{
+    const Triangle& triangle = part.triangles()[facet];
+    return {part.points()[triangle[0]], part.points()[triangle[1]],
+            part.points()[triangle[2]]};
+}
+
 }  // namespace
 
 VisibilityMap::VisibilityMap(std::size_t facets, std::size_t cells)
@@ -201,6 +212,32 @@ std::vector<std::size_t> empty_cones(const PartVisibility& visibility)
         if ((seen[facet / 64] >> (facet % 64) & 1) == 0)
             empty.push_back(facet);
     return empty;
+}
+
+std::optional<std::size_t> hiding_facet(const TriangleMesh& part, std::size_t facet,
+                                        const Vec3& direction)
+{
+    require(facet < part.triangles().size() && direction.squaredNorm() > 0,
+            "hiding_facet: need a facet of the part and a direction");
+    const std::array<Vec3, 3> from = corners_of(part, facet);
+    const Vec3 centroid = (from[0] + from[1] + from[2]) / 3;
+    std::optional<std::size_t> hiding;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t other = 0; other < part.triangles().size(); ++other) {
+        const std::array<Vec3, 3> at = corners_of(part, other);
+        const Vec3 normal = (at[1] - at[0]).cross(at[2] - at[0]);
+        if (other == facet || normal.squaredNorm() == 0 ||
+            !blocks_ray(from, direction, at))
+            continue;
+        // A facet along the ray has no single distance; its own counts as the least.
+        const double rise = normal.dot(direction);
+        const double distance = rise == 0 ? 0 : normal.dot(at[0] - centroid) / rise;
+        if (distance < nearest) {
+            nearest = distance;
+            hiding = other;
+        }
+    }
+    return hiding;
 }
 
 std::vector<double> visible_fractions(const VisibilityMap& map,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -121,6 +122,15 @@ PartVisibility part_visibility(const TriangleMesh& part, std::span<const Vec3> d
 /// Facets that have an area and that no direction of the map reaches, ascending. If there
 /// is one, no machine that is limited to these directions can make the part in one setup.
 std::vector<std::size_t> empty_cones(const PartVisibility& visibility);
+
+/// The facet that hides `facet` along a direction: the first one that the ray from its
+/// centroid meets. Whether a facet is met is exact, as in `part_visibility`; which of
+/// several is the first one is decided in doubles. Time: linear in the facets.
+/// \param part facets in mm. \param facet number of a facet. \param direction not zero.
+/// \return nothing if no other facet with an area is met.
+/// \throws DomainError unless `facet` is one of the part and the direction is not zero.
+std::optional<std::size_t> hiding_facet(const TriangleMesh& part, std::size_t facet,
+                                        const Vec3& direction);
 
 /// The share of the sphere that the cone of each facet covers, from 0 to 1.
 /// \param map cones. \param solid_angles_sr solid angle of each cell.

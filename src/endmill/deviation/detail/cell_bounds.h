@@ -23,6 +23,9 @@ struct MeasuredCell {
     /// Whether the cell lies on an upright outer wall of the part, where remaining
     /// material is not judged.
     bool is_outer = false;
+    /// Whether the cutter cannot reach the cell's middle, so that remaining material is not
+    /// judged.
+    bool is_inaccessible = false;
     /// Thickness limited to the largest empty ball at the ray's point, mm; none if the
     /// ball does not limit it.
     std::optional<double> limited = {};
@@ -31,12 +34,14 @@ struct MeasuredCell {
     double area = 0;       ///< mm^2
     CutRay in_stock = {};  ///< ray at its middle before any move
 
+    /// Whether remaining material is judged on the cell.
+    bool is_judged() const { return !is_outer && !is_inaccessible; }
+
+    /// The thickness at its middle, mm, up to the largest empty ball.
+    double length() const { return limited.value_or(cut.thickness); }
+
     /// The thickness that counts at its middle, mm.
-    double value() const
-    {
-        const double along = limited.value_or(cut.thickness);
-        return is_outer ? std::min(along, 0.0) : along;
-    }
+    double value() const { return is_judged() ? length() : std::min(length(), 0.0); }
 };
 
 /// Returns how much deeper than at the middle a gouge can be anywhere on the cell, in mm:

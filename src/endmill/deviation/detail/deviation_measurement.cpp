@@ -134,6 +134,7 @@ public:
         sweeps_.assign(cells, -1);
         is_measured_.assign(cells, 1);
         of_tile_.resize(deviation_.tiles.size());
+        of_tile_inaccessible_.resize(deviation_.tiles.size());
         Progress progress{options, 2 * of_tile_.size()};
         measure_all(progress);
         const auto earlier = static_cast<std::int64_t>(earlier_sweeps_);
@@ -146,6 +147,11 @@ public:
             halve(times, progress);
         add_extremes(deviation_, with_proof(merged(), proved_), measured_.tree);
         add_areas(deviation_);
+        for (const Inaccessible& tile : of_tile_inaccessible_) {
+            deviation_.inaccessible_area_mm2 += tile.area;
+            deviation_.max_inaccessible_mm =
+                std::max(deviation_.max_inaccessible_mm, tile.most);
+        }
         return std::move(deviation_);
     }
 
@@ -161,6 +167,18 @@ private:
             }
         });
     }
+
+    // The first rays of a tile that the cutter cannot reach.
+    struct Inaccessible {
+        double area = 0;  // mm^2
+        double most = 0;  // greatest remaining stock, mm
+
+        void add(const MeasuredCell& cell)
+        {
+            area += cell.area;
+            most = std::max(most, cell.length());
+        }
+    };
 
     // A tile with the upper bound of its greatest length.
     struct Candidate {
@@ -297,7 +315,9 @@ private:
             const double left = cell.value();
             deviation_.left[at] = static_cast<float>(left);
             deviation_.area[at] =
-                cell.is_outer && left >= 0 ? 0 : static_cast<float>(cell.area);
+                !cell.is_judged() && left >= 0 ? 0 : static_cast<float>(cell.area);
+            if (cell.is_inaccessible)
+                of_tile_inaccessible_[number].add(cell);
             sweeps_[at] = cell.cut.sweep;
             is_measured_[at] = cell.is_measured ? 1 : 0;
         }
@@ -358,6 +378,7 @@ private:
     DeviationLimits limits_;
     Deviation deviation_;
     std::vector<Extremes> of_tile_;
+    std::vector<Inaccessible> of_tile_inaccessible_;
     std::vector<std::int32_t> sweeps_;       // sweep of each cell
     std::vector<std::uint8_t> is_measured_;  // whether the value of each cell is exact
     std::optional<DeviationPlace> highest_;  // exact maxima of the first rays

@@ -54,7 +54,8 @@ struct MachinedStock {
 /// as neither gouge nor remaining stock. It enters the bounds, because a finer grid would
 /// judge it. Remaining stock is not judged on upright outer walls, beside which there is
 /// no part within half a pitch: no path over the part reaches the stock there. Such cells
-/// count as 0 and have no area.
+/// count as 0 and have no area. The same holds where DeviationOptions::is_accessible
+/// returns false for the middle of a cell.
 ///
 /// The result is the same with any number of threads.
 /// Source: docs/methods/removal.md, section 2 and section 3; the bounds are derived

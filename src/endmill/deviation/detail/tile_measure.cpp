@@ -136,6 +136,20 @@ bool TileMeasure::is_outer(const PartRay& ray) const
                            ray.point + measured_.options.pitch / 2 * ray.normal);
 }
 
+// Whether the cutter can reach the ray's point. Rays without remaining material need no
+// answer.
+bool TileMeasure::is_inaccessible(const MeasuredCell& cell) const
+{
+    const auto& is_accessible = measured_.options.is_accessible;
+    return is_accessible && cell.cut.thickness > 0 && !is_accessible(cell.ray);
+}
+
+void TileMeasure::set_judged(MeasuredCell& cell) const
+{
+    cell.is_outer = is_outer(cell.ray);
+    cell.is_inaccessible = !cell.is_outer && is_inaccessible(cell);
+}
+
 // Returns the sweeps that may clear the part near the tile.
 std::span<const std::int32_t> TileMeasure::gouging()
 {
@@ -188,7 +202,7 @@ void TileMeasure::take_rays()
         if (const CutRay cut = (*rays_)[static_cast<int>(k)]; cut.sweep >= 0)
             cells_[k].cut = cut;
     for (MeasuredCell& cell : cells_)
-        cell.is_outer = is_outer(cell.ray);
+        set_judged(cell);
 }
 
 // Upper bound of the thickness on a cell: by the sweep that made the surface at its
@@ -196,7 +210,7 @@ void TileMeasure::take_rays()
 double TileMeasure::most_left(const MeasuredCell& cell,
                               std::span<const std::int32_t> others) const
 {
-    if (cell.is_outer)
+    if (!cell.is_judged())
         return 0;
     const double in_stock =
         cell.in_stock.thickness + cell.reach * (1 + cell.in_stock.slope);

@@ -187,6 +187,8 @@ private:
     void take_rays();
     bool is_exhausted() const;
     bool is_outer(const PartRay& ray) const;
+    bool is_inaccessible(const MeasuredCell& cell) const;
+    void set_judged(MeasuredCell& cell) const;
     void limit_thickness(MeasuredCell& cell, const Extremes& found);
     void limit_side(double sign, std::optional<std::size_t>& hint);
     bool is_free(double sign, double length);

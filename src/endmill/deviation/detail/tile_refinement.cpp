@@ -243,14 +243,15 @@ MeasuredCell TileMeasure::measured(const PartCell& cell, const PartRay& ray,
             least.sweep = number;
         }
     }
-    return {.cell = cell,
-            .ray = ray,
-            .reach = cell.reach(ray),
-            .cut = least,
-            .curvature = curvature_,
-            .is_outer = is_outer(ray),
-            .area = cell.area(ray),
-            .in_stock = in_stock};
+    MeasuredCell measured{.cell = cell,
+                          .ray = ray,
+                          .reach = cell.reach(ray),
+                          .cut = least,
+                          .curvature = curvature_,
+                          .area = cell.area(ray),
+                          .in_stock = in_stock};
+    set_judged(measured);
+    return measured;
 }
 
 }  // namespace endmill

@@ -128,7 +128,7 @@ void TileMeasure::limit_thickness(MeasuredCell& cell, const Extremes& found)
                          -left > std::max(known_.tolerance, -found.deepest.left) ||
                          is_beyond(left, limits());
     if (!is_news || cell.limited || std::abs(left) <= negligible_length ||
-        (left > 0 && cell.is_outer) || is_free(left < 0 ? -1 : 1, std::abs(left)))
+        (left > 0 && !cell.is_judged()) || is_free(left < 0 ? -1 : 1, std::abs(left)))
         return;
     std::optional<std::size_t> no_hint;
     cell.limited = limited_thickness(left, cell.ray, measured_.distance, no_hint);

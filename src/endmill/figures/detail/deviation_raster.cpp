@@ -118,6 +118,7 @@ DeviationRaster empty_raster(const AlignedBox2d& box, int squares)
         require(box.min().allFinite() && box.max().allFinite(),
                 "deviation_raster: a number is not finite");
         raster.low = box.min();
+        raster.high = box.max();
         const double longest = box.sizes().maxCoeff();
         if (longest > 0)
             raster.side = longest / squares;

@@ -16,10 +16,11 @@ struct DeviationRaster {
     /// The value of a square in which the part is not visible.
     static constexpr float nothing = std::numeric_limits<float>::infinity();
 
-    Eigen::Vector2d low{0, 0};  ///< corner with the least x and y, in mm
-    double side = 1;            ///< side of a square, in mm
-    int columns = 1;            ///< number of squares along x
-    int rows = 1;               ///< number of squares along y
+    Eigen::Vector2d low{0, 0};   ///< corner with the least x and y, in mm
+    Eigen::Vector2d high{0, 0};  ///< corner of the part with the largest x and y, in mm
+    double side = 1;             ///< side of a square, in mm
+    int columns = 1;             ///< number of squares along x
+    int rows = 1;                ///< number of squares along y
     /// Deviation in mm, row by row from the least y, or `nothing`.
     std::vector<float> left;
 

@@ -7,6 +7,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/figures/detail/round_ticks.h"
 
 // A chart is drawn panel by panel. Each panel has its own ordinate, from ticks that cover
 // all its values; all panels share the abscissa.
@@ -28,6 +29,9 @@ constexpr double label_offset = 8;
 constexpr double legend_step = 180;
 constexpr double legend_dash = 24;
 constexpr double number_width = 60;
+constexpr int strip_thickness = 14;
+constexpr double strip_height = 66;  // of a strip with its label and its legend
+constexpr double letter_width = 7;   // of the legend of a strip
 
 constexpr int abscissa_ticks = 8;
 constexpr int ordinate_ticks = 4;
@@ -58,20 +62,6 @@ struct Scale {
         return from_px + (value - from) / (to - from) * (to_px - from_px);
     }
 };
-
-// The text of a multiple of a step, rounded to the digits of the step.
-std::string tick_text(double tick, double step)
-{
-    const double digits = std::max(0.0, -std::floor(std::log10(step)));
-    const double power = std::pow(10, digits);
-    return to_text(std::round(tick * power) / power + 0.0);
-}
-
-// The distance of neighbouring ticks.
-double step_of(const std::vector<double>& ticks)
-{
-    return ticks.size() > 1 ? ticks[1] - ticks[0] : 1;
-}
 
 // The ticks of a panel: they cover all its values, or 0 to 1 if it has none.
 std::vector<double> ticks_of(const ChartPanel& panel)
@@ -211,9 +201,82 @@ void draw_abscissa(SvgPicture& picture, const std::vector<double>& ticks, const 
         }
 }
 
-// Checks the input, so that drawing need not.
-void check(std::span<const double> places, std::span<const ChartPanel> panels)
+// The cause that holds for the largest part of each column of pixels.
+std::vector<std::size_t> causes_of_columns(const ChartStrip& strip,
+                                           std::span<const double> places, const Scale& x)
 {
+    const auto columns = static_cast<std::size_t>(x.to_px - x.from_px);
+    std::vector<std::vector<double>> covered(columns,
+                                             std::vector<double>(strip.causes.size()));
+    double from = x.from_px;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const double to = std::clamp(x.px(places[i]), from, x.to_px);
+        for (auto column = static_cast<std::size_t>(from - x.from_px);
+             column < columns && x.from_px + static_cast<double>(column) < to; ++column) {
+            const double left_side = x.from_px + static_cast<double>(column);
+            covered[column][strip.cause[i]] +=
+                std::min(to, left_side + 1) - std::max(from, left_side);
+        }
+        from = to;
+    }
+    std::vector<std::size_t> causes;
+    causes.reserve(columns);
+    for (const std::vector<double>& parts : covered)
+        causes.push_back(
+            static_cast<std::size_t>(std::ranges::max_element(parts) - parts.begin()));
+    return causes;
+}
+
+// The last place of the abscissa that has data, as a number of columns of pixels.
+std::size_t used_columns(std::span<const double> places, const Scale& x)
+{
+    return places.empty()
+               ? 0
+               : static_cast<std::size_t>(std::ceil(x.px(places.back()) - x.from_px));
+}
+
+// Draws a strip and, below it, its legend.
+void draw_strip(SvgPicture& picture, const ChartStrip& strip,
+                std::span<const double> places, const Scale& x, double top)
+{
+    picture.add_text({left, top - label_offset}, strip.label, small_text);
+    std::vector<std::size_t> causes = causes_of_columns(strip, places, x);
+    causes.resize(std::min(causes.size(), used_columns(places, x)));
+    double place = left;
+    const double legend = top + strip_thickness + line_height;
+    for (std::size_t k = 0; k < strip.causes.size(); ++k) {
+        std::vector<PixelBox> boxes;
+        for (std::size_t begin = 0; begin < causes.size();) {
+            std::size_t end = begin + 1;
+            while (end < causes.size() && causes[end] == causes[begin])
+                ++end;
+            if (causes[begin] == k)
+                boxes.push_back({static_cast<int>(x.from_px) + static_cast<int>(begin),
+                                 static_cast<int>(top), static_cast<int>(end - begin),
+                                 strip_thickness});
+            begin = end;
+        }
+        if (boxes.empty())
+            continue;
+        picture.add_boxes(boxes, strip.causes[k].colour);
+        const PixelBox sample{static_cast<int>(place), static_cast<int>(legend) - 10, 12,
+                              12};
+        picture.add_boxes(std::span{&sample, 1}, strip.causes[k].colour);
+        picture.add_text({place + 18, legend}, strip.causes[k].label, small_text);
+        place += 40 + letter_width * static_cast<double>(strip.causes[k].label.size());
+    }
+}
+
+// Checks the input, so that drawing need not.
+void check(std::span<const double> places, std::span<const ChartPanel> panels,
+           std::span<const ChartStrip> strips)
+{
+    for (const ChartStrip& strip : strips) {
+        require(strip.cause.size() == places.size(),
+                "stacked_chart: need one cause for each place");
+        for (const std::size_t cause : strip.cause)
+            require(cause < strip.causes.size(), "stacked_chart: need a known cause");
+    }
     require(!panels.empty(), "stacked_chart: need a panel");
     for (std::size_t i = 0; i < places.size(); ++i)
         require(std::isfinite(places[i]) && (i == 0 || places[i - 1] <= places[i]),
@@ -230,39 +293,15 @@ void check(std::span<const double> places, std::span<const ChartPanel> panels)
 
 }  // namespace
 
-// Width of a range below which its ticks would differ only in the rounding of their
-// labels, as a share of its largest number, or absolute for numbers below 1.
-constexpr double least_range_share = 1e-9;
-
-// The step is the smallest of 1, 2, 5, 10 times a power of ten that is at least the rough
-// step. A range of zero width gets the least step.
-std::vector<double> round_ticks(double low, double high, int count)
-{
-    const double least =
-        std::max({std::abs(low), std::abs(high), 1.0}) * least_range_share;
-    const double rough = std::max(high - low, least) / count;
-    const double power = std::pow(10, std::floor(std::log10(rough)));
-    double step = 10 * power;
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= rough) {
-            step = factor * power;
-            break;
-        }
-    const double first = std::floor(low / step);
-    const double last = std::max(std::ceil(high / step), first + 1);
-    std::vector<double> ticks;
-    for (double k = first; k <= last; ++k)
-        ticks.push_back(k * step);
-    return ticks;
-}
-
 std::string stacked_chart(const ChartFrame& frame, std::span<const double> places,
-                          std::span<const ChartPanel> panels)
+                          std::span<const ChartPanel> panels,
+                          std::span<const ChartStrip> strips)
 {
-    check(places, panels);
+    check(places, panels, strips);
     const double head = line_height * (2.5 + static_cast<double>(frame.captions.size()));
     const double count = static_cast<double>(panels.size());
-    SvgPicture picture{width, head + count * (panel_height + panel_gap) + line_height,
+    const double below = strip_height * static_cast<double>(strips.size()) + line_height;
+    SvgPicture picture{width, head + count * (panel_height + panel_gap) + below,
                        printable(frame.title, longest_text)};
     picture.add_text({left, 1.5 * line_height}, printable(frame.title, longest_text),
                      {.size_px = 18, .bold = true});
@@ -288,6 +327,10 @@ std::string stacked_chart(const ChartFrame& frame, std::span<const double> place
     }
     picture.add_text({width / 2, top - label_offset}, frame.abscissa,
                      {.size_px = 12, .centred = true});
+    for (const ChartStrip& strip : strips) {
+        draw_strip(picture, strip, places, x, top + line_height);
+        top += strip_height;
+    }
     return picture.text();
 }
 

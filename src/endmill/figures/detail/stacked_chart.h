@@ -28,6 +28,21 @@ struct ChartPanel {
     std::vector<ChartLine> lines;  ///< its curves
 };
 
+/// A cause that a strip shows.
+struct StripCause {
+    std::string_view label;   ///< in the legend of the strip
+    std::string_view colour;  ///< in the notation of SVG
+};
+
+/// A strip of colours below the panels. It shows which cause holds along the abscissa.
+struct ChartStrip {
+    std::string_view label;          ///< above the strip
+    std::vector<StripCause> causes;  ///< the legend names those that occur
+    /// One for each place: index of the cause that holds up to it from the place before,
+    /// or from 0.
+    std::vector<std::size_t> cause;
+};
+
 /// The texts around the panels.
 struct ChartFrame {
     std::string title;                       ///< above the panels
@@ -36,16 +51,14 @@ struct ChartFrame {
 };
 
 /// The chart as an SVG file. Where several places fall on one column of pixels, the first
-/// and last, least and greatest values in it are drawn.
+/// and last, least and greatest values in it are drawn, and of a strip the cause that
+/// holds for the largest part of the column.
 /// \param places abscissas of the values, not decreasing.
-/// \throws DomainError unless there is a panel, each line has one value or gap for each
-///         place, places do not decrease, and all numbers are finite.
+/// \throws DomainError unless there is a panel, each line has one value or gap and each
+///         strip one cause for each place, places do not decrease, and all numbers are
+///         finite.
 std::string stacked_chart(const ChartFrame& frame, std::span<const double> places,
-                          std::span<const ChartPanel> panels);
-
-/// Round numbers that cover `low` to `high`: multiples of 1, 2 or 5 times a power of ten,
-/// about `count` of them; the first is at or below `low`, the last at or above `high`.
-/// \pre finite, low <= high, count > 0.
-std::vector<double> round_ticks(double low, double high, int count);
+                          std::span<const ChartPanel> panels,
+                          std::span<const ChartStrip> strips = {});
 
 }  // namespace endmill

@@ -3,16 +3,20 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "endmill/core/text.h"
 
 // OBJ has no header, and statements come in any order. Only points and faces are used.
-// Known statements that do not affect triangles are skipped; unknown ones are errors,
-// because a damaged file would otherwise lose faces silently.
+// Known statements that do not affect triangles are skipped. Unknown ones are skipped and
+// counted, so that a file that lost faces to damage does not pass unnoticed; a file without
+// any known statement is refused.
 
 namespace endmill {
 namespace {
@@ -31,6 +35,9 @@ constexpr std::array<std::string_view, 23> free_form_statements{
     "vp",   "cstype", "deg",  "bmat", "step",  "curv",  "curv2", "surf",
     "parm", "trim",   "hole", "scrv", "sp",    "end",   "con",   "bsp",
     "bzp",  "cdc",    "cdp",  "res",  "ctech", "stech", "csh"};
+
+constexpr std::size_t most_unknown_words = 8;  // that a note lists
+constexpr std::size_t longest_shown_word = 20;
 
 // Whether `word` is one of `words`.
 bool is_one_of(Words words, std::string_view word)
@@ -82,7 +89,14 @@ public:
     {
         while (scanner_.next_line())
             read_statement(scanner_.word());
-        return mesh_.take();
+        if (!has_known_ && first_unknown_line_ > 0)
+            throw complaint(source_, "E_OBJ_SYNTAX", FilePlace::line(first_unknown_line_),
+                            "no line begins with a word of OBJ",
+                            "statements such as v and f");
+        RawMesh mesh = mesh_.take();
+        if (!unknown_.empty())
+            mesh.notes.push_back(skipped_note());
+        return mesh;
     }
 
 private:
@@ -110,6 +124,11 @@ private:
     // Reads the rest of a line whose first word is `word`.
     void read_statement(std::string_view word)
     {
+        if (!is_one_of(free_form_statements, word) && !is_known(word)) {
+            skip_unknown(word);
+            return;
+        }
+        has_known_ = true;
         if (word == "v")
             read_point();
         else if (word == "f")
@@ -117,8 +136,48 @@ private:
         else if (is_one_of(free_form_statements, word))
             throw scanner_.complaint("free-form statement \"" + std::string{word} + '"',
                                      "a mesh of points (v) and faces (f)");
-        else if (!is_one_of(ignored_statements, word))
+    }
+
+    static bool is_known(std::string_view word)
+    {
+        return word == "v" || word == "f" || is_one_of(ignored_statements, word);
+    }
+
+    // A face whose word was damaged must not vanish, so only words that stand for themselves
+    // are skipped: letters, digits and underscores, beginning with a letter.
+    void skip_unknown(std::string_view word)
+    {
+        const bool is_word = std::ranges::all_of(word, [](unsigned char letter) {
+            return std::isalnum(letter) != 0 || letter == '_';
+        });
+        if (!is_word || std::isalpha(static_cast<unsigned char>(word.front())) == 0)
             throw scanner_.complaint_about(word, "an OBJ statement, such as v or f");
+        if (unknown_.empty())
+            first_unknown_line_ = scanner_.line();
+        const auto known = std::ranges::find(unknown_, word,
+                                             &std::pair<std::string, std::size_t>::first);
+        if (known != unknown_.end())
+            ++known->second;
+        else if (unknown_.size() < most_unknown_words)
+            unknown_.emplace_back(word, 1);
+        else
+            ++other_unknown_;
+    }
+
+    // "12 lines with unknown words were skipped: c (10), mg (2)"
+    std::string skipped_note() const
+    {
+        std::size_t lines = other_unknown_;
+        std::string words;
+        for (const auto& [word, count] : unknown_) {
+            lines += count;
+            words += (words.empty() ? "" : ", ") + printable(word, longest_shown_word) +
+                     " (" + std::to_string(count) + ")";
+        }
+        if (other_unknown_ > 0)
+            words += ", others (" + std::to_string(other_unknown_) + ")";
+        return counted(lines, "line") + " with unknown words " +
+               (lines == 1 ? "was" : "were") + " skipped: " + words;
     }
 
     // Numbers after x, y, z (a weight or a colour) are checked to be numbers and ignored.
@@ -162,6 +221,11 @@ private:
     TextScanner scanner_;
     RawMeshBuilder mesh_;
     std::vector<std::int32_t> corners_;
+    bool has_known_ = false;  // whether a known statement was read
+    // Unknown words with the number of their lines, in the order of the file.
+    std::vector<std::pair<std::string, std::size_t>> unknown_;
+    std::size_t other_unknown_ = 0;  // lines with further words
+    std::size_t first_unknown_line_ = 0;
 };
 
 }  // namespace

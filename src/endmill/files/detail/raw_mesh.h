@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "endmill/core/vec.h"
@@ -20,6 +21,8 @@ struct RawMesh {
     std::size_t split_faces;
     /// Largest distance of a corner of these from its face's plane.
     double out_of_plane_mm;
+    /// Notes about what the reader skipped.
+    std::vector<std::string> notes = {};
 };
 
 /// Collects a RawMesh while a file with indexed points is read.

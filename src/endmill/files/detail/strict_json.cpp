@@ -108,6 +108,11 @@ JsonValue JsonValue::item(std::size_t index) const&
     return {(*value_)[index], *this, {}, index};
 }
 
+bool JsonValue::is_text() const
+{
+    return value_->is_string();
+}
+
 std::string JsonValue::text() const
 {
     if (!value_->is_string())
@@ -122,6 +127,13 @@ std::string_view JsonValue::word(std::span<const std::string_view> words) const
     if (found == words.end())
         throw complaint(shown(), one_of(words, given));
     return *found;
+}
+
+bool JsonValue::truth() const
+{
+    if (!value_->is_boolean())
+        throw complaint(shown(), "true or false");
+    return value_->get<bool>();
 }
 
 std::int64_t JsonValue::whole_number(std::int64_t low, std::int64_t high) const

@@ -62,12 +62,18 @@ public:
     JsonValue item(std::size_t index) const&;
     JsonValue item(std::size_t index) const&& = delete;  ///< would dangle
 
+    /// Whether this is a string.
+    bool is_text() const;
+
     /// The string, unchanged. \throws FormatError if this is not a string.
     std::string text() const;
 
     /// The one of `words` that this string equals.
     /// \throws FormatError, with a suggestion, if this is none of them.
     std::string_view word(std::span<const std::string_view> words) const;
+
+    /// True or false. \throws FormatError if this is neither.
+    bool truth() const;
 
     /// A number without fraction and exponent; 3.0 is refused.
     /// \throws FormatError unless it is one from `low` to `high`.

@@ -66,6 +66,13 @@ std::string expected_columns()
     return "tip_x_mm, tip_y_mm and tip_z_mm, and any of " + optional;
 }
 
+// Whether `name` is a letter that names a coordinate, without the point and the unit.
+bool is_coordinate(std::string_view name)
+{
+    constexpr std::array<std::string_view, 6> letters{"x", "y", "z", "X", "Y", "Z"};
+    return std::ranges::find(letters, name) != letters.end();
+}
+
 // Refuses an unknown name and suggests a known one: the name with its unit, or a close
 // name.
 [[noreturn]] void refuse_name(const CsvLines& lines, std::string_view name)
@@ -76,6 +83,11 @@ std::string expected_columns()
         if (is_without_unit(name, known))
             throw lines.complaint("E_CSV", "column " + quoted(name) + " without its unit",
                                   quoted(known));
+    if (is_coordinate(name))
+        throw lines.complaint("E_CSV", "unknown column " + quoted(name),
+                              expected_columns() +
+                                  "; x, y and z of the tip are tip_x_mm, tip_y_mm and "
+                                  "tip_z_mm, those of the contact contact_x_mm ...");
     const auto closest = closest_word(name, names);
     throw lines.complaint(
         "E_CSV", "unknown column " + quoted(name),

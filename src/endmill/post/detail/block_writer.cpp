@@ -2,24 +2,38 @@
 #include "endmill/post/detail/block_writer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
 #include "endmill/post/detail/plain_number.h"
 
 namespace endmill {
 namespace {
 
-// Numbers start again at N1 after this one: controls read five digits, and the language
-// does not require different numbers.
-constexpr std::size_t line_numbers = 99999;
+constexpr std::array<std::string_view, 4> motion_words{"G0", "G1", "G2", "G3"};
+
+std::string_view plane_word(ArcPlane plane)
+{
+    switch (plane) {
+        case ArcPlane::Zx:
+            return "G18";
+        case ArcPlane::Yz:
+            return "G19";
+        case ArcPlane::Xy:
+            break;
+    }
+    return "G17";
+}
 
 }  // namespace
 
 void BlockWriter::add_line(std::string_view text)
 {
+    line_begin_ = text_.size();
     text_ += text;
-    text_ += '\n';
-    ++lines_;
+    end_line();
 }
 
 void BlockWriter::add_block(std::string_view words)
@@ -38,22 +52,49 @@ bool BlockWriter::add_move(Motion motion, const Vec3& tip, std::optional<double>
     for (int c = 0; c < 3; ++c)
         rounded[c] = add_axis("XYZ"[c], tip[c], tip_[c]);
     if (text_.size() == axes_begin) {
-        text_.resize(block_begin_);
+        text_.resize(line_begin_);
         return false;
     }
     motion_ = motion;
     tip_ = rounded;
-    if (feed)
-        add_modal('F', *feed, feed_);
-    add_modal('S', wanted_speed_, speed_);
+    add_feed(feed);
+    add_speed();
     end_block();
     return true;
 }
 
-void BlockWriter::add_rise(double height)
+void BlockWriter::add_arc(const Arc& arc, std::optional<double> radius,
+                          std::optional<double> feed)
+{
+    begin_block();
+    if (plane_ != arc.plane)
+        add_word(plane_word(arc.plane));
+    plane_ = arc.plane;
+    const Motion motion = arc.clockwise ? Motion::Clockwise : Motion::Counterclockwise;
+    add_motion(motion);
+    motion_ = motion;
+    const Vec3 from = tip();
+    const int normal = plane_axes(arc.plane).normal;
+    for (int c = 0; c < 3; ++c)
+        if (c != normal)
+            tip_[c] = add_axis("XYZ"[c], arc.end[c], unknown);
+    if (radius)
+        add_number('R', *radius);
+    else
+        for (int c = 0; c < 3; ++c)
+            if (c != normal)
+                add_number("IJK"[c], arc.centre[c] - from[c]);
+    add_feed(feed);
+    add_speed();
+    end_block();
+}
+
+void BlockWriter::add_rise(double height, std::string_view words)
 {
     begin_block();
     add_motion(Motion::Rapid);
+    if (!words.empty())
+        add_word(words);
     motion_ = Motion::Rapid;
     tip_.z() = add_axis('Z', height, unknown);
     end_block();
@@ -62,7 +103,7 @@ void BlockWriter::add_rise(double height)
 void BlockWriter::start_spindle()
 {
     begin_block();
-    add_modal('S', wanted_speed_, speed_);
+    add_speed();
     add_word("M3");
     end_block();
 }
@@ -77,22 +118,35 @@ void BlockWriter::forget_position()
 // the number is counted only in end_block.
 void BlockWriter::begin_block()
 {
-    block_begin_ = text_.size();
+    line_begin_ = text_.size();
     if (format_.line_numbers)
-        text_ += 'N' + std::to_string(blocks_ % line_numbers + 1);
+        text_ += 'N' +
+                 std::to_string(
+                     blocks_ % static_cast<std::size_t>(format_.largest_line_number) + 1);
 }
 
 void BlockWriter::end_block()
 {
-    text_ += '\n';
-    ++lines_;
+    end_line();
     ++blocks_;
+}
+
+void BlockWriter::end_line()
+{
+    const std::size_t length = text_.size() - line_begin_;
+    if (format_.longest_line && length > *format_.longest_line)
+        throw DomainError{"line " + std::to_string(lines_ + 1) + " of the program has " +
+                          counted(length, "character") + "; expected at most " +
+                          std::to_string(*format_.longest_line) +
+                          " for this control (use fewer --decimals)"};
+    text_ += format_.line_end;
+    ++lines_;
 }
 
 // Separates words by a blank, for readability only.
 void BlockWriter::add_word(std::string_view word)
 {
-    if (text_.size() > block_begin_)
+    if (text_.size() > line_begin_)
         text_ += ' ';
     text_ += word;
 }
@@ -100,33 +154,67 @@ void BlockWriter::add_word(std::string_view word)
 void BlockWriter::add_motion(Motion motion)
 {
     if (motion != motion_)
-        add_word(motion == Motion::Rapid ? "G0" : "G1");
+        add_word(motion_words[static_cast<std::size_t>(motion)]);
+}
+
+// Appends a word with a length, and returns its rounded number in units of the program.
+double BlockWriter::add_number(char letter, double mm)
+{
+    add_word({&letter, 1});
+    const double rounded = append_fixed(text_, mm / format_.unit_mm, format_.decimals);
+    if (format_.decimals == 0)
+        add_point_sign();
+    return rounded;
 }
 
 // Appends the word of an axis, unless its rounded number is in force. Returns that
-// number.
-double BlockWriter::add_axis(char letter, double value, double in_force)
+// number, in units of the program.
+double BlockWriter::add_axis(char letter, double mm, double in_force)
 {
     const std::size_t begin = text_.size();
-    add_word({&letter, 1});
-    const double rounded = append_fixed(text_, value, format_.decimals);
-    max_rounding_error_ = std::max(max_rounding_error_, std::abs(rounded - value));
+    const double rounded = add_number(letter, mm);
+    max_rounding_error_ =
+        std::max(max_rounding_error_, std::abs(rounded * format_.unit_mm - mm));
     if (rounded == in_force)
         text_.resize(begin);
     return rounded;
 }
 
-// Appends a modal word, unless its rounded number is in force. NaN stands for no number.
-void BlockWriter::add_modal(char letter, double value, double& in_force)
+// Appends F, unless its rounded number is in force.
+void BlockWriter::add_feed(std::optional<double> feed)
 {
-    if (std::isnan(value))
+    if (!feed)
         return;
     const std::size_t begin = text_.size();
-    add_word({&letter, 1});
-    const double rounded = append_trimmed(text_, value, format_.decimals);
-    if (rounded == in_force)
+    add_word("F");
+    const std::size_t number_begin = text_.size();
+    const double rounded =
+        append_trimmed(text_, *feed / format_.unit_mm, format_.decimals);
+    if (text_.find('.', number_begin) == std::string::npos)
+        add_point_sign();
+    if (rounded == feed_)
         text_.resize(begin);
-    in_force = rounded;
+    feed_ = rounded;
+}
+
+// Appends S, unless there is no speed or its rounded number is in force.
+void BlockWriter::add_speed()
+{
+    if (std::isnan(wanted_speed_))
+        return;
+    const std::size_t begin = text_.size();
+    add_word("S");
+    const double rounded = append_trimmed(
+        text_, wanted_speed_, format_.speed_decimals.value_or(format_.decimals));
+    if (rounded == speed_)
+        text_.resize(begin);
+    speed_ = rounded;
+}
+
+void BlockWriter::add_point_sign()
+{
+    if (format_.always_point)
+        text_ += '.';
 }
 
 }  // namespace endmill

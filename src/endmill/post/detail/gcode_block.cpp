@@ -20,11 +20,9 @@ namespace {
 
 constexpr std::string_view known_letters = "ABCDFGHIJKLMNPQRSTXYZ";
 constexpr std::string_view expand_first =
-    "plain numbers: expand them with rs274 -g and give its output";
+    "plain numbers: --interpreter linuxcnc expands them";
 constexpr std::string_view expand_subroutines =
-    "moves alone: expand subroutines with rs274 -g and give its output, and leave out "
-    "the "
-    "number of the program";
+    "moves alone: --interpreter linuxcnc expands subroutines";
 constexpr double g_steps = 10;  // G codes are stored in tenths
 constexpr double largest_g_code = 999;
 constexpr double largest_m_code = 999;
@@ -45,6 +43,13 @@ char capital(char byte)
 bool is_letter(char byte)
 {
     return 'A' <= capital(byte) && capital(byte) <= 'Z';
+}
+
+// Whether a screen does not show the byte: a control character or a part of a character
+// outside ASCII, such as a no-break space.
+bool is_hidden(char byte)
+{
+    return !(' ' <= byte && byte <= '~');
 }
 
 class BlockParser {
@@ -157,18 +162,17 @@ private:
     // `steps` is the number of codes per unit: 10 for G codes, 1 for M codes.
     void enter_code(char letter, double value, double steps, double largest)
     {
-        const std::string shown = letter + brief(value);
         const double code = std::round(value * steps);
         // Parsing the decimal and dividing by 10 are both correctly rounded, so a valid
         // code gives the same double.
         if (!(code / steps == value && 0 <= value && value <= largest))
-            throw lines_.complaint("unknown code " + shown, letter == 'G'
-                                                                ? "a G code of the subset"
-                                                                : "M0 to M999");
+            throw lines_.complaint(
+                "unknown code " + (letter + brief(value)),
+                letter == 'G' ? "a G code of the subset" : "M0 to M999");
         GcodeCodes& codes = letter == 'G' ? block_.g : block_.m;
         if (codes.is_full() || codes.contains(static_cast<int>(code)))
             throw lines_.complaint(
-                shown + " twice in a block, or with too many other codes",
+                letter + brief(value) + " twice in a block, or with too many other codes",
                 "one code of each modal group");
         codes.add(static_cast<int>(code));
         block_.set(letter, value);
@@ -191,13 +195,25 @@ private:
                                    "a plain decimal number without exponent");
         if (byte == ',' && is_in_number)
             throw lines_.complaint("decimal comma " + shown, "\".\" as decimal sign");
+        if (byte == '@' || byte == '^')
+            throw lines_.complaint("polar coordinates " + shown,
+                                   "X and Y: --interpreter linuxcnc expands them");
         if (byte == ')')
             throw lines_.complaint(shown, "a ( before the )");
         if (is_letter(byte))
             throw lines_.complaint("unknown word " + shown,
                                    "words of " + std::string{known_letters});
         refuse_if_centre_point();
+        if (is_hidden(byte))
+            refuse_hidden(at_);
         throw lines_.complaint(shown, "a word: a letter and a number");
+    }
+
+    [[noreturn]] void refuse_hidden(const char* from) const
+    {
+        throw lines_.complaint("a hidden character in " +
+                                   quoted({from, static_cast<std::size_t>(end_ - from)}),
+                               "words of letters and numbers");
     }
 
     // The letter has been read, and no number follows.
@@ -206,6 +222,8 @@ private:
         refuse_if_centre_point();
         if (at_ != end_ && (*at_ == '#' || *at_ == '[' || *at_ == ']'))
             refuse_character();
+        if (at_ != end_ && is_hidden(*at_))
+            refuse_hidden(at_ - 1);
         throw lines_.complaint(quoted(std::string_view{&letter, 1}) + " without a number",
                                "a plain decimal number after the letter");
     }

@@ -9,28 +9,36 @@
 #include <utility>
 
 #include "endmill/core/text.h"
+#include "endmill/post/detail/canned_cycle.h"
 #include "endmill/post/detail/gcode_arc.h"
 #include "endmill/post/detail/gcode_block.h"
 #include "endmill/post/detail/gcode_modes.h"
+#include "endmill/post/detail/gcode_remarks.h"
 #include "endmill/post/detail/program_builder.h"
 #include "endmill/post/detail/text_lines.h"
 
 // Interpreter of a subset of RS-274. Each line is handled in this order, which is that of
 // the language:
-// 1. `%` and block delete,
+// 1. `%`, the number of the program, and block delete,
 // 2. words and comments (`parse_block`),
 // 3. G codes (`GcodeModes::apply`), M codes (`check_m_codes`) and unused words
 //    (`check_words`),
 // 4. feed F, then spindle S, M3 to M5 and tool T, M6,
-// 5. motion, straight or along an arc (`ArcReader`), which goes to the ProgramBuilder,
+// 5. motion: straight, along an arc (`ArcReader`), a canned cycle (`CannedCycles`) or to a
+//    reference position. It goes to the ProgramBuilder,
 // 6. end of the program.
 // The position of each axis is unknown until a block states it absolutely. Moves before
 // the position of all three axes is known are counted and left out.
+//
+// Reference positions (G28, G30, G53) are known to the machine alone. The path rises
+// straight to a safe height, and the position of the axes that move becomes unknown.
+// Rapids that follow stay at the safe height until all positions are known again.
 
 namespace endmill {
 namespace {
 
 constexpr std::array axis_letters{'X', 'Y', 'Z'};
+constexpr int vertical = 2;  // index of the Z axis
 
 class GcodeInterpreter {
 public:
@@ -46,10 +54,8 @@ public:
     {
         while (!has_ended_ && lines_.next())
             read_line();
-        remark_on_end();
-        remark_on_units();
-        remark_on_start();
-        remark_on_modes();
+        require_path();
+        remarks_.finish(modes_, has_ended_, builder_);
         return builder_.take();
     }
 
@@ -67,6 +73,8 @@ private:
         std::string_view text = without_indent(lines_.line());
         if (text.starts_with('%'))
             return read_percent(text);
+        if (is_program_number(text))
+            return read_program_number(text);
         if (text.starts_with('/')) {
             if (options_.block_delete)
                 return;
@@ -82,18 +90,64 @@ private:
                 {lines_.number(), first, builder_.point_count(), modes_, arc_});
     }
 
-    // Some controls ignore words before the first %, others execute them, so such words
-    // are refused.
+    // The first % may carry the number of the program. A program without a first % may end
+    // with one. Some controls ignore words before the first %, others execute them, so
+    // blocks on both sides of it are refused.
     void read_percent(std::string_view text)
     {
-        if (!without_indent(text.substr(1)).empty())
+        const std::string_view rest = without_indent(text.substr(1));
+        const bool is_first = !has_words_ && !has_percent_;
+        if (!rest.empty() &&
+            !(is_first && (is_comment(rest) || is_number_of_program(rest))))
             throw lines_.complaint(quoted(text), "a line with the % alone");
-        if (has_words_ && !has_percent_)
+        if (has_words_ && !has_percent_ && !is_blank_tape(lines_.rest()))
             throw lines_.complaint(
                 "a first % after blocks",
                 "the first % before all blocks and the second at the end");
-        has_ended_ = has_percent_;
+        has_ended_ = has_words_ || has_percent_;
         has_percent_ = true;
+    }
+
+    static bool is_blank_tape(std::string_view text)
+    {
+        return text.find_first_not_of(" \t\r\n%") == std::string_view::npos;
+    }
+
+    // Whether the line is "O1001" or ":1001", perhaps with a comment.
+    static bool is_program_number(std::string_view text)
+    {
+        return (text.starts_with('O') || text.starts_with('o') ||
+                text.starts_with(':')) &&
+               is_number_of_program(text.substr(1));
+    }
+
+    // Whether the text is a whole number, perhaps with an O before and a comment after it.
+    static bool is_number_of_program(std::string_view text)
+    {
+        if (text.starts_with('O') || text.starts_with('o'))
+            text.remove_prefix(1);
+        const std::size_t digits =
+            std::min(text.find_first_not_of("0123456789"), text.size());
+        const std::string_view rest = without_indent(text.substr(digits));
+        return digits > 0 && (rest.empty() || is_comment(rest));
+    }
+
+    static bool is_comment(std::string_view text)
+    {
+        return text.starts_with('(') || text.starts_with(';');
+    }
+
+    // A number after blocks begins another program or a subprogram.
+    void read_program_number(std::string_view text)
+    {
+        if (has_words_ || has_number_)
+            throw lines_.complaint("a second program " + quoted(text),
+                                   "one program in a file");
+        const std::size_t comment = std::min(text.find_first_of("(;"), text.size());
+        if (!parse_block(text.substr(comment), lines_).is_empty())
+            throw lines_.complaint("words behind the program number " + quoted(text),
+                                   "the number in a line of its own");
+        has_number_ = true;
     }
 
     // Executes a block in the order of the language.
@@ -101,18 +155,40 @@ private:
     void execute(const GcodeBlock& block)
     {
         has_words_ = true;
-        const GcodeModes before = modes_;
-        modes_.apply(block, lines_);
-        check_m_codes(block, lines_);
+        if (block.has('G'))
+            change_modes(block);
+        if (block.has('M'))
+            check_m_codes(block, lines_);
         check_words(block, modes_, lines_);
-        note_modes(block, before);
-        if (modes_.feed != before.feed)
-            feed_.reset();
+        if (modes_.unit == GcodeUnit::Unsaid)
+            remarks_.note_unsaid_lengths(block);
         set_feed(block);
         set_spindle_and_tool(block);
-        if (is_motion(block))
+        run_motion(block);
+        if (block.has('M'))
+            end_program(block);
+    }
+
+    void change_modes(const GcodeBlock& block)
+    {
+        const GcodeModes before = modes_;
+        modes_.apply(block, lines_);
+        remarks_.note_modes(block, before, modes_, lines_, builder_);
+        if (modes_.feed != before.feed)
+            feed_.reset();
+    }
+
+    void run_motion(const GcodeBlock& block)
+    {
+        if (modes_.motion != GcodeMotion::Cycle)
+            cycles_.end();
+        if (const ReferenceMove reference = reference_move(block);
+            reference != ReferenceMove::None)
+            go_to_reference(block, reference);
+        else if (is_cycle(block, modes_))
+            run_cycle(block);
+        else if (is_motion(block))
             move(block);
-        end_program(block);
     }
 
     bool is_motion(const GcodeBlock& block) const
@@ -123,29 +199,6 @@ private:
             throw lines_.complaint("axis word without a motion mode",
                                    "G0, G1, G2 or G3 in this block or before");
         return true;
-    }
-
-    // Makes the remarks on modes. Each is made once, at its first occurrence, so that the
-    // number of remarks does not grow with the file.
-    void note_modes(const GcodeBlock& block, const GcodeModes& before)
-    {
-        const bool has_length = block.has_any("XYZIJKRF");
-        if (modes_.unit == GcodeUnit::Unsaid)
-            has_unsaid_lengths_ = has_unsaid_lengths_ || has_length;
-        else if (before.unit == GcodeUnit::Unsaid && has_unsaid_lengths_)
-            first_unit_line_ = lines_.number();
-        has_inches_ = has_inches_ || modes_.unit == GcodeUnit::Inch;
-        if (modes_.coordinate_system != before.coordinate_system &&
-            builder_.has_position())
-            builder_.remark(
-                "coordinate system first named in line " +
-                std::to_string(lines_.number()) +
-                ", after motion: taken as the system of the motion before it");
-        if (modes_.used_tool_length && !before.used_tool_length)
-            builder_.remark(
-                (block.has('H') ? "G43 H" + brief(block.value('H'))
-                                : std::string{"G43"}) +
-                ": the tool length is assumed to be in the control's tool table already");
     }
 
     // F0 is accepted here, because many programs begin with it. `require_feed` checks F >
@@ -165,20 +218,30 @@ private:
 
     void set_spindle_and_tool(const GcodeBlock& block)
     {
-        if (block.has('S')) {
-            if (block.value('S') < 0)
-                throw lines_.complaint("a spindle speed S" + brief(block.value('S')),
-                                       "S >= 0");
-            builder_.set_spindle_speed(block.value('S'));
-        }
+        set_spindle_speed(block);
         if (block.has('T'))
             builder_.select_tool(tool_number(block.value('T')));
+        if (!block.has('M'))
+            return;
         if (block.m.contains(6))
             builder_.change_tool();
         if (block.m.contains(3) || block.m.contains(4))
             builder_.start_spindle();
         if (block.m.contains(5))
             builder_.stop_spindle();
+    }
+
+    // Under G96 the speed of the spindle is unknown, and beside G50 the word S is a limit.
+    void set_spindle_speed(const GcodeBlock& block)
+    {
+        constexpr int limit_of_speed = 500;
+        if (block.has('S') && block.value('S') < 0)
+            throw lines_.complaint("a spindle speed S" + brief(block.value('S')),
+                                   "S >= 0");
+        if (modes_.has_surface_speed)
+            builder_.set_spindle_speed(0);
+        else if (block.has('S') && !block.g.contains(limit_of_speed))
+            builder_.set_spindle_speed(block.value('S'));
     }
 
     int tool_number(double value) const
@@ -194,7 +257,7 @@ private:
         for (const int code : {2, 30})
             if (block.m.contains(code)) {
                 has_ended_ = true;
-                if (lines_.rest().find_first_not_of(" \t\r\n%") != std::string_view::npos)
+                if (!is_blank_tape(lines_.rest()))
                     builder_.remark("text after M" + std::to_string(code) + " in line " +
                                     std::to_string(lines_.number()) + " is ignored");
             }
@@ -203,9 +266,10 @@ private:
     void move(const GcodeBlock& block)
     {
         const bool is_rapid = modes_.motion == GcodeMotion::Rapid;
-        if (!is_rapid)
+        if (!is_rapid) {
             require_feed();
-        const bool was_known = is_known();
+            require_start();
+        }
         const Vec3 start = position_;
         for (int axis = 0; axis < 3; ++axis)
             move_axis(block, axis);
@@ -214,9 +278,11 @@ private:
         if (along_arc)
             arcs.check_words();
         if (!is_known())
-            ++moves_left_out_;
-        else if (!was_known)
+            go_on_unknown();
+        else if (!builder_.has_position())
             start_path(is_rapid);
+        else if (is_away_)
+            go_rapidly(position_);
         else if (along_arc)
             builder_.go_along(arc_.emplace(arcs.arc(start, position_)), *feed_);
         else
@@ -234,7 +300,30 @@ private:
             throw lines_.complaint("a move at feed F0", "F > 0");
     }
 
+    // After a move to a reference position, the start of a move at feed must be known.
+    void require_start() const
+    {
+        if (!is_away_)
+            return;
+        throw lines_.complaint(
+            "a cut from an unknown position after the reference move "
+            "of line " +
+                std::to_string(remarks_.reference_line()),
+            "a rapid to an absolute " + unknown_axes() + " before it");
+    }
+
     bool is_known() const { return known_axes_ == 3; }
+
+    // "X", "Y Z": axes whose position is unknown.
+    std::string unknown_axes() const
+    {
+        std::string letters;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (!is_axis_known_[axis])
+                letters +=
+                    (letters.empty() ? "" : " ") + std::string(1, axis_letters[axis]);
+        return letters;
+    }
 
     // An increment from an unknown position leaves the position unknown.
     void move_axis(const GcodeBlock& block, int axis)
@@ -262,66 +351,197 @@ private:
     // position, so a move at feed counts as left out.
     void start_path(bool is_rapid)
     {
-        moves_left_out_ += is_rapid ? 0 : 1;
-        start_line_ = lines_.number();
+        if (!is_rapid)
+            remarks_.note_left_out();
+        remarks_.note_start(lines_.number());
         builder_.go_to(position_, std::nullopt);
     }
 
-    void remark_on_end()
+    // A move to a position that is not known in all axes: left out before the path begins,
+    // afterwards at the safe height.
+    void go_on_unknown()
     {
-        if (!has_ended_)
-            builder_.remark("no M2, M30 or closing %: the program may be cut short");
+        if (!builder_.has_position())
+            return remarks_.note_left_out();
+        Vec3 over = builder_.position();
+        for (const int axis : {0, 1})
+            if (is_axis_known_[static_cast<std::size_t>(axis)])
+                over[axis] = position_[axis];
+        rise_over(over);
     }
 
-    void remark_on_units()
+    // Goes to a place at the safe height, unless the tool is there.
+    void rise_over(const Vec3& place)
     {
-        if (has_inches_)
-            builder_.remark("inches (G20) converted to mm");
-        if (modes_.unit == GcodeUnit::Unsaid)
-            builder_.remark("neither G20 nor G21: lengths are taken as mm");
-        else if (first_unit_line_ != 0)
-            builder_.remark("no G20 or G21 before line " +
-                            std::to_string(first_unit_line_) +
-                            ": lengths before it are taken as mm");
+        const Vec3 over{place.x(), place.y(), builder_.safe_height_mm()};
+        if (over != builder_.position())
+            builder_.go_at_safe_height(over);
     }
 
-    void remark_on_start()
+    // A rapid to `target`, after a reference move from the safe height over it. A rapid to
+    // where the tool is makes no point.
+    void go_rapidly(const Vec3& target)
     {
-        if (moves_left_out_ == 0)
+        if (std::exchange(is_away_, false))
+            rise_over(target);
+        if (!builder_.has_position())
+            remarks_.note_start(lines_.number());
+        if (!builder_.has_position() || target != builder_.position())
+            builder_.go_to(target, std::nullopt);
+    }
+
+    // A program without a point of the path has no motion or no position.
+    void require_path() const
+    {
+        if (builder_.has_position())
             return;
-        if (start_line_ == 0)
-            builder_.remark(
-                "all motion is left out: the program does not give every axis a "
-                "position");
-        else
-            builder_.remark(
-                "the path begins in line " + std::to_string(start_line_) +
-                ", where the position of every axis is known; left out before it: " +
-                counted(moves_left_out_, "move"));
+        const std::string lines = " in " + counted(lines_.number(), "line");
+        if (remarks_.has_motion())
+            throw FormatError{"E_GCODE",
+                              {lines_.file(), "", "no absolute " + unknown_axes() + lines,
+                               "a position of X, Y and Z before the first cut"}};
+        throw FormatError{"E_GCODE",
+                          {lines_.file(), "", "no motion" + lines,
+                           "at least one G0, G1, G2 or G3 with coordinates"}};
     }
 
-    void remark_on_modes()
+    // Words of G28 and G30 name a point to pass on the way, and the axes that move; without
+    // words all axes move.
+    void go_to_reference(const GcodeBlock& block, ReferenceMove reference)
     {
-        if (modes_.used_blending)
-            builder_.remark(
-                "G64: a control may round corners, which the path does not show");
+        const bool has_axes = block.has_any("XYZABC");
+        if (builder_.has_position() && block.has_any("XY") && !block.has('Z'))
+            check_sideways();
+        if (reference == ReferenceMove::MachineCoordinates)
+            check_machine_coordinates(has_axes);
+        else if (has_axes)
+            pass_point(block);
+        remarks_.note_reference(block, lines_);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (!has_axes || block.has(axis_letters[axis]))
+                forget(axis);
+        if (!builder_.has_position() || is_known())
+            return;
+        is_away_ = true;
+        rise_over(builder_.position());
+    }
+
+    void check_machine_coordinates(bool has_axes) const
+    {
+        if (!has_axes)
+            throw lines_.complaint("G53 without X, Y and Z", "an axis word");
+        if (modes_.motion != GcodeMotion::Rapid)
+            throw lines_.complaint("a move in machine coordinates (G53) without G0",
+                                   "G0, a rapid");
+        if (modes_.distance == DistanceMode::Incremental)
+            throw lines_.complaint("G53 under G91", "G90");
+    }
+
+    // The point of G28 or G30, which is a rapid in coordinates of the program.
+    void pass_point(const GcodeBlock& block)
+    {
+        for (int axis = 0; axis < 3; ++axis)
+            move_axis(block, axis);
+        if (is_known())
+            go_rapidly(position_);
+        else if (builder_.has_position())
+            go_on_unknown();
+    }
+
+    // A reference move without Z stays at the height of the tool. The place to which it
+    // goes is unknown, so whether it cuts cannot be simulated.
+    void check_sideways() const
+    {
+        const double highest = builder_.highest_cut_mm();
+        const bool is_free = position_.z() > highest ||
+                             (position_.z() == highest && !builder_.ends_with_cut());
+        if (is_axis_known_[vertical] && !is_free)
+            throw lines_.complaint("a sideways move to a position of the machine at z " +
+                                       brief(position_.z()) +
+                                       " mm, not above the cuts (up to z " +
+                                       brief(highest) + " mm)",
+                                   "a move up before it");
+    }
+
+    void forget(std::size_t axis)
+    {
+        known_axes_ -= is_axis_known_[axis] ? 1 : 0;
+        is_axis_known_[axis] = false;
+    }
+
+    void run_cycle(const GcodeBlock& block)
+    {
+        require_feed();
+        if (feed_->mode == FeedRateMode::InverseTime)
+            throw lines_.complaint("a canned cycle under G93", "G94");
+        require_hole(block);
+        const CannedCycle cycle =
+            cycles_.next(block, modes_, position_, builder_.room(), lines_);
+        remarks_.note_cycle(modes_, builder_);
+        const int normal = cycle.axes.normal;
+        if (cycle.begins_at_r && builder_.has_position() && !is_away_) {
+            position_[normal] = cycle.r;
+            go_rapidly(position_);
+        }
+        position_ = cycle.first_hole;
+        for (std::size_t hole = 0; hole < cycle.holes; ++hole) {
+            if (hole > 0)
+                position_ += cycle.step;
+            position_[normal] = hole == 0 ? cycle.approach : cycle.clear;
+            drill(cycle);
+        }
+        is_axis_known_ = {true, true, true};
+        known_axes_ = 3;
+    }
+
+    // The moves of one hole. Moves without length make no points.
+    void drill(const CannedCycle& cycle)
+    {
+        double& level = position_[cycle.axes.normal];
+        go_rapidly(position_);
+        level = cycle.r;
+        go_rapidly(position_);
+        for (const HoleMove& move : cycle.hole) {
+            level = move.level;
+            if (!move.is_feed)
+                go_rapidly(position_);
+            else if (position_ != builder_.position())
+                builder_.go_to(position_, feed_);
+        }
+    }
+
+    // The level before a cycle must be known, and the position of the hole in the plane.
+    void require_hole(const GcodeBlock& block) const
+    {
+        const int normal = plane_axes(modes_.plane).normal;
+        const bool is_increment = modes_.distance == DistanceMode::Incremental;
+        for (const int axis : {0, 1, 2}) {
+            const auto index = static_cast<std::size_t>(axis);
+            const bool is_stated =
+                axis != normal && !is_increment && block.has(axis_letters[index]);
+            if (is_axis_known_[index] || is_stated)
+                continue;
+            if (is_away_)
+                require_start();
+            throw lines_.complaint(
+                std::string{"a canned cycle from an unknown position"},
+                std::string{"an absolute "} + axis_letters[index] + " before it");
+        }
     }
 
     TextLines lines_;
     GcodeReadOptions options_;
     ProgramBuilder builder_;
     GcodeModes modes_;
+    CannedCycles cycles_;
+    GcodeRemarks remarks_;
     std::optional<MoveFeed> feed_;
     Vec3 position_ = Vec3::Zero();  // of the programmed point, mm
     std::array<bool, 3> is_axis_known_ = {};
     int known_axes_ = 0;
-    std::size_t moves_left_out_ = 0;  // including the move to the first point, if at feed
-    std::size_t start_line_ = 0;      // line of the first point, 0 before it
-    std::size_t first_unit_line_ =
-        0;  // of the first G20 or G21 after a length, 0 if none
-    bool has_unsaid_lengths_ = false;
-    bool has_inches_ = false;
+    bool is_away_ = false;  // from a reference move until all axes are known again
     bool has_percent_ = false;
+    bool has_number_ = false;
     bool has_words_ = false;
     bool has_ended_ = false;
     bool keeps_moves_ = false;

@@ -19,6 +19,14 @@ enum class GcodeMotion {
     Straight,             ///< G1
     ClockwiseArc,         ///< G2
     CounterclockwiseArc,  ///< G3
+    Cycle,                ///< a canned cycle, such as G81
+};
+
+/// Height to which a canned cycle retracts.
+enum class RetractLevel {
+    Unsaid,   ///< before the first code: that of G99
+    Initial,  ///< G98: height before the first hole
+    R,        ///< G99: height of the word R
 };
 
 /// Unit of the lengths of a program.
@@ -51,18 +59,40 @@ struct GcodeModes {
     GcodeUnit unit = GcodeUnit::Unsaid;                ///< group 6
     /// Group 12: 540 to 593, in tenths; 0 before the first code.
     int coordinate_system = 0;
-    bool used_tool_length = false;  ///< whether a G43 occurred
-    bool used_blending = false;     ///< whether a G64 occurred
+    int cycle = 0;  ///< G code of the canned cycle, such as 81; 0 before the first one
+    RetractLevel retract = RetractLevel::Unsaid;  ///< group 10
+    bool has_surface_speed = false;  ///< G96: S is a cutting speed, not a spindle speed
+    bool used_tool_length = false;   ///< whether a G43 occurred
+    bool used_blending = false;      ///< whether a G64 occurred
 
     /// mm per unit of length.
     double mm_per_unit() const { return unit == GcodeUnit::Inch ? mm_per_inch : 1; }
 
     /// Applies the G codes of `block`.
     /// \throws FormatError at the current line of `lines` for a code outside the subset,
-    ///         with its kind; for two codes of one modal group; for a second coordinate
-    ///         system.
+    ///         with its kind; for two codes of one modal group, except G80 beside G0 to
+    ///         G3, which is then without effect; for two codes that both use the axis
+    ///         words; for a second coordinate system.
     void apply(const GcodeBlock& block, const TextLines& lines);
 };
+
+/// A move of a block to a position that the machine knows and the program does not.
+enum class ReferenceMove {
+    None,                ///< the block has no such move
+    ReferencePoint,      ///< G28, G30: to a reference point, through the words X, Y, Z
+    MachineCoordinates,  ///< G53: the words X, Y, Z are machine coordinates
+};
+
+/// The reference move of `block`.
+ReferenceMove reference_move(const GcodeBlock& block);
+
+/// "G43.2" for the code 432.
+std::string g_name(int tenths);
+
+/// Whether a G code in tenths is accepted although the reader does not model its mode: it
+/// moves nothing, and it cancels a mode that the reader refuses or stores a position that
+/// the program does not use.
+bool is_idle_g_code(int code);
 
 /// Checks the M codes of `block`.
 /// \throws FormatError at the current line of `lines` for an M code that calls a
@@ -76,8 +106,13 @@ void check_m_codes(const GcodeBlock& block, const TextLines& lines);
 /// \param modes with the codes of the block in force.
 bool is_arc(const GcodeBlock& block, const GcodeModes& modes);
 
+/// Whether `block` runs the canned cycle in force.
+/// \param block the block.
+/// \param modes with the codes of the block in force.
+bool is_cycle(const GcodeBlock& block, const GcodeModes& modes);
+
 /// Checks that every word of `block` has a use in it. A word without a use is refused,
-/// because another control may give it one.
+/// because another control may give it one. Rotary axis words must be 0.
 /// \param block the block.
 /// \param modes with the codes of the block in force.
 /// \param lines for error messages.

@@ -14,17 +14,17 @@ namespace {
 [[noreturn]] void refuse(std::size_t point, const std::string& found,
                          const std::string& expected)
 {
-    throw DomainError{"point " + std::to_string(point + 1) + " of the path has " + found +
+    throw DomainError{"point " + std::to_string(point) + " of the path has " + found +
                       "; expected " + expected};
 }
 
 }  // namespace
 
 MoveConditions::MoveConditions(const ToolPath& path, const CuttingConditions& otherwise,
-                               int decimals)
+                               const ConditionFormat& format)
     : path_{path},
       otherwise_{otherwise},
-      decimals_{decimals}
+      format_{format}
 {
 }
 
@@ -44,19 +44,28 @@ CuttingConditions MoveConditions::at(std::size_t point)
         conditions.feed_mm_per_min.reset();
     else if (!conditions.feed_mm_per_min)
         refuse(point, "no feed", "a feed for every move but rapids (--feed)");
-    else if (*conditions.feed_mm_per_min != checked_feed_) {
-        checked_feed_ = *conditions.feed_mm_per_min;
-        check(point, {"feed", checked_feed_, "mm/min"});
-        feeds_.add(checked_feed_);
-    }
+    else
+        add_feed(point, *conditions.feed_mm_per_min);
     if (conditions.spindle_rpm && *conditions.spindle_rpm != checked_speed_) {
         checked_speed_ = *conditions.spindle_rpm;
-        check(point, {"spindle speed", checked_speed_, "rpm"});
+        check(point, {"spindle speed", checked_speed_, "rpm", checked_speed_,
+                      format_.speed_decimals});
         speeds_.add(checked_speed_);
     }
     if (conditions.tool && *conditions.tool < 0)
         refuse(point, "tool " + std::to_string(*conditions.tool), "a number from 0");
     return conditions;
+}
+
+void MoveConditions::add_feed(std::size_t point, double feed)
+{
+    const bool descends = is_descent(path_, point);
+    double& checked = descends ? checked_plunge_feed_ : checked_feed_;
+    if (feed == checked)
+        return;
+    checked = feed;
+    check(point, {"feed", feed, "mm/min", feed / format_.unit_mm, format_.feed_decimals});
+    (descends ? plunge_feeds_ : feeds_).add(feed);
 }
 
 void MoveConditions::check(std::size_t point, const Condition& condition) const
@@ -66,11 +75,11 @@ void MoveConditions::check(std::size_t point, const Condition& condition) const
         refuse(point, name + " that is not a number above 0",
                std::string{"one in "} + condition.unit);
     std::string text;
-    if (!(append_trimmed(text, condition.value, decimals_) > 0))
+    if (!(append_trimmed(text, condition.written, condition.decimals) > 0))
         refuse(point,
                name + " of " + to_text(condition.value) + ' ' + condition.unit +
                    ", which rounds to 0 with " +
-                   counted(static_cast<std::size_t>(decimals_), "decimal"),
+                   counted(static_cast<std::size_t>(condition.decimals), "decimal"),
                "a higher one, or more --decimals");
 }
 

@@ -15,6 +15,10 @@ namespace {
 // A block that moves all three axes has about this length.
 constexpr std::size_t likely_bytes_per_block = 30;
 
+// Height in mm of a move to a reference position above all points so far. The default
+// safe height of written programs has the same clearance.
+constexpr double clearance_mm = 5;
+
 }  // namespace
 
 ProgramBuilder::ProgramBuilder(const TextLines& lines, const GcodeReadOptions& options)
@@ -34,6 +38,19 @@ void ProgramBuilder::go_to(const Vec3& target, const std::optional<MoveFeed>& fe
     append(feed && has_position() ? feed_move(position_, target) : Move::Rapid, target);
     if (feed && first_point > 0)
         set_feed(*feed, first_point);
+}
+
+double ProgramBuilder::safe_height_mm() const
+{
+    return highest_mm_ + clearance_mm;
+}
+
+// The safe height does not grow by the rapids at the safe height.
+void ProgramBuilder::go_at_safe_height(const Vec3& target)
+{
+    const double highest = highest_mm_;
+    append(Move::Rapid, target);
+    highest_mm_ = highest;
 }
 
 // The number of chords is checked before they are made, because a single word P can
@@ -82,6 +99,9 @@ void ProgramBuilder::append(Move move, const Vec3& point)
          .conditions = {.spindle_rpm = is_turning ? speed_rpm_ : std::nullopt,
                         .tool = tool_}});
     position_ = point;
+    highest_mm_ = std::max(highest_mm_, point.z());
+    if (move == Move::Cut || move == Move::Plunge)
+        highest_cut_mm_ = std::max(highest_cut_mm_, point.z());
 }
 
 // Sets the feed of the points from `first_point` on, which are one move of the program.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +42,32 @@ public:
 
     /// Whether the path has a point.
     bool has_position() const { return !path_.points.empty(); }
+
+    /// Position of the programmed point at the end of the path so far, in mm.
+    /// \pre has_position()
+    const Vec3& position() const { return position_; }
+
+    /// Height in mm of the rapids that stand for moves to a reference position: 5 mm above
+    /// all points so far but those of such rapids. \pre has_position()
+    double safe_height_mm() const;
+
+    /// Height in mm of the highest point that a plunge or a cut has reached; -infinity
+    /// before the first one.
+    double highest_cut_mm() const { return highest_cut_mm_; }
+
+    /// Whether the last move is a plunge or a cut. \pre has_position()
+    bool ends_with_cut() const
+    {
+        const Move last = path_.points.back().move;
+        return last == Move::Cut || last == Move::Plunge;
+    }
+
+    /// Adds a rapid that stands for a move to or from a reference position, whose target
+    /// the program does not state. Errors as `go_to`.
+    void go_at_safe_height(const Vec3& target);
+
+    /// Number of points that can still be added.
+    std::size_t room() const { return options_.most_points - path_.points.size(); }
 
     /// Number of points of the path so far.
     std::size_t point_count() const { return path_.points.size(); }
@@ -85,6 +113,8 @@ private:
     std::vector<std::string> remarks_;
     std::vector<ToolChoice> selections_;
     Vec3 position_ = Vec3::Zero();  // of the programmed point, mm
+    double highest_mm_ = -std::numeric_limits<double>::infinity();
+    double highest_cut_mm_ = -std::numeric_limits<double>::infinity();
     std::optional<double> speed_rpm_;
     bool spindle_stopped_ = false;
     bool has_changes_ = false;

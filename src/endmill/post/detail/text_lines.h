@@ -63,8 +63,10 @@ inline bool is_blank(char byte)
 /// `text` without the white space at its beginning.
 std::string_view without_indent(std::string_view text);
 
-/// `text` in quotes, for one line on a terminal: at most 40 bytes, with '?' for each byte
-/// that is not a printing ASCII character.
+/// `text` in quotes, for one line on a terminal: at most 40 bytes of it, without white
+/// space at the end. A character that a terminal may not show is written by its number:
+/// "\u00a0" for a no-break space, "\x07" for a control character or a byte that is not
+/// UTF-8.
 std::string quoted(std::string_view text);
 
 /// `value` with six significant digits, or "infinite", or "not a number", for messages.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "endmill/stock/detail/removable_path.h"
 #include "endmill/stock/height_stock.h"
@@ -66,10 +67,8 @@ CellRange cells_under(const Extent& extent, const StockGrid& grid)
             std::min(grid.rows, cell(extent.high_y, grid.low_y, grid.rows) + 1)};
 }
 
-// Returns the cells where a move may have a forbidden contact below `top`; nothing if no
-// move may.
-std::optional<CellRange> doubtful_cells(const FinerContacts& task, const StockGrid& grid,
-                                        double top)
+// Adds the places where a move of the run may have a forbidden contact below `top`.
+void add_doubtful(const ToolRun& task, double top, Extent& extent)
 {
     double widest = 0;
     double lowest_end = std::numeric_limits<double>::infinity();
@@ -78,7 +77,6 @@ std::optional<CellRange> doubtful_cells(const FinerContacts& task, const StockGr
             widest = std::max(widest, cylinder.diameter / 2);
             lowest_end = std::min(lowest_end, cylinder.from);
         }
-    Extent extent;
     const auto& points = task.path.points;
     for (std::size_t k = 1; k < points.size(); ++k) {
         const Vec3& from = points[k - 1].location.tip;
@@ -95,6 +93,25 @@ std::optional<CellRange> doubtful_cells(const FinerContacts& task, const StockGr
                 extent.add(end, widest);
         }
     }
+}
+
+// The runs of all tools.
+std::vector<ToolRun> runs_of(const FinerContacts& task)
+{
+    std::vector<ToolRun> runs{{task.path, task.cutter, task.body}};
+    for (const ToolRun& later : task.later)
+        runs.push_back(later);
+    return runs;
+}
+
+// Returns the cells where a move may have a forbidden contact below `top`; nothing if no
+// move may.
+std::optional<CellRange> doubtful_cells(const FinerContacts& task, const StockGrid& grid,
+                                        double top)
+{
+    Extent extent;
+    for (const ToolRun& run : runs_of(task))
+        add_doubtful(run, top, extent);
     if (!(extent.low_x <= extent.high_x))
         return std::nullopt;
     const CellRange range = cells_under(extent, grid);
@@ -148,8 +165,7 @@ StockContacts finer_contacts(const Removal& coarse, const Block& block,
     if (times == 1)
         return contacts;
     HeightStock stock{finer(grid, *range, times), block.high.z()};
-    const Removal fine = remove_along(stock, task.path, task.cutter,
-                                      {{task.body.begin(), task.body.end()}});
+    const Removal fine = remove_along(stock, runs_of(task));
     return {fine.rapid_cuts, fine.collisions, contacts.width_mm / times};
 }
 

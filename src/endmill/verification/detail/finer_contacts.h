@@ -8,6 +8,7 @@
 #include "endmill/path/tool_path.h"
 #include "endmill/stock/height_stock.h"
 #include "endmill/stock/removal.h"
+#include "endmill/verification/detail/tool_runs.h"
 #include "endmill/verification/verification_result.h"
 
 namespace endmill {
@@ -18,6 +19,7 @@ struct FinerContacts {
     const Cutter& cutter;
     std::span<const ToolCylinder> body;  ///< cylinders of shank and holder
     double most_bytes;  ///< memory for the finer cells; at least a few MB
+    std::span<const ToolRun> later = {};  ///< runs of other tools that follow
 };
 
 /// Searches for contacts with the stock between the centres of the cells.

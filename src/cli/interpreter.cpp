@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/interpreter.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "cli/child_process.h"
+#include "cli/command.h"
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+
+namespace endmill {
+namespace {
+
+// The interpreter keeps at most 1000 tools.
+constexpr double mm_in_an_inch = 25.4;
+constexpr int most_tools = 1000;
+constexpr int most_listed_tools = 900;  // leaves room for greater numbers
+// Share of the memory limit for its output, from which the path is then made.
+constexpr double output_share = 0.25;
+constexpr double most_memory_gib = 2;  // address space; rs274 needs a tenth
+
+bool is_blank_or_tab(char letter)
+{
+    return letter == ' ' || letter == '\t';
+}
+
+// The line without blanks and in lower case, as the interpreter compares it.
+std::string squeezed(std::string_view line)
+{
+    std::string text;
+    for (const char letter : line)
+        if (!is_blank_or_tab(letter) && letter != '\r')
+            text += 'A' <= letter && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a')
+                                                   : letter;
+    return text;
+}
+
+std::vector<std::string> squeezed_lines(std::string_view text)
+{
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        lines.push_back(squeezed(text.substr(0, end)));
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+// Whether the line names a subprogram with a folder, as in o<../other> call.
+bool names_folder(std::string_view line)
+{
+    for (std::size_t at = line.find("o<"); at != std::string_view::npos;
+         at = line.find("o<", at + 1)) {
+        const std::string_view name =
+            line.substr(at, std::min(line.find('>', at), line.size()) - at);
+        if (name.find('/') != std::string_view::npos)
+            return true;
+    }
+    return false;
+}
+
+void refuse_folders(const std::vector<std::string>& lines, const std::string& file)
+{
+    const auto found = std::ranges::find_if(lines, names_folder);
+    if (found != lines.end())
+        throw FormatError{"E_GCODE",
+                          {file, std::to_string(found - lines.begin() + 1),
+                           "a subprogram in another folder, " + printable(*found, 40),
+                           "subprograms in the same file"}};
+}
+
+// Tool numbers above `most_listed_tools` in the program, which is without comments.
+std::set<int> great_tool_numbers(const std::vector<std::string>& lines)
+{
+    std::set<int> numbers;
+    for (const std::string& line : lines)
+        for (std::size_t at = line.find('t'); at != std::string::npos;
+             at = line.find('t', at + 1)) {
+            int number = 0;
+            std::from_chars(line.data() + at + 1, line.data() + line.size(), number);
+            if (number > most_listed_tools &&
+                numbers.size() < std::size_t{most_tools - most_listed_tools})
+                numbers.insert(number);
+        }
+    return numbers;
+}
+
+std::string tool_row(int number, double diameter_mm)
+{
+    return fmt::format("T{0} P{0} D{1:.6f} Z0\n", number, diameter_mm / mm_in_an_inch);
+}
+
+// A tool table of LinuxCNC, in inches, as rs274 reads it. Without given tools it lists
+// every number, so that no tool change is refused.
+std::string tool_table(const InterpreterTask& task, const std::vector<std::string>& lines)
+{
+    std::string text;
+    for (const auto& [number, tool] : task.tools)
+        text += tool_row(number, 2 * tool.cutter.radius());
+    if (!task.tools.empty())
+        return text;
+    for (int number = 1; number <= most_listed_tools; ++number)
+        text += tool_row(number, 0);
+    for (const int number : great_tool_numbers(lines))
+        text += tool_row(number, 0);
+    return text;
+}
+
+std::string content_of(const std::filesystem::path& path)
+{
+    std::ifstream file{path, std::ios::binary};
+    return {std::istreambuf_iterator<char>{file}, {}};
+}
+
+// The message of the interpreter: its last lines that are not empty, without the word
+// that it always prints first. The last one is often the text of the wrong line.
+struct Refusal {
+    std::string message;
+    std::string line;  // text of the line; may be empty
+};
+
+Refusal refusal_in(const std::string& log)
+{
+    std::vector<std::string> said;
+    std::string_view rest = log;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        const std::string line = printable(rest.substr(0, end), 200);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        if (!line.empty() && line != "executing")
+            said.push_back(line);
+    }
+    if (said.empty())
+        return {"it gives no reason", ""};
+    if (said.size() == 1)
+        return {said.front(), ""};
+    return {said[said.size() - 2], said.back()};
+}
+
+// The number of the only line with this text; empty if there is none or several.
+std::string place_of(const std::string& line, const std::vector<std::string>& lines)
+{
+    const std::string wanted = squeezed(line);
+    const auto first = std::ranges::find(lines, wanted);
+    if (wanted.empty() || first == lines.end() ||
+        std::find(first + 1, lines.end(), wanted) != lines.end())
+        return "";
+    return std::to_string(first - lines.begin() + 1);
+}
+
+[[noreturn]] void refuse(const InterpreterTask& task, const std::string& log,
+                         const std::vector<std::string>& lines)
+{
+    const Refusal refusal = refusal_in(log);
+    const std::string line = refusal.line.empty() ? "" : ": " + refusal.line;
+    throw FormatError{"E_GCODE",
+                      {task.file, place_of(refusal.line, lines),
+                       "LinuxCNC's rs274 refuses the program: " + refusal.message + line,
+                       "a program that LinuxCNC accepts"}};
+}
+
+// Throws unless the interpreter accepted the program.
+void require_accepted(const ChildResult& result, const InterpreterTask& task,
+                      const std::string& log, const std::vector<std::string>& lines)
+{
+    switch (result.end) {
+        case ChildEnd::Exited:
+            if (result.code != 0)
+                refuse(task, log, lines);
+            return;
+        case ChildEnd::OutOfTime:
+            throw LimitError{fmt::format(
+                "{}: LinuxCNC's rs274 was ended after {:g} s (--interpreter-seconds); "
+                "expected a program without an endless loop, or a longer time",
+                task.file, task.most_seconds)};
+        case ChildEnd::FileTooLong:
+            throw LimitError{fmt::format(
+                "{}: the moves of LinuxCNC's rs274 exceed {:g} GiB; expected a program "
+                "without an endless loop, or a larger --max-memory",
+                task.file, output_share * task.limits.max_memory_gib)};
+        case ChildEnd::Signalled:
+            throw FormatError{"E_GCODE",
+                              {task.file, "",
+                               fmt::format("LinuxCNC's rs274 ended with a fault ({})",
+                                           strsignal(result.code)),
+                               "a program that LinuxCNC accepts"}};
+    }
+}
+
+}  // namespace
+
+std::string without_comments(std::string_view program)
+{
+    std::string text;
+    text.reserve(program.size());
+    bool is_inside = false;   // of ( ... )
+    bool is_after = false;    // a semicolon
+    std::size_t opening = 0;  // length of `text` where the comment begins
+    for (const char letter : program) {
+        if (letter == '\n') {
+            if (is_inside) {  // the interpreter complains of a comment that is not closed
+                text.resize(opening);
+                text += '(';
+            }
+            is_inside = is_after = false;
+        } else if (is_inside || is_after) {
+            is_inside = is_inside && letter != ')';
+            continue;
+        } else if (letter == ';' || letter == '(') {
+            (letter == '(' ? is_inside : is_after) = true;
+            opening = text.size();
+            continue;
+        }
+        text += letter;
+    }
+    if (is_inside)
+        text += '(';
+    return text;
+}
+
+std::string canonical_output(const InterpreterTask& task)
+{
+    const std::filesystem::path program = program_on_path("rs274");
+    if (program.empty())
+        throw DomainError{
+            "--interpreter linuxcnc: the program rs274 is not installed; expected the "
+            "Debian package linuxcnc-uspace"};
+    const std::string text = without_comments(task.text);
+    const std::vector<std::string> lines = squeezed_lines(text);
+    refuse_folders(lines, task.file);
+
+    const PrivateFolder folder{task.folder};
+    folder.write("program.ngc", text);
+    folder.write("tools.tbl", tool_table(task, lines));
+    ChildTask child{.program = program,
+                    .arguments = {"-g", "-t", "tools.tbl", "program.ngc", "moves.txt"},
+                    .folder = folder.path(),
+                    .most_seconds = task.most_seconds};
+    if (task.block_delete)
+        child.arguments.insert(child.arguments.begin(), "-b");
+    child.most_memory_bytes = one_gib * most_memory_gib;
+    child.most_file_bytes = one_gib * output_share * task.limits.max_memory_gib;
+    const ChildResult result = run_child(child);
+    require_accepted(result, task, content_of(folder.path() / "log.txt"), lines);
+    return content_of(folder.path() / "moves.txt");
+}
+
+}  // namespace endmill

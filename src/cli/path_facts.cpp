@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/path_facts.h"
+
+#include <fmt/format.h>
+
+#include "cli/shown_numbers.h"
+#include "cli/surface_facts.h"
+#include "endmill/files/path_file.h"
+
+namespace endmill {
+
+void add_path_totals(Json& summary, const ToolPath& path)
+{
+    const PathTotals totals = path_totals(path);
+    summary["cut_mm"] = totals.cut_mm;
+    summary["link_mm"] = totals.link_mm;
+    summary["rapid_mm"] = totals.rapid_mm;
+    summary["time_min"] = totals.time_min ? Json(*totals.time_min) : Json(nullptr);
+    summary["tools"] = totals.tools;
+    summary["min_mm"] = totals.extent ? vector_json(totals.extent->low) : Json(nullptr);
+    summary["max_mm"] = totals.extent ? vector_json(totals.extent->high) : Json(nullptr);
+}
+
+std::string path_totals_text(const Json& s)
+{
+    const auto length = [&](const char* key) { return shown(s[key].get<double>()); };
+    std::string time = "time not known (no feeds)";
+    if (!s["time_min"].is_null())
+        time = shown_time(s["time_min"].get<double>()) + " min at feed";
+    if (!s["time_min"].is_null() && s["rapid_mm"].get<double>() > 0)
+        time += ", rapids not counted";
+    return fmt::format("  path        cuts {} mm, links {} mm, rapids {} mm; {}\n",
+                       length("cut_mm"), length("link_mm"), length("rapid_mm"), time);
+}
+
+void identify_path(Json& summary, std::size_t points, std::string_view content)
+{
+    summary["toolpath_points"] = points;
+    summary["toolpath_sha256"] = content_sha256(content);
+}
+
+}  // namespace endmill

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "cli/command.h"
+#include "endmill/path/tool_path.h"
+
+namespace endmill {
+
+/// The totals of a path in a summary: cut_mm, link_mm, rapid_mm, time_min, tools, min_mm,
+/// max_mm.
+void add_path_totals(Json& summary, const ToolPath& path);
+
+/// One line of a report on these totals: lengths and time.
+std::string path_totals_text(const Json& summary);
+
+/// Adds what identifies the path file beside a summary: toolpath_points and
+/// toolpath_sha256. A summary beside another file is not used, see `path_summary_of`.
+/// \param content of the file.
+void identify_path(Json& summary, std::size_t points, std::string_view content);
+
+}  // namespace endmill

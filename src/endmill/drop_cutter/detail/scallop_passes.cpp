@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/drop_cutter/detail/scallop_passes.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <span>
+
+#include <Eigen/Geometry>
+
+#include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+
+// The gaps between neighbouring planes are filled independently of each other. A gap is
+// halved where the scallop height does not hold, and its halves are examined at those samples
+// only. The strips between the outermost planes and the borders of the mesh are gaps with a
+// pass on one side. If the mesh slopes at such a border, passes beyond it are added at the level
+// interval until the contacts have reached the border, and the gaps between them are filled
+// too.
+
+namespace endmill {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+constexpr std::size_t most_passes = 1'000'000;
+// Share by which a length may exceed its limit, for rounding. The pitch of a level plane is
+// exactly the level interval.
+constexpr double rounding_share = 1e-6;
+// Factor up to which the number of samples grows, so that a tiny scallop height takes no more
+// than its many planes.
+constexpr double most_refinement = 20;
+// Rise between two samples, per distance, from which a wall may lie between them. The contacts
+// at samples show the slopes below it.
+constexpr double wall_slope = 1;
+// z of the unit normal below which a face is steep: 45 degrees.
+constexpr double steep_normal = 0.7;
+// Cosine of the angle, 2.6 degrees, up to which the cutter touches a face and not its edge.
+constexpr double same_normal = 0.999;
+
+// The cutter's tips and contacts in one plane, by sample; nothing where the cutter meets no
+// point of the mesh, or where the plane has no pass.
+struct SampledPass {
+    double position;
+    std::vector<std::optional<DropContact>> contacts;
+};
+
+using Samples = std::vector<std::size_t>;  // ascending
+
+class GapFilling {
+public:
+    GapFilling(const DropCutter& drop_cutter, const DriveFrame& frame,
+               const Interval& along, const PassLimit& limit,
+               std::atomic<std::size_t>& count)
+        : drop_cutter_{drop_cutter},
+          frame_{frame},
+          limit_{limit},
+          cutter_{drop_cutter.cutter().radius() - limit.allowance,
+                  std::max(0.0, drop_cutter.cutter().corner_radius() - limit.allowance)},
+          along_{along},
+          count_{count}
+    {
+        const double length = along.high - along.low;
+        const double fine = std::min(std::ceil(2 * length / limit.level_interval) + 1,
+                                     most_refinement * limit.samples);
+        samples_ = static_cast<std::size_t>(std::max(double(limit.samples), fine));
+        step_ = length / static_cast<double>(samples_ - 1);
+        const auto chord = [&](double radius) {
+            const double h = std::min(limit.height, radius);
+            return 2 * std::sqrt(h * (2 * radius - h)) * (1 + rounding_share);
+        };
+        level_interval_ = limit.level_interval * (1 + rounding_share);
+        slope_interval_ = std::min(level_interval_, chord(cutter_.corner_radius()));
+        wall_interval_ = chord(cutter_.radius());
+        window_ = step_ > 0 ? static_cast<std::size_t>(cutter_.radius() / step_) : 0;
+    }
+
+    // The whole of a given plane.
+    SampledPass whole(double position) const { return at(position, all()); }
+
+    Samples all() const
+    {
+        Samples every(samples_);
+        for (std::size_t k = 0; k < samples_; ++k)
+            every[k] = k;
+        return every;
+    }
+
+    // Fills the gap from `low` to `high` at some samples. A side without a pass is a border of
+    // the mesh.
+    void fill(const SampledPass* before, const SampledPass* behind,
+              const Interval& across, const Samples& samples)
+    {
+        if (across.high - across.low <= limit_.height)
+            return;
+        const double middle = across.low + (across.high - across.low) / 2;
+        const double examined = !before ? across.low : !behind ? across.high : middle;
+        if (!(across.low < middle && middle < across.high))
+            return;
+        const Samples open = open_samples(before, behind, at(examined, samples), samples);
+        if (open.empty())
+            return;
+        if (++count_ > most_passes)
+            throw LimitError{
+                "mesh_passes: a scallop height of this mesh takes over a million passes; "
+                "expected a larger one"};
+        const SampledPass added = at(middle, open);
+        passes_.push_back({middle, stretches(open)});
+        fill(before, &added, {across.low, middle}, open);
+        fill(&added, behind, {middle, across.high}, open);
+    }
+
+    // Fills the strip between an outermost plane and the border of the mesh, and adds passes
+    // beyond the border.
+    void fill_outside(const SampledPass& outermost, double border, bool beyond)
+    {
+        const bool is_low = border < outermost.position;
+        const auto strip = [&](double a, double b) {
+            return Interval{std::min(a, b), std::max(a, b)};
+        };
+        const auto fill_between = [&](const SampledPass* outer, const SampledPass& inner,
+                                      double end, const Samples& samples) {
+            fill(is_low ? outer : &inner, is_low ? &inner : outer,
+                 strip(end, inner.position), samples);
+        };
+        Samples open = beyond ? sloping(at(border, all()), border) : Samples{};
+        Samples level;
+        std::ranges::set_difference(all(), open, std::back_inserter(level));
+        fill_between(nullptr, outermost, border, level);
+        SampledPass inner = outermost;
+        for (double away = limit_.level_interval; !open.empty();
+             away += limit_.level_interval) {
+            const double position = border + (is_low ? -away : away);
+            SampledPass outer = at(position, open);
+            passes_.push_back({position, stretches(open)});
+            fill_between(&outer, inner, position, open);
+            open = sloping(outer, border);
+            inner = std::move(outer);
+        }
+    }
+
+    std::vector<AddedPass> take() { return std::move(passes_); }
+
+private:
+    double s_of(std::size_t sample) const
+    {
+        return sample + 1 == samples_ ? along_.high
+                                      : along_.low + step_ * static_cast<double>(sample);
+    }
+
+    SampledPass at(double position, const Samples& samples) const
+    {
+        SampledPass pass{position, {}};
+        pass.contacts.resize(samples_);
+        std::optional<std::size_t> hint;
+        for (const std::size_t k : samples) {
+            const Vec2 place = frame_.point(s_of(k), position, 0).head<2>();
+            pass.contacts[k] = drop_cutter_.contact(place, hint);
+            if (pass.contacts[k])
+                hint = pass.contacts[k]->triangle;
+        }
+        return pass;
+    }
+
+    // The samples of a pass at which the contact has not reached the border.
+    Samples sloping(const SampledPass& pass, double border) const
+    {
+        Samples found;
+        for (std::size_t k = 0; k < samples_; ++k)
+            if (const auto& contact = pass.contacts[k];
+                contact &&
+                std::abs(frame_.across(contact->point) - border) > border_rounding)
+                found.push_back(k);
+        return found;
+    }
+
+    // Those of `samples` at which the scallop height does not hold.
+    Samples open_samples(const SampledPass* before, const SampledPass* behind,
+                         const SampledPass& examined, const Samples& samples) const
+    {
+        const bool is_wide = width(before, behind, examined) > wall_interval_;
+        Samples open;
+        for (const std::size_t k : samples)
+            if (examined.contacts[k] ? (is_wide && is_beside_wall(examined, k)) ||
+                                           are_apart(before, behind, k) ||
+                                           !is_covered(before, behind, examined, k)
+                                     : (before && leaves_wall(*before, k)) ||
+                                           (behind && leaves_wall(*behind, k)))
+                open.push_back(k);
+        return open;
+    }
+
+    // The distance of the passes between which another one is examined. The border of the
+    // mesh, where there is only one, lies in the middle between two.
+    static double width(const SampledPass* before, const SampledPass* behind,
+                        const SampledPass& examined)
+    {
+        if (before && behind)
+            return behind->position - before->position;
+        return 2 * std::abs((before ? before : behind)->position - examined.position);
+    }
+
+    // Whether the cutter touches the face of a steep wall, beside which it loses the mesh. At
+    // an edge, around which it only rolls, no pass is needed.
+    bool leaves_wall(const SampledPass& pass, std::size_t k) const
+    {
+        if (!pass.contacts[k])
+            return false;
+        const DropContact& contact = *pass.contacts[k];
+        const auto [a, b, c] = drop_cutter_.mesh().corners(contact.triangle);
+        const Vec3 face = (b - a).cross(c - a);
+        const Vec3 tip = frame_.point(s_of(k), pass.position, contact.tip_z);
+        const double size = face.norm();
+        return std::abs(face.z()) < steep_normal * size &&
+               std::abs(face.dot(contact_normal(tip, contact.point))) >
+                   same_normal * size;
+    }
+
+    // Whether the cutter follows a wall across the feed between a sample and one beside it.
+    // It cuts the wall with its shank, whose radius may ask for closer passes than the flat
+    // bottom does.
+    bool is_beside_wall(const SampledPass& pass, std::size_t k) const
+    {
+        const auto is_wall = [&](std::size_t a, std::size_t b) {
+            return pass.contacts[a] && pass.contacts[b] &&
+                   std::abs(pass.contacts[a]->tip_z - pass.contacts[b]->tip_z) >
+                       wall_slope * step_;
+        };
+        return (k > 0 && is_wall(k - 1, k)) || (k + 1 < samples_ && is_wall(k, k + 1));
+    }
+
+    // Whether the cutter's places on both sides are farther apart than on level ground, or on
+    // a slope, where a flat bottom does not touch: a wall or a steep slope may lie between
+    // them.
+    bool are_apart(const SampledPass* before, const SampledPass* behind,
+                   std::size_t k) const
+    {
+        if (!before || !behind || !before->contacts[k] || !behind->contacts[k])
+            return false;
+        const double rise =
+            std::abs(behind->contacts[k]->tip_z - before->contacts[k]->tip_z);
+        const double apart = std::hypot(behind->position - before->position, rise);
+        return apart > (rise > limit_.height ? slope_interval_ : level_interval_);
+    }
+
+    // Whether the point at the scallop height above the contact is cut by a pass beside it.
+    bool is_covered(const SampledPass* before, const SampledPass* behind,
+                    const SampledPass& examined, std::size_t k) const
+    {
+        const DropContact& contact = *examined.contacts[k];
+        const Vec3 tip = frame_.point(s_of(k), examined.position, contact.tip_z);
+        const Vec3 above =
+            contact.point + (limit_.allowance + limit_.height * (1 + rounding_share)) *
+                                contact_normal(tip, contact.point);
+        for (const SampledPass* pass : {before, behind})
+            if (pass && is_cut(above, *pass, k))
+                return true;
+        return false;
+    }
+
+    // The normal of the dropped cutter at its contact, into the cutter.
+    Vec3 contact_normal(const Vec3& tip, const Vec3& contact) const
+    {
+        const Cutter& cutter = drop_cutter_.cutter();
+        const Vec2 away = tip.head<2>() - contact.head<2>();
+        const double distance = away.norm();
+        if (distance <= cutter.flat_radius() || !(cutter.corner_radius() > 0))
+            return Vec3::UnitZ();
+        const double share =
+            std::min(1.0, (distance - cutter.flat_radius()) / cutter.corner_radius());
+        const Vec2 level = share / distance * away;
+        return {level.x(), level.y(), std::sqrt((1 - share) * (1 + share))};
+    }
+
+    // Whether the cutter contains `point` at one of the samples of a pass near sample `k`.
+    bool is_cut(const Vec3& point, const SampledPass& pass, std::size_t k) const
+    {
+        const std::size_t first = k > window_ ? k - window_ : 0;
+        const std::size_t last = std::min(samples_ - 1, k + window_);
+        if (is_cut_at(point, pass, k))
+            return true;
+        for (std::size_t i = first; i <= last; ++i)
+            if (is_cut_at(point, pass, i))
+                return true;
+        return false;
+    }
+
+    bool is_cut_at(const Vec3& point, const SampledPass& pass, std::size_t k) const
+    {
+        const auto& contact = pass.contacts[k];
+        if (!contact)
+            return false;
+        const Vec2 axis = frame_.point(s_of(k), pass.position, 0).head<2>();
+        const double distance = (point.head<2>() - axis).norm();
+        // the reference point of both cutters is the same
+        const double tip_z = contact->tip_z + drop_cutter_.cutter().corner_radius() -
+                             cutter_.corner_radius();
+        return distance <= cutter_.radius() &&
+               point.z() >= tip_z + cutter_.profile(distance);
+    }
+
+    // Stretches around runs of samples, each with one sample more at its ends.
+    std::vector<Interval> stretches(const Samples& samples) const
+    {
+        std::vector<Interval> found;
+        std::size_t end = 0;  // of the last stretch
+        for (const std::size_t k : samples) {
+            const std::size_t first = k > 0 ? k - 1 : 0;
+            const std::size_t last = std::min(samples_ - 1, k + 1);
+            if (found.empty() || first > end)
+                found.push_back({s_of(first), s_of(last)});
+            found.back().high = s_of(last);
+            end = last;
+        }
+        return found;
+    }
+
+    const DropCutter& drop_cutter_;
+    const DriveFrame& frame_;
+    PassLimit limit_;
+    Cutter cutter_;  // without the allowance
+    Interval along_;
+    std::atomic<std::size_t>& count_;
+    std::size_t samples_;
+    double step_;
+    // Largest distances, in mm, of passes on level ground, on a slope across the feed, and of
+    // upright passes along a wall.
+    double level_interval_;
+    double slope_interval_;
+    double wall_interval_;
+    std::size_t window_;  // samples within the cutter's radius
+    std::vector<AddedPass> passes_;
+};
+
+void check(const DropCutter& drop_cutter, const DrivePlanes& planes,
+           const PassLimit& limit)
+{
+    require(limit.height > 0 && std::isfinite(limit.height),
+            "mesh_passes: need 0 < scallop height");
+    require(limit.level_interval > 0 && std::isfinite(limit.level_interval),
+            "mesh_passes: need 0 < level interval");
+    require(limit.allowance >= 0 && limit.allowance < drop_cutter.cutter().radius(),
+            "mesh_passes: need 0 <= allowance < radius");
+    require(std::ranges::is_sorted(planes.positions),
+            "mesh_passes: need ascending planes");
+}
+
+}  // namespace
+
+std::vector<AddedPass> added_passes(const DropCutter& drop_cutter,
+                                    const DrivePlanes& planes, const Interval& along,
+                                    const PassLimit& limit)
+{
+    check(drop_cutter, planes, limit);
+    const std::vector<double>& positions = planes.positions;
+    if (positions.empty())
+        return {};
+    const Interval across = extent_across(drop_cutter.mesh(), planes.frame);
+    std::atomic<std::size_t> count = 0;
+    std::vector<std::vector<AddedPass>> added(positions.size() + 1);
+    parallel_for(added.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            GapFilling gap{drop_cutter, planes.frame, along, limit, count};
+            const bool is_first = k == 0;
+            const bool is_last = k == positions.size();
+            const SampledPass one = gap.whole(positions[is_first ? 0 : k - 1]);
+            if (is_first || is_last)
+                gap.fill_outside(one, is_first ? across.low : across.high,
+                                 limit.beyond_borders);
+            else {
+                const SampledPass other = gap.whole(positions[k]);
+                gap.fill(&one, &other, {one.position, other.position}, gap.all());
+            }
+            added[k] = gap.take();
+        }
+    });
+    std::vector<AddedPass> all;
+    for (std::vector<AddedPass>& some : added)
+        std::ranges::move(some, std::back_inserter(all));
+    return all;
+}
+
+}  // namespace endmill

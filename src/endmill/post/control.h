@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace endmill {
+
+/// What a control is told about the accuracy at corners.
+enum class PathControl {
+    Tolerance,  ///< `G64 P` with a share of the tolerance of the path
+    Exact,      ///< `G61`: exact path
+    None,       ///< nothing
+};
+
+/// How a block describes an arc.
+enum class ArcForm {
+    Centre,  ///< words I, J, K: from the start of the arc to its centre
+    Radius,  ///< word R
+    None,    ///< the control has no arcs
+};
+
+/// How comments are written.
+enum class CommentStyle {
+    Parentheses,  ///< (text)
+    Semicolon,    ///< ;text
+    None,         ///< the control has no comments
+};
+
+/// Unit of the time P of `G4`.
+enum class DwellUnit { Seconds, Milliseconds };
+
+/// Coolant during the program.
+enum class Coolant { Off, Flood, Mist };
+
+/// Unit of the lengths in a program.
+enum class ProgramUnit { Mm, Inch };
+
+/// Length of one `unit` in mm: 1 or 25.4.
+double millimetres_per(ProgramUnit unit);
+
+/// Words and number formats of the programs of one control, as data. The default is a
+/// plain program of RS-274 without tool length compensation and without dwell.
+///
+/// A word is a capital letter with a plain decimal number, such as M6 or P0.5.
+struct Control {
+    std::string name = "RS-274";     ///< for messages and reports
+    std::string source = {};         ///< origin of the data
+    std::string extension = ".ngc";  ///< of the file, with its point
+    bool percent = true;             ///< whether % stands before and after the program
+    std::optional<int> program_number = {};  ///< number after O, written with four digits
+    CommentStyle comments = CommentStyle::Parentheses;  ///< form of the comment
+    bool capital_comments = false;  ///< whether comments are in capital letters
+    /// Blocks at the start. The unit of length, G20 or G21, precedes the first one.
+    std::vector<std::string> start = {"G90 G94 G17 G40 G49 G80 G54"};
+    std::vector<std::string> end = {"M5", "M30"};       ///< blocks after the last retract
+    PathControl path_control = PathControl::Tolerance;  ///< accuracy at corners
+    std::optional<std::string> tool_change = "M6";      ///< after T; none: one tool only
+    std::optional<std::string> tool_length = {};        ///< before H, such as G43
+    std::optional<DwellUnit> dwell = DwellUnit::Seconds;  ///< unit of G4 P; none: no G4
+    std::optional<std::string> flood = "M8";              ///< flood coolant on
+    std::optional<std::string> mist = "M7";               ///< mist coolant on
+    std::string coolant_off = "M9";                       ///< any coolant off
+    ArcForm arcs = ArcForm::Centre;                       ///< form of arcs
+    int decimals_mm = 4;                     ///< of coordinates in mm, 0 to 9
+    int decimals_inch = 5;                   ///< of coordinates in inches, 0 to 9
+    std::optional<int> speed_decimals = {};  ///< of S; none: as coordinates
+    bool always_point = false;  ///< whether X, Y, Z, I, J, K, R, F end in a point: X10.
+    bool crlf = false;          ///< whether lines end with CR and LF
+    int largest_line_number = 99999;               ///< N starts again at 1 after it
+    std::optional<std::size_t> longest_line = {};  ///< characters without the line end
+};
+
+/// Whether `text` is one or more words separated by single blanks.
+bool is_words(std::string_view text);
+
+/// Whether `text` is one word that begins with `letter`.
+bool is_word(std::string_view text, char letter);
+
+/// The first word of `words` that a start block must not have, because it moves the tool,
+/// ends the program, or contradicts the blocks that follow: axes, F, S, G0 to G3, cycles,
+/// G91 and the like.
+/// \return std::nullopt if there is none.
+/// \pre is_words(words)
+std::optional<std::string> unfit_start_word(std::string_view words);
+
+/// Checks a control.
+/// \throws DomainError for text that is not made of words, for start blocks with unfit
+///         words, and for numbers out of their ranges.
+void require_sound(const Control& control);
+
+}  // namespace endmill

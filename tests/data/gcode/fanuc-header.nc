@@ -1,0 +1,14 @@
+%
+O1001 (FACE)
+(Fanuc: a safe line with G80 beside G0, a program number with a name)
+N10 G00 G17 G21 G40 G49 G80 G90
+N20 T1 M06
+N30 G54 S3000 M03
+N40 G43 H01 Z50.
+N50 X0. Y0.
+N60 Z2.
+N70 G01 Z-1. F200.
+N80 X50. F800.
+N90 G00 Z50.
+N100 M30
+%

@@ -1,0 +1,9 @@
+%1234
+(Heidenhain in DIN/ISO words: numbered blocks)
+N10 G17 G21 G90
+N20 T1 S4000 M3
+N30 G00 G40 X+0 Y+0 Z+2
+N40 G01 Z-1.5 F200
+N50 G01 X+40 F600
+N60 G00 Z+2 M2
+N99999 %
