@@ -6,7 +6,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/setup/setup_travel.h"
-#include "endmill/visibility/nearest_cells.h"
+#include "endmill/visibility/visibility.h"
 #include "support/dataset_mesh.h"
 
 namespace endmill {

@@ -10,7 +10,7 @@
 #include "endmill/figures/setup_figures.h"
 #include "endmill/files/result_csv.h"
 #include "endmill/files/visibility_file.h"
-#include "endmill/visibility/nearest_cells.h"
+#include "endmill/visibility/visibility.h"
 
 namespace endmill {
 namespace {

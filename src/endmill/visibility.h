@@ -4,6 +4,5 @@
 /// \file
 /// All public headers of the module `visibility`.
 
-#include "endmill/visibility/nearest_cells.h"
 #include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"

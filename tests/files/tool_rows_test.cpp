@@ -67,7 +67,8 @@ TEST(ToolRows, AreReadStrictly)
     EXPECT_THAT(tool_rows_complaint("T1.5 D6"), HasSubstr("T1.5; expected a whole"));
     EXPECT_THAT(tool_rows_complaint("T-1 D6"), HasSubstr("T-1; expected a whole"));
     EXPECT_THAT(tool_rows_complaint("T1 D-6"), HasSubstr("D-6; expected a diameter"));
-    EXPECT_THAT(tool_rows_complaint("T1 D1e9"), HasSubstr("1e+09 mm; expected at most 1e+06 mm"));
+    EXPECT_THAT(tool_rows_complaint("T1 D1e9"),
+                HasSubstr("1e+09 mm; expected at most 1e+06 mm"));
     EXPECT_THAT(tool_rows_complaint("T1 ;ball:"), HasSubstr("expected ball:DIAMETER"));
     EXPECT_THAT(tool_rows_complaint("T1 D8 ;ball:6"),
                 HasSubstr("D is 8 mm and the comment names ball:6"));

@@ -13,7 +13,6 @@
 #include "endmill/setup/detail/rectangle_fit.h"
 #include "endmill/setup/detail/sector_fit.h"
 #include "endmill/setup/detail/setup_order.h"
-#include "endmill/visibility/nearest_cells.h"
 #include "endmill/visibility/sphere_grid.h"
 #include "endmill/visibility/visibility.h"
 #include "teapot.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/visibility/nearest_cells.h"
+#include "endmill/visibility/visibility.h"
 
 #include <cstdint>
 #include <set>

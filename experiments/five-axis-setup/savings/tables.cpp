@@ -11,7 +11,7 @@
 #include "endmill/setup/detail/arc_search.h"
 #include "endmill/setup/detail/sector_fit.h"
 #include "endmill/setup/pose_search.h"
-#include "endmill/visibility/nearest_cells.h"
+#include "endmill/visibility/visibility.h"
 #include "support/setup_cells.h"
 
 namespace endmill {

@@ -116,7 +116,7 @@ struct PathSummary {
     std::optional<double> inner_tolerance_mm;  ///< largest depth of a gouge
     /// Largest remaining stock along a pass.
     std::optional<double> outer_tolerance_mm;
-    std::optional<double> scallop_mm;                 ///< scallop height
+    std::optional<double> scallop_mm;  ///< scallop height
     /// Whether remaining stock is judged where the cutter cannot touch the part.
     std::optional<InaccessibleStock> inaccessible;
     std::optional<double> feed_mm_per_min;            ///< programmed feed

@@ -16,7 +16,7 @@
 #include "endmill/setup/detail/setup_order.h"
 #include "endmill/setup/detail/setup_rules.h"
 #include "endmill/visibility/detail/direction_count.h"
-#include "endmill/visibility/nearest_cells.h"
+#include "endmill/visibility/visibility.h"
 
 // The search looks at each tool axis twice.
 //

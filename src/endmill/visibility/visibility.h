@@ -18,6 +18,8 @@
 /// reach each facet, with and without the body of the tool. A direction points from the
 /// part towards the spindle.
 /// Source: [KangSuh, section 2]; docs/methods/five-axis-setup.md, section 1.
+///
+/// Implemented in `visibility.cpp` and `nearest_cells.cpp`.
 
 namespace endmill {
 
@@ -158,5 +160,20 @@ std::vector<double> visible_fractions(const VisibilityMap& map,
 void keep_reachable(PartVisibility& visibility, const TriangleMesh& part,
                     std::span<const Vec3> directions, std::span<const ToolCylinder> body,
                     const std::function<void(std::size_t done)>& progress = {});
+
+/// The cells that represent the cones of a part at a tool axis. For each facet that is
+/// not accessible along the tool axis this is the accessible cell nearest to the axis.
+/// Each cell is listed once, the nearest first. Facets that no cell reaches are left out.
+///
+/// If several cells are equally near (dot products within 1e-12), the lowest one is
+/// taken. The facets are the paper's Group II, the cells its MD_j. O(cells * facets /
+/// 64).
+/// Source: [KangSuh, eq. (3), (4)]; docs/methods/five-axis-setup.md, section 4.
+/// \param map cones. \param centres unit, one for each cell of `map`.
+/// \param pose the cell whose centre is the tool axis.
+/// \throws DomainError if there is not one centre for each cell, or if `pose` is not a
+///         cell.
+std::vector<std::size_t> nearest_cells(const VisibilityMap& map,
+                                       std::span<const Vec3> centres, std::size_t pose);
 
 }  // namespace endmill
