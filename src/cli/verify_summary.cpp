@@ -201,8 +201,8 @@ std::string deviation_text(const Json& s)
     return fmt::format(
                "  gouge       {}"
                "  remaining   {}"
-               "  area        {} judged, {} gouged, {} uncut\n"
-               "  average     {} remaining; 99 % of the area below {}\n",
+               "  area        {} judged, {} gouged, {} uncut; "
+               "remaining on average {}, on 99 % below {}\n",
                extreme_text(s, "gouge", "tolerance_mm"),
                extreme_text(s, "scallop", "scallop_limit_mm"), area("judged_area_mm2"),
                area("gouge_area_mm2"), area("uncut_area_mm2"),
@@ -261,14 +261,14 @@ std::string removal_text(const Json& s)
     const auto moves = s["points"].get<std::size_t>() - 1;
     const auto air = s["air_moves"].get<std::size_t>();
     std::string text =
-        fmt::format("  removed     {} mm3 in {} of {}; deepest cut {}\n",
+        fmt::format("  removed     {} mm3 in {} of {}; deepest cut {}",
                     shown(s["removed_mm3"].get<double>()), moves - std::min(air, moves),
                     counted(moves, "move"), length_text(s["deepest_cut_mm"]));
     const Json& greatest = s["max_rate_mm3_per_min"];
     const Json& mean = s["mean_rate_mm3_per_min"];
     if (greatest.is_null() || mean.is_null())
-        return text + "  rate        not computed: the path has no feeds\n";
-    return text + fmt::format("  rate        at most {} mm3/min, on average {} mm3/min\n",
+        return text + "\n";
+    return text + fmt::format("; at most {} mm3/min, on average {} mm3/min\n",
                               shown(greatest.get<double>()), shown(mean.get<double>()));
 }
 
