@@ -102,9 +102,10 @@ void add_info_command(CLI::App& program, Action& action)
     add_reading_options(*command, options->path);
     add_common_options(*command, options->common);
     command->footer(
-        "Prints the result. With --output it also writes DIR/summary.json. Of a tool "
-        "path:\n"
-        "length of cuts, links and rapids, time at feed, extent, feeds and tools.\n\n"
+        "Prints the result. With --output it also writes DIR/summary.json. For a tool "
+        "path it\n"
+        "reports length of cuts, links and rapids, time at feed, extent, feeds and "
+        "tools.\n\n"
         "Example:\n  endmill info datasets/surfaces/net_rot24_7D.json");
     command->callback(
         [options, &action] { action = [options] { return run_info(*options); }; });

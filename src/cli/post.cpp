@@ -18,6 +18,7 @@
 #include "endmill/core/text.h"
 #include "endmill/files/output_folder.h"
 #include "endmill/files/path_file.h"
+#include "endmill/files/read_file.h"
 #include "endmill/post/apt.h"
 #include "endmill/post/gcode_writer.h"
 
@@ -162,6 +163,22 @@ PostedPath posted_path(const Program& program, PathSummary known,
     return posted;
 }
 
+// Whether the summary.json beside `file` describes exactly this file, as after an earlier
+// run of `post`. Any other file belongs to somebody else.
+bool is_earlier_program(const std::filesystem::path& file, const ReadLimits& limits)
+{
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored))
+        return false;
+    try {
+        const auto summary = read_path_summary(file, limits);
+        return summary && summary->toolpath_sha256 &&
+               *summary->toolpath_sha256 == content_sha256(read_file(file, limits));
+    } catch (const Error&) {
+        return false;
+    }
+}
+
 ExitCode run_post(const PostOptions& options)
 {
     refuse_idle_post_options(options);
@@ -187,9 +204,12 @@ ExitCode run_post(const PostOptions& options)
     }
     folder.write(posted.file, posted.written.text);
     folder.write("summary.json", summary.dump(2) + "\n");
-    for (const std::string& extension : program_extensions())
-        folder.remove_unless_written(
-            std::filesystem::path{options.path.file}.stem().string() + extension);
+    for (const std::string& extension : program_extensions()) {
+        const std::string file =
+            std::filesystem::path{options.path.file}.stem().string() + extension;
+        if (is_earlier_program(folder.path() / file, options.common.limits))
+            folder.remove_unless_written(file);
+    }
     folder.publish();
     print_result(
         options.common, summary,

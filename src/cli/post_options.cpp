@@ -95,11 +95,12 @@ void add_motion_options(CLI::App& command, PostOptions& options)
         options.ramp_angle_deg);
     command.add_flag("--arcs", options.arcs,
                      "G-code: fit arcs (G2, G3 in G17, G18, G19) to the cuts");
-    add_number(command,
-               {"--arc-fit-tolerance", "MM",
-                "--arcs: largest distance between arc and path (default the path's "
-                "tolerance and 0.001 more)"},
-               options.arc_fit_tolerance_mm);
+    add_number(
+        command,
+        {"--arc-fit-tolerance", "MM",
+         "--arcs: largest distance between arc and path (default 0.001 more than the "
+         "path's tolerance, or 0.002)"},
+        options.arc_fit_tolerance_mm);
 }
 
 void add_text_options(CLI::App& command, PostOptions& options)

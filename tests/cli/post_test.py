@@ -166,6 +166,11 @@ class Post(ProgramTest):
         self.summary("post", path, "--feed", "100", "-o", "out", "--format", "apt", "--force")
         self.assertEqual(sorted(file.name for file in (self.folder / "out").iterdir()), ["p.apt", "summary.json"])
 
+    def test_a_program_of_somebody_else_stays(self):
+        self.file("G0 Z5\n", "p.nc")
+        self.summary("post", self.file(TIPS, "p.csv"), "--feed", "100", "-o", ".", "--force")
+        self.assertTrue((self.folder / "p.nc").exists())
+
     def test_program_does_not_depend_on_the_number_of_threads(self):
         path = self.planned()
         texts = set()

@@ -114,8 +114,8 @@ struct PathTotals {
 /// the extent only.
 PathTotals path_totals(const ToolPath& path);
 
-/// The height from which the cutter first moves down at feed. It is still clear of the
-/// stock there, so that a stock with a flat top is no higher.
+/// The height from which the cutter first moves down at feed. If the cutter is clear of the
+/// stock there, this height is an upper bound of the top of a flat stock.
 /// \return mm; nothing if the first move at feed does not lead down, or there is none.
 std::optional<double> entry_height(const ToolPath& path);
 

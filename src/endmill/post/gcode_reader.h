@@ -30,7 +30,8 @@ namespace endmill {
 /// - *Reference moves*: G28, G30 and G53 go to positions that only the machine knows. The
 ///   path rises straight to 5 mm above all points before, and stays there until the axes
 ///   that moved have an absolute position again; a remark counts these moves. A cut before
-///   that is an error, and so is such a move sideways at the height of a cut or below.
+///   that is an error. A reference move sideways at or below the height of an earlier cut
+///   is an error too.
 /// - *Feed*: F in the block of a G20 or G21 is in the new unit. G93 and G94 discard the F
 ///   before them.
 /// - *M codes*: M2 and M30 end the program, M3 to M5 control the spindle, M6 changes the
