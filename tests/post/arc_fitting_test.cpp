@@ -148,6 +148,22 @@ TEST_P(ArcFittingIn, EndsWhereTheCircleEnds)
     EXPECT_EQ(fitted->last, 59U);
 }
 
+// The last but one point is off the plane, and the last chord is the longest: the largest
+// distance is within this chord, which ends in the plane.
+TEST_P(ArcFittingIn, CountsTheDistanceFromThePlaneAtBothEndsOfAChord)
+{
+    for (const double off_plane : {0.004, 0.008, 0.0125}) {
+        std::vector<Vec3> tips = on_circle(GetParam(), 10, 0, 0.04, 22);
+        tips.back() = on_circle(GetParam(), 10, 0.9, 0, 1).front();
+        tips[20][plane_axes(GetParam()).normal] += off_plane;
+        const ToolPath path = cuts(tips);
+        const auto fitted = longest_arc(path, 0, tips.size(), {.tolerance_mm = 0.018});
+        ASSERT_TRUE(fitted);
+        EXPECT_LE(fitted->error_mm, 0.018);
+        EXPECT_LE(sampled_distance(path, 0, *fitted), fitted->error_mm + 1e-6);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Planes, ArcFittingIn,
                          testing::Values(ArcPlane::Xy, ArcPlane::Zx, ArcPlane::Yz));
 

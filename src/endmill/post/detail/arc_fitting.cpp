@@ -160,6 +160,7 @@ private:
             rounded_digits * fitting_.unit_mm * std::pow(10, -fitting_.decimals);
         Vec2 from = flat(tip(first_)) - centre;
         double error = 0;
+        double last_off_plane = std::abs(tip(first_)[axes_.normal] - normal_);
         for (std::size_t k = first_ + 1; k <= fitted.last; ++k) {
             const Vec2 to = flat(tip(k)) - centre;
             if (sense * cross(from, to) < 0 || from.dot(to) <= 0 ||
@@ -167,8 +168,11 @@ private:
                 return false;
             const double in_plane =
                 largest_difference(from, to, radii.start) + difference;
-            const double off_plane = tip(k)[axes_.normal] - normal_;
-            error = std::max(error, std::hypot(in_plane, off_plane) + ends);
+            // A chord is farthest from the plane at one of its ends.
+            const double off_plane = std::abs(tip(k)[axes_.normal] - normal_);
+            error = std::max(
+                error, std::hypot(in_plane, std::max(off_plane, last_off_plane)) + ends);
+            last_off_plane = off_plane;
             if (!(error <= fitting_.tolerance_mm))
                 return false;
             from = to;
