@@ -260,8 +260,10 @@ TEST(GcodeControl, RefusesWhatTheControlCannotDo)
     two.points[1].conditions.tool = 2;
     EXPECT_THAT(refusal({.control = bare}, two),
                 HasSubstr("from tool 1 to tool 2 at point 1"));
-    EXPECT_THAT(refusal({.decimals = 9, .control = {.longest_line = 30}}, one_cut()),
-                HasSubstr("expected at most 30 for this control"));
+    EXPECT_THAT(refusal({.control = {.start = {"G90 G94 G17 G40 G49 G80 G54 G61 G69 G98"},
+                                     .longest_line = 40}},
+                        one_cut()),
+                HasSubstr("expected at most 40 for this control"));
 }
 
 }  // namespace

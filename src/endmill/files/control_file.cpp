@@ -21,10 +21,6 @@ constexpr std::string_view code = "E_CONTROL";
 constexpr std::size_t most_blocks = 20;
 constexpr std::size_t longest_block = 200;    // characters
 constexpr std::size_t longest_extension = 8;  // characters, without the point
-constexpr int largest_program_number = 99999999;
-constexpr int largest_line_number = 99999999;
-constexpr int shortest_longest_line = 40;  // characters; a move of three axes needs them
-constexpr int longest_longest_line = 1'000'000;
 
 constexpr std::array<std::string_view, 25> keys{"format",
                                                 "name",
@@ -84,15 +80,30 @@ std::optional<Value> choice(const JsonValue& root, std::string_view key,
     return values[static_cast<std::size_t>(found - words.begin())];
 }
 
-// One word with this letter, or nothing.
-std::optional<std::string> word(const JsonValue& root, std::string_view key, char letter)
+// One M word for the tool change or the coolant, or nothing.
+std::optional<std::string> auxiliary_word(const JsonValue& root, std::string_view key)
 {
     const auto value = root.find_member(key);
     if (!value)
         return std::nullopt;
     std::string text = value->text();
-    if (text.size() > longest_block || !is_word(text, letter))
-        throw control_complaint(*value, std::string{"one word such as "} + letter + "6");
+    if (!is_word(text, 'M'))
+        throw control_complaint(*value, "one word such as M6");
+    if (!is_auxiliary_word(text))
+        throw control_complaint(*value,
+                                "an M word that neither stops, ends, calls a program nor "
+                                "turns the spindle");
+    return text;
+}
+
+std::optional<std::string> tool_length_word(const JsonValue& root)
+{
+    const auto value = root.find_member("tool_length");
+    if (!value)
+        return std::nullopt;
+    std::string text = value->text();
+    if (!is_tool_length_word(text))
+        throw control_complaint(*value, "\"G43\"");
     return text;
 }
 
@@ -112,14 +123,15 @@ std::vector<std::string> blocks(const JsonValue& root, std::string_view key,
                 item, "words of a capital letter and a number, such as \"G90 G17\"");
         if (const auto unfit = is_start ? unfit_start_word(text) : std::nullopt)
             throw item.complaint(*unfit + " in a block at the start",
-                                 "words that set modes and move nothing",
+                                 "codes that only set modes, such as G90 or G54",
                                  std::string{code});
         result.push_back(std::move(text));
     }
     return result;
 }
 
-// A point, then letters and digits.
+// A point, then letters and digits. The summary and the tables of the output folder have
+// the extensions .json and .csv.
 std::string extension(const JsonValue& root)
 {
     const JsonValue value = root.member("extension");
@@ -131,6 +143,8 @@ std::string extension(const JsonValue& root)
         });
     if (!is_fit)
         throw control_complaint(value, "a point and 1 to 8 small letters or digits");
+    if (text == ".json" || text == ".csv")
+        throw control_complaint(value, "an extension other than .json and .csv");
     return text;
 }
 
@@ -139,11 +153,12 @@ void read_words(const JsonValue& root, Control& control)
 {
     control.start = blocks(root, "start", true);
     control.end = blocks(root, "end", false);
-    control.tool_change = word(root, "tool_change", 'M');
-    control.tool_length = word(root, "tool_length", 'G');
-    control.flood = word(root, "flood", 'M');
-    control.mist = word(root, "mist", 'M');
-    control.coolant_off = word(root, "coolant_off", 'M').value_or(control.coolant_off);
+    control.tool_change = auxiliary_word(root, "tool_change");
+    control.tool_length = tool_length_word(root);
+    control.flood = auxiliary_word(root, "flood");
+    control.mist = auxiliary_word(root, "mist");
+    control.coolant_off =
+        auxiliary_word(root, "coolant_off").value_or(control.coolant_off);
 }
 
 // The forms that a few words name.
@@ -182,10 +197,11 @@ void read_numbers(const JsonValue& root, Control& control)
         whole(root, "decimals_inch", 0, most_decimals).value_or(control.decimals_inch);
     control.speed_decimals = whole(root, "speed_decimals", 0, most_decimals);
     control.largest_line_number =
-        whole(root, "largest_line_number", 1, largest_line_number)
+        whole(root, "largest_line_number", 1, most_numbered_lines)
             .value_or(control.largest_line_number);
     if (const auto longest =
-            whole(root, "longest_line", shortest_longest_line, longest_longest_line))
+            whole(root, "longest_line", static_cast<int>(least_longest_line),
+                  static_cast<int>(most_longest_line)))
         control.longest_line = static_cast<std::size_t>(*longest);
 }
 

@@ -10,7 +10,8 @@
 #include "endmill/post/program.h"
 
 // The data of a control become part of a program that moves a machine. So every text is
-// made of plain words, and the blocks at the start may only set modes.
+// made of plain words, and the blocks at the start may only set modes. A list of allowed
+// codes says which: a list of forbidden ones would miss those of other controls.
 
 namespace endmill {
 namespace {
@@ -54,28 +55,61 @@ bool all_pieces(std::string_view text, Use use)
     }
 }
 
-// `word` without zeros before its number: G01 is G1.
-std::string without_leading_zeros(std::string_view word)
+// The number of a G or M word in tenths: 591 for G59.1. Nothing for other words, for a
+// number with a sign or a bare point, and for more than one digit after the point.
+std::optional<int> code_in_tenths(std::string_view word)
 {
-    std::string result{word};
-    while (result.size() > 2 && result[1] == '0' && is_digit(result[2]))
-        result.erase(1, 1);
-    return result;
+    constexpr std::size_t most_digits = 4;
+    const std::string_view number = word.substr(1);
+    const std::size_t point = std::min(number.find('.'), number.size());
+    if (point == 0 || point > most_digits || number.size() == point + 1 ||
+        number.size() > point + 2)
+        return std::nullopt;
+    int tenths = 0;
+    for (const char character : number) {
+        if (character == '.')
+            continue;
+        if (!is_digit(character))
+            return std::nullopt;
+        tenths = 10 * tenths + (character - '0');
+    }
+    return point == number.size() ? 10 * tenths : tenths;
 }
 
-// Words that would move the tool, end the program, or contradict what follows.
-bool is_unfit_at_start(std::string_view word)
+template <std::size_t count>
+bool holds(const std::array<int, count>& codes, std::optional<int> code)
 {
-    constexpr std::array unfit{
-        "G0",  "G1",  "G2",  "G3",  "G4",  "G5",  "G10", "G16", "G18",   "G19", "G20",
-        "G21", "G28", "G30", "G31", "G38", "G41", "G42", "G51", "G52",   "G53", "G68",
-        "G70", "G71", "G73", "G74", "G76", "G81", "G82", "G83", "G84",   "G85", "G86",
-        "G87", "G88", "G89", "G91", "G92", "G93", "G95", "G96", "G90.1", "M0",  "M1",
-        "M2",  "M3",  "M4",  "M6",  "M30", "M60", "M98", "M99"};
-    const bool is_mode = word.front() == 'G' || word.front() == 'M' ||
-                         word.front() == 'P' || word.front() == 'Q';
-    return !is_mode ||
-           std::ranges::find(unfit, without_leading_zeros(word)) != unfit.end();
+    return code && std::ranges::find(codes, *code) != codes.end();
+}
+
+bool is_g_code_of(std::string_view word, const auto& codes)
+{
+    return word.front() == 'G' && holds(codes, code_in_tenths(word));
+}
+
+// Codes that only set modes, in tenths. G20, G21 and G61 or G64 of the writer itself need
+// no place here.
+constexpr std::array start_g_codes{51,  80,  150, 170, 400, 490, 500, 501, 540, 541, 550,
+                                   560, 570, 580, 590, 591, 592, 593, 610, 611, 640, 670,
+                                   690, 800, 900, 911, 940, 970, 980, 990, 1870};
+constexpr std::array start_m_codes{480};
+constexpr std::array g_codes_with_p_and_q{51, 541, 640, 1870};
+
+// Words that could move the tool, turn the spindle, end the program, call another one, or
+// contradict what follows, and all words that are unknown.
+bool is_unfit_at_start(std::string_view word, bool takes_p_and_q)
+{
+    switch (word.front()) {
+        case 'G':
+            return !is_g_code_of(word, start_g_codes);
+        case 'M':
+            return !holds(start_m_codes, code_in_tenths(word));
+        case 'P':
+        case 'Q':
+            return !takes_p_and_q || word[1] == '-';
+        default:
+            return true;
+    }
 }
 
 void require_words(const std::vector<std::string>& blocks)
@@ -84,10 +118,25 @@ void require_words(const std::vector<std::string>& blocks)
         require(is_words(block), "control: a block must be made of words such as G90");
 }
 
-void require_word(const std::optional<std::string>& word, char letter)
+// Whether `number` is absent or between `low` and `high`.
+template <class Number>
+bool is_within(const std::optional<Number>& number, Number low, Number high)
 {
-    require(!word || is_word(*word, letter),
-            "control: tool_change and coolant need one M word, tool_length one G word");
+    return !number || (low <= *number && *number <= high);
+}
+
+void require_numbers(const Control& control)
+{
+    for (const int decimals :
+         {control.decimals_mm, control.decimals_inch, control.speed_decimals.value_or(0)})
+        require(0 <= decimals && decimals <= most_decimals,
+                "control: need 0 to 9 decimals");
+    require(is_within(std::optional{control.largest_line_number}, 1, most_numbered_lines),
+            "control: need a largest line number from 1 to 99999999");
+    require(is_within(control.program_number, 1, largest_program_number),
+            "control: need a program number from 1 to 99999999");
+    require(is_within(control.longest_line, least_longest_line, most_longest_line),
+            "control: need a longest line of 40 to 1000000 characters");
 }
 
 }  // namespace
@@ -107,11 +156,31 @@ bool is_word(std::string_view text, char letter)
     return is_any_word(text) && text.front() == letter;
 }
 
+bool is_auxiliary_word(std::string_view text)
+{
+    constexpr std::array unfit{0,   10,  20,  30,  40,   50,  300,
+                               600, 970, 980, 990, 1980, 1990};
+    if (!is_word(text, 'M'))
+        return false;
+    const std::optional<int> code = code_in_tenths(text);
+    return code && *code % 10 == 0 && !holds(unfit, code);
+}
+
+bool is_tool_length_word(std::string_view text)
+{
+    return is_word(text, 'G') && code_in_tenths(text) == 430;
+}
+
 std::optional<std::string> unfit_start_word(std::string_view words)
 {
+    bool takes_p_and_q = false;
+    all_pieces(words, [&](std::string_view word) {
+        takes_p_and_q = takes_p_and_q || is_g_code_of(word, g_codes_with_p_and_q);
+        return true;
+    });
     std::optional<std::string> unfit;
     all_pieces(words, [&](std::string_view word) {
-        if (is_unfit_at_start(word))
+        if (is_unfit_at_start(word, takes_p_and_q))
             unfit = std::string{word};
         return !unfit;
     });
@@ -126,16 +195,12 @@ void require_sound(const Control& control)
         require(!unfit_start_word(block), "control: a start block must only set modes");
     for (const auto& word : {control.tool_change, control.flood, control.mist,
                              std::optional{control.coolant_off}})
-        require_word(word, 'M');
-    require_word(control.tool_length, 'G');
-    for (const int decimals :
-         {control.decimals_mm, control.decimals_inch, control.speed_decimals.value_or(0)})
-        require(0 <= decimals && decimals <= most_decimals,
-                "control: need 0 to 9 decimals");
-    require(control.largest_line_number >= 1,
-            "control: need a largest line number from 1");
-    require(control.program_number.value_or(1) >= 1,
-            "control: need a program number from 1");
+        require(!word || is_auxiliary_word(*word),
+                "control: tool_change and coolant need an M word that neither stops, "
+                "ends, calls a program nor turns the spindle");
+    require(!control.tool_length || is_tool_length_word(*control.tool_length),
+            "control: the tool length needs G43");
+    require_numbers(control);
 }
 
 }  // namespace endmill
