@@ -65,6 +65,14 @@ public:
     {
         if (descriptor_ < 0)
             fail_to("open " + shown_path(path), errno);
+        // If a standard stream is closed, the file gets its number, and dup2 to the same
+        // number would leave it to be closed by exec.
+        const int high = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+        const int error = errno;
+        ::close(descriptor_);
+        descriptor_ = high;
+        if (descriptor_ < 0)
+            fail_to("open " + shown_path(path), error);
     }
     ~OpenFile() { ::close(descriptor_); }
     OpenFile(const OpenFile&) = delete;
@@ -88,7 +96,7 @@ std::vector<char*> pointers(std::vector<std::string>& words)
 
 struct ResourceLimit {
     decltype(RLIMIT_CPU) resource;
-    rlim_t most;
+    rlimit soft_and_hard;
 };
 
 using ResourceLimits = std::array<ResourceLimit, 5>;
@@ -100,12 +108,30 @@ rlim_t whole(double limit)
     return static_cast<rlim_t>(std::clamp(std::ceil(limit), 1.0, most));
 }
 
+// A limit that does not exceed the hard limit of this process, which it may not raise.
+ResourceLimit lowered(decltype(RLIMIT_CPU) resource, rlim_t most)
+{
+    rlimit own{};
+    if (::getrlimit(resource, &own) != 0)
+        own.rlim_max = most;
+    const rlim_t soft = std::min(most, own.rlim_max);
+    return {resource, {soft, soft}};
+}
+
+// The soft limit sends a signal that tells what happened, the hard one only ends.
+ResourceLimit processor_time(double most_seconds)
+{
+    const auto [resource, both] = lowered(RLIMIT_CPU, whole(most_seconds) + 2);
+    const rlim_t hard = both.rlim_max;
+    return {resource, {hard > 1 ? hard - 1 : hard, hard}};
+}
+
 ResourceLimits limits_of(const ChildTask& task)
 {
-    return {ResourceLimit{RLIMIT_CPU, whole(task.most_seconds) + 1},
-            ResourceLimit{RLIMIT_AS, whole(task.most_memory_bytes)},
-            ResourceLimit{RLIMIT_FSIZE, whole(task.most_file_bytes)},
-            ResourceLimit{RLIMIT_NOFILE, most_open_files}, ResourceLimit{RLIMIT_CORE, 0}};
+    return {processor_time(task.most_seconds),
+            lowered(RLIMIT_AS, whole(task.most_memory_bytes)),
+            lowered(RLIMIT_FSIZE, whole(task.most_file_bytes)),
+            lowered(RLIMIT_NOFILE, most_open_files), lowered(RLIMIT_CORE, 0)};
 }
 
 // What the child needs, prepared before the fork.
@@ -136,10 +162,8 @@ void set_signals()
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
     bool is_ready = ::getppid() == task.parent;  // else it has ended already
-    for (const ResourceLimit& limit : task.limits) {
-        const rlimit both{limit.most, limit.most};
-        is_ready = is_ready && ::setrlimit(limit.resource, &both) == 0;
-    }
+    for (const ResourceLimit& limit : task.limits)
+        is_ready = is_ready && ::setrlimit(limit.resource, &limit.soft_and_hard) == 0;
     set_signals();
     is_ready = is_ready && ::chdir(task.folder) == 0 && ::dup2(task.input, 0) == 0 &&
                ::dup2(task.output, 1) == 1 && ::dup2(task.output, 2) == 2;
@@ -212,8 +236,11 @@ bool has_full_file(const ChildTask& task)
 
 ChildResult result_of(int status)
 {
-    if (WIFEXITED(status))
-        return {ChildEnd::Exited, WEXITSTATUS(status)};
+    if (WIFEXITED(status)) {
+        const int code = WEXITSTATUS(status);
+        return {code == exit_code_without_exec ? ChildEnd::NotStarted : ChildEnd::Exited,
+                code};
+    }
     const int signal_number = WTERMSIG(status);
     if (signal_number == SIGXCPU)
         return {ChildEnd::OutOfTime, signal_number};
@@ -274,6 +301,7 @@ void abandon_children()
     if (registry().child > 0) {
         ::kill(-registry().child, SIGKILL);
         ::waitpid(registry().child, nullptr, 0);
+        registry().child = 0;
     }
     std::error_code ignored;
     for (const fs::path& folder : registry().folders)
@@ -289,7 +317,9 @@ fs::path program_on_path(const std::string& name)
         const fs::path folder{rest.substr(0, end)};
         rest.remove_prefix(std::min(end + 1, rest.size()));
         const fs::path program = folder / name;
-        if (folder.is_absolute() && ::access(program.c_str(), X_OK) == 0)
+        std::error_code ignored;
+        if (folder.is_absolute() && fs::is_regular_file(program, ignored) &&
+            ::access(program.c_str(), X_OK) == 0)
             return program;
     }
     return {};

@@ -41,6 +41,7 @@ struct ChildTask {
 
 /// The end of a child process.
 enum class ChildEnd {
+    NotStarted,   ///< the program could not be loaded
     Exited,       ///< by itself, with an exit code
     Signalled,    ///< by a signal, such as a fault of its own
     OutOfTime,    ///< ended by the limit of the time
@@ -50,12 +51,14 @@ enum class ChildEnd {
 /// How a child process ended.
 struct ChildResult {
     ChildEnd end;
-    int code;  ///< exit code if it exited, else the number of the signal
+    int code;  ///< number of the signal if one ended it, else the exit code
 };
 
 /// Runs a program without a shell, with an empty standard input and a minimal
-/// environment, and waits for its end. It runs in a process group of its own, which ends
-/// as a whole at the limit of the time, and when this program is interrupted or ends.
+/// environment, and waits for its end. It runs in a process group of its own. The group is
+/// ended at the limit of time and when this program is interrupted. If this program is
+/// killed, only the child itself is ended, and the private folder remains. A limit that
+/// exceeds the hard limit of this process is lowered to it.
 /// \throws OutputError if the process cannot be started.
 ChildResult run_child(const ChildTask& task);
 

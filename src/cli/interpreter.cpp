@@ -16,12 +16,12 @@
 #include "cli/command.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/post/control.h"
 
 namespace endmill {
 namespace {
 
 // The interpreter keeps at most 1000 tools.
-constexpr double mm_in_an_inch = 25.4;
 constexpr int most_tools = 1000;
 constexpr int most_listed_tools = 900;  // leaves room for greater numbers
 // Share of the memory limit for its output, from which the path is then made.
@@ -96,7 +96,8 @@ std::set<int> great_tool_numbers(const std::vector<std::string>& lines)
 
 std::string tool_row(int number, double diameter_mm)
 {
-    return fmt::format("T{0} P{0} D{1:.6f} Z0\n", number, diameter_mm / mm_in_an_inch);
+    return fmt::format("T{0} P{0} D{1:.6f} Z0\n", number,
+                       diameter_mm / millimetres_per(ProgramUnit::Inch));
 }
 
 // A tool table of LinuxCNC, in inches, as rs274 reads it. Without given tools it lists
@@ -173,6 +174,11 @@ void require_accepted(const ChildResult& result, const InterpreterTask& task,
                       const std::string& log, const std::vector<std::string>& lines)
 {
     switch (result.end) {
+        case ChildEnd::NotStarted:
+            throw OutputError{task.file +
+                              ": cannot start rs274: " + refusal_in(log).message +
+                              "; expected a working program and less strict limits of "
+                              "the system"};
         case ChildEnd::Exited:
             if (result.code != 0)
                 refuse(task, log, lines);

@@ -11,7 +11,7 @@
 
 namespace endmill {
 
-/// Who turns a G-code program into moves.
+/// The interpreter that turns a G-code program into moves.
 enum class Interpreter {
     Endmill,   ///< the reader of this project
     LinuxCnc,  ///< LinuxCNC's program rs274, run as a child process
@@ -30,14 +30,14 @@ struct InterpreterTask {
 
 /// Runs `rs274 -g` on a program and returns its canonical output, for `parse_canonical`.
 ///
-/// The interpreter could run Python code and write log files that stand in comments of a
-/// program, and call subprograms in other folders. Therefore it gets a copy without
-/// comments, and a name of a subprogram with a folder is refused.
+/// Comments of a program can make rs274 run Python code or write log files, and a program
+/// can call subprograms in other folders. rs274 therefore gets a copy without comments, and
+/// a subprogram name with a folder is refused.
 /// \throws DomainError if rs274 is not installed.
 /// \throws FormatError E_GCODE, with the line if it is known, for a program that rs274
 ///         refuses, on which it crashes, or that calls a subprogram in another folder.
 /// \throws LimitError at the limit of time or output; OutputError if the folder cannot be
-///         used.
+///         used or rs274 cannot be started.
 std::string canonical_output(const InterpreterTask& task);
 
 /// `program` without comments: ( ... ) and from ; to the end of the line. The lines keep

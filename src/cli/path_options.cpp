@@ -13,11 +13,11 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/read_file.h"
+#include "endmill/post/control.h"
 
 namespace endmill {
 namespace {
 
-constexpr double mm_of_inch = 25.4;
 constexpr double most_interpreter_seconds = 86400;
 
 constexpr std::array programmed_points{
@@ -131,8 +131,9 @@ void add_tools_options(CLI::App& command, PathOptions& path)
                     "tool table with the cutter of each tool number: endmill-tools/1, or "
                     "a .tbl of LinuxCNC")
         ->type_name("FILE");
-    static constexpr std::array units{Choice<double>{"mm", 1},
-                                      Choice<double>{"inch", mm_of_inch}};
+    static const std::array units{
+        Choice<double>{"mm", 1},
+        Choice<double>{"inch", millimetres_per(ProgramUnit::Inch)}};
     add_choice<double>(command, "--tools-units", path.tools_unit_mm, units,
                        "unit of the diameters in a .tbl, which does not state it");
 }

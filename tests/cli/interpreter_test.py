@@ -3,6 +3,7 @@
 
 scripts/setup.sh installs rs274 (Debian package linuxcnc-uspace). Without it only the test of its absence runs.
 """
+import json
 import math
 import os
 import re
@@ -88,6 +89,42 @@ class LinuxCnc(ProgramTest):
         # The interpreter keeps diameters in inches; parameter 5410 is that of the current tool.
         self.assertAlmostEqual(facts["max_mm"][0], 10 / 25.4 * 100, delta=1e-3)
         self.assertEqual(self.info(HEAD + "T12345 M6\nG0 X1 Y0 Z5\nG1 X2\nM2\n")["tools"], [12345])
+
+    def test_closed_standard_input_and_stricter_limits_are_accepted(self):
+        program = self.file(HEAD + LOOP, "p.ngc")
+        for before in ("exec <&-", "ulimit -t 30", "ulimit -n 40", "ulimit -c 0", "ulimit -v 1500000"):
+            done = subprocess.run(["bash", "-c", before + '; exec "$@"', "-", ENDMILL, "info", program,
+                                   "--interpreter", "linuxcnc", "--json"], cwd=self.folder, capture_output=True,
+                                  text=True, check=False, timeout=600)
+            self.assertEqual(done.returncode, 0, before + ": " + done.stderr)
+            self.assertEqual(json.loads(done.stdout)["max_mm"], [25, 0, 5])
+
+    def fake(self, content):
+        """Runs info with another program in the place of rs274."""
+        (self.folder / "bin").mkdir(exist_ok=True)
+        self.file(content, "bin/rs274").chmod(0o755)
+        return subprocess.run([ENDMILL, "info", self.file(HEAD + LOOP, "p.ngc"), "--interpreter", "linuxcnc",
+                               "--interpreter-seconds", "1"], cwd=self.folder, capture_output=True, text=True,
+                              check=False, timeout=600, stdin=subprocess.DEVNULL,
+                              env={**os.environ, "PATH": f"{self.folder}/bin:{os.environ['PATH']}"})
+
+    def test_interpreter_that_cannot_be_started_is_named(self):
+        self.assert_refused(self.fake("#!/nowhere/at/all\n"), 5, "p.ngc: cannot start rs274")
+        self.assert_nothing_left("p.ngc", "bin")
+
+    def test_folder_named_as_the_interpreter_is_passed_over(self):
+        (self.folder / "bin/rs274").mkdir(parents=True)
+        done = subprocess.run([ENDMILL, "info", self.file(HEAD + LOOP, "p.ngc"), "--interpreter", "linuxcnc"],
+                              cwd=self.folder, capture_output=True, text=True, check=False, timeout=600,
+                              env={**os.environ, "PATH": f"{self.folder}/bin:{os.environ['PATH']}"})
+        self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_limit_of_processor_time_is_named(self):
+        program = self.file(HEAD + "o1 while [1]\no1 endwhile\nM2\n", "p.ngc")
+        done = subprocess.run(["bash", "-c", 'ulimit -t 3; exec "$@"', "-", ENDMILL, "info", program,
+                               "--interpreter", "linuxcnc"], cwd=self.folder, capture_output=True, text=True,
+                              check=False, timeout=600)
+        self.assert_refused(done, 6, "--interpreter-seconds")
 
     def test_endless_loop_is_ended(self):
         start = time.monotonic()

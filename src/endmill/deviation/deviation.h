@@ -32,8 +32,9 @@ struct DeviationOptions {
     double pitch = 0.1;           ///< distance of the first rays along the part, mm
     int max_refine = 8;           ///< largest number of halvings of a cell, 0 to 20
     std::size_t most_cells = 100'000'000;  ///< limit of the first cells
-    /// Whether the cutter can reach a place of the part. If set, remaining stock is judged
-    /// only where it returns true. Any thread calls it.
+    /// Whether the cutter can reach a place of the part. If set, a cell is judged for
+    /// remaining stock only if this returns true for its middle. Remaining stock in the
+    /// accessible part of other cells is not bounded. Called by several threads at once.
     std::function<bool(const PartRay& ray)> is_accessible = {};
     /// If set, it is called with the finished share, 0 to 1.
     std::function<void(double share)> progress = {};
