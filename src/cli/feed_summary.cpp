@@ -127,6 +127,8 @@ void add_known(Json& summary, const FeedResult& result)
     add("inner_tolerance_mm", input.known.inner_tolerance_mm);
     add("outer_tolerance_mm", input.known.outer_tolerance_mm);
     add("scallop_mm", input.known.scallop_mm);
+    if (input.known.inaccessible)
+        summary["inaccessible"] = inaccessible_name(*input.known.inaccessible);
     summary["interpolation"] = "linear";
     summary["remarks"] = result.remarks;
 }

@@ -132,6 +132,8 @@ bool is_tool_path(const std::string& file, const ReadLimits& limits)
 {
     if (std::ranges::find(part_extensions, extension_of(file)) != part_extensions.end())
         return false;
+    if (has_path_extension(file))
+        return true;  // its reader reports what is wrong
     try {
         path_format(read_file(file, limits), file);
     } catch (const FormatError&) {

@@ -121,6 +121,8 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
     add_known(summary, "inner_tolerance_mm", posted.known.inner_tolerance_mm);
     add_known(summary, "outer_tolerance_mm", posted.known.outer_tolerance_mm);
     add_known(summary, "scallop_mm", posted.known.scallop_mm);
+    if (posted.known.inaccessible)
+        summary["inaccessible"] = inaccessible_name(*posted.known.inaccessible);
     summary["remarks"] = posted.read.remarks;
     return summary;
 }

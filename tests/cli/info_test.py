@@ -112,6 +112,7 @@ class InfoPath(ProgramTest):
                             "--block-delete: has no effect with a part")
         self.assert_refused(endmill("info", self.file("x,y\n1,2\n", "p.csv")), 3, "p.csv:1", "tip_x_mm")
         self.assert_refused(endmill("info", self.file("nothing known\n", "p.txt")), 3, "p.txt")
+        self.assert_refused(endmill("info", self.file("", "p.ngc"), "--cutter", "flat:6"), 3, "p.ngc", "empty")
 
 
 if __name__ == "__main__":

@@ -212,6 +212,9 @@ class Trim(ProgramTest):
             self.assertEqual(judged["verdict"], "clean", name)
             self.assertAlmostEqual(judged["scallop_limit_mm"], 0.21, delta=1e-12)
             self.assertEqual(judged["inaccessible_area_mm2"] > 0, excused, name)
+            self.summary("post", "path/toolpath.csv", "--feed", "500", "--decimals", "6", "-o", "posted", "--force")
+            judged = self.summary("verify", "posted/toolpath.ngc", "--resolution", "0.5", "-o", "judged", "--force")
+            self.assertEqual(judged["verdict"], "clean", name)
         done = endmill("verify", "path/toolpath.csv", "--resolution", "0.5", "--inaccessible", "count", "--json",
                        "-o", "counted", cwd=self.folder)
         counted = json.loads(done.stdout)

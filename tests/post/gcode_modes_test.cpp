@@ -199,8 +199,11 @@ TEST(CheckMCodes, RefusesSubprogramsAndCentrePointCodes)
 {
     const std::string expand =
         "; expected moves written out: --interpreter linuxcnc expands them";
-    for (const std::string code : {"M97", "M98", "M99", "M198"})
-        EXPECT_EQ(m_refusal(code), "E_GCODE f:1: subprogram " + code + expand);
+    for (const std::string code : {"M96", "M97", "M98", "M99"})
+        EXPECT_EQ(m_refusal(code), "E_GCODE f:1: branch or subprogram " + code + expand);
+    EXPECT_EQ(m_refusal("M198"), "E_GCODE f:1: subprogram M198" + expand);
+    EXPECT_EQ(m_refusal("M47"), "E_GCODE f:1: repetition of the program M47" + expand);
+    EXPECT_EQ(m_refusal("M200"), "E_GCODE f:1: unknown code M200; expected M0 to M199");
     EXPECT_EQ(m_refusal("M128"),
               "E_GCODE f:1: tool-centre-point code M128; expected a "
               "three-axis program");

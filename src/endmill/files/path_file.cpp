@@ -113,6 +113,12 @@ PathFormat path_format(std::string_view content, const std::filesystem::path& pa
                       {shown_path(path), "", "content is not recognised", expected}};
 }
 
+bool has_path_extension(const std::filesystem::path& path)
+{
+    const std::string extension = lower_case_extension(path);
+    return contains(gcode_extensions, extension) || contains(apt_extensions, extension);
+}
+
 GcodeReadOptions gcode_reading(const PathReadOptions& options)
 {
     GcodeReadOptions gcode = options.gcode;

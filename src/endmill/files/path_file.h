@@ -56,6 +56,10 @@ GcodeReadOptions gcode_reading(const PathReadOptions& options);
 Program parse_program(std::string_view content, const std::filesystem::path& path,
                       const PathReadOptions& options = {});
 
+/// Whether the name of the file ends as those of G-code or APT do. Its content may still be
+/// something else.
+bool has_path_extension(const std::filesystem::path& path);
+
 /// Reads a tool path from a file of any of these formats.
 /// \throws FormatError, LimitError as `read_file`, `path_format` and the reader of the
 ///         format: `parse_gcode`, `parse_canonical`, `parse_apt`, or for CSV:
@@ -105,6 +109,12 @@ enum class InaccessibleStock {
 
 /// Names in the order of the enumeration.
 inline constexpr std::array<std::string_view, 2> inaccessible_names{"count", "excuse"};
+
+/// The name of `stock` in files.
+inline std::string_view inaccessible_name(InaccessibleStock stock)
+{
+    return inaccessible_names.at(static_cast<std::size_t>(stock));
+}
 
 /// The content of the summary.json beside a tool path. A value that is missing or null in
 /// the file is empty.

@@ -68,10 +68,12 @@ constexpr std::array idle_g_codes{80,  150, 281, 301, 500, 501, 670,
 constexpr std::array lonely_g_codes{281, 301, 500, 501, 921, 922};
 
 constexpr std::array refused_m_codes{
+    Refusal{47, 47, "repetition of the program", moves_written_out},
     Refusal{70, 73, "saved modal state", moves_written_out},
-    Refusal{97, 99, "subprogram", moves_written_out},
+    Refusal{96, 99, "branch or subprogram", moves_written_out},
     Refusal{128, 128, "tool-centre-point code", only_three_axes},
     Refusal{198, 199, "subprogram", moves_written_out},
+    Refusal{200, 999, "unknown code", "M0 to M199"},
 };
 
 const Refusal* refusal_of(int code, std::span<const Refusal> refused)
