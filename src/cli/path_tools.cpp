@@ -17,7 +17,25 @@ struct ToolSpan {
     bool is_at_feed = false;    // whether a move is not a rapid
 };
 
-// The spans as the path states them. Moves before the first named tool are those of this
+// Refuses cuts before the first named tool: no tool is known for them.
+void require_known_tools(const ToolPath& path, const std::string& file)
+{
+    std::optional<std::size_t> cut;  // the first point reached at feed without a tool
+    for (std::size_t k = 0; k < path.points.size(); ++k) {
+        const std::optional<int>& tool = path.points[k].conditions.tool;
+        if (tool && cut)
+            throw DomainError{file + ": the move to point " + std::to_string(*cut) +
+                              " cuts before the first tool T" + std::to_string(*tool) +
+                              " at point " + std::to_string(k) +
+                              "; expected a tool before the first cut"};
+        if (tool)
+            return;
+        if (k > 0 && !cut && path.points[k].move != Move::Rapid)
+            cut = k;
+    }
+}
+
+// The spans as the path states them. Rapids before the first named tool are those of this
 // tool, moves without a number those of the tool before.
 std::vector<ToolSpan> stated_spans(const ToolPath& path)
 {
@@ -85,6 +103,7 @@ PathTools tools_of_path(const ToolPath& path, const std::string& file,
                         const std::string& table_file,
                         const std::vector<NumberedTool>& table)
 {
+    require_known_tools(path, file);
     const std::vector<ToolSpan> spans = cutting_spans(path);
     PathTools tools{row_of(spans.front(), file, table_file, table).tool, {}};
     std::set<int> used;
@@ -102,6 +121,7 @@ PathTools tools_of_path(const ToolPath& path, const std::string& file,
 
 void refuse_several_tools(const ToolPath& path, const std::string& file)
 {
+    require_known_tools(path, file);
     constexpr std::size_t most_named = 10;
     std::set<int> numbers;
     for (const ToolSpan& span : cutting_spans(path))

@@ -22,12 +22,13 @@ struct PathTools {
 /// counts as the tool that follows.
 /// \param file name of the path for messages.
 /// \throws FormatError E_TOOLS if the path uses a tool without a row; DomainError if it
-///         names no tool and the table has several.
+///         names no tool and the table has several, or if it cuts before its first tool.
 PathTools tools_of_path(const ToolPath& path, const std::string& file,
                         const std::string& table_file,
                         const std::vector<NumberedTool>& table);
 
-/// Refuses a path in which several tools cut, if no table describes them. \throws DomainError
+/// Refuses a path in which several tools cut, if no table describes them, and a path that
+/// cuts before its first tool. \throws DomainError
 void refuse_several_tools(const ToolPath& path, const std::string& file);
 
 }  // namespace endmill
