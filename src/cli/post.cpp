@@ -127,11 +127,10 @@ void warn_of(const PostedPath& posted, const PostOptions& options)
                          "machine moves straight there",
                          posted.written.slanted_rapids));
     if (posted.written.straight_descents > 0)
-        warn(
-            options.common,
-            fmt::format("descents that stay vertical because the cuts after them are too "
-                        "short for a slope: {}",
-                        posted.written.straight_descents));
+        warn(options.common,
+             fmt::format("descents that stay vertical, because no cut follows them, the "
+                         "cuts are too short for a slope, or the tool was changed: {}",
+                         posted.written.straight_descents));
     if (options.format == PostFormat::Gcode && !posted.written.spindle_rpm.least)
         warn(options.common,
              "no spindle speed is known: M3 has no S word; expected --spindle-rpm");

@@ -225,6 +225,27 @@ TEST(GcodeControl, RampsDownBeforeTheFirstCut)
     EXPECT_EQ(program.ramps, 1U);
 }
 
+TEST(GcodeControl, CountsTheVerticalDescentAfterAToolChange)
+{
+    ToolPath path = one_cut();
+    path = test::with_conditions(path, {{90, 1000, 1}, {300, 1000, 1}, {300, 2000, 2}});
+    const WrittenProgram sloped = gcode(path, {.ramp = Angle::radians(0.5)});
+    EXPECT_EQ(sloped.ramps, 1U);
+    EXPECT_EQ(sloped.straight_descents, 1U);
+    EXPECT_EQ(gcode(path).straight_descents, 0U);
+}
+
+// An O number of eight digits leaves 28 of 40 characters: a blank and ( ) take three.
+TEST(GcodeControl, CutsTheCommentToTheLine)
+{
+    const std::string text =
+        gcode(one_cut(), {.name = std::string(60, 'a'),
+                          .control = {.program_number = 12345678, .longest_line = 40}})
+            .text;
+    const std::string comment = ("endmill: " + std::string(60, 'a')).substr(0, 28);
+    EXPECT_THAT(text, HasSubstr("%\nO12345678 (" + comment + ")\nG21"));
+}
+
 TEST(GcodeControl, RefusesWhatTheControlCannotDo)
 {
     const auto refusal = [](GcodeOptions options, const ToolPath& path) -> std::string {

@@ -104,6 +104,29 @@ TEST(LeadIn, StaysAboveThePathAndFallsEvenly)
                   path.points[k].location.tip);
 }
 
+// The way down is the same however many points it has.
+TEST(LeadIn, JoinsVerticalPlunges)
+{
+    const ToolPath whole = path_of(
+        {{Move::Rapid, {0, 0, 5}}, {Move::Plunge, {0, 0, 1}}, {Move::Cut, {90, 0, 1}}});
+    const ToolPath pieces = path_of({{Move::Rapid, {0, 0, 5}},
+                                     {Move::Plunge, {0, 0, 4}},
+                                     {Move::Plunge, {0, 0, 4}},
+                                     {Move::Plunge, {0, 0, 2}},
+                                     {Move::Plunge, {0, 0, 1}},
+                                     {Move::Cut, {90, 0, 1}}});
+    const RampedPath ramped = with_ramps(pieces, 5, 0.1);
+    EXPECT_EQ(tips_of(ramped.path), tips_of(with_ramps(whole, 5, 0.1).path));
+    EXPECT_EQ(ramped.ramps, 1U);
+    EXPECT_EQ(ramped.straight, 0U);
+    // Without a cut all points remain, and the descent counts once.
+    ToolPath cutless = pieces;
+    cutless.points.pop_back();
+    const RampedPath straight = with_ramps(cutless, 5, 0.1);
+    EXPECT_EQ(tips_of(straight.path), tips_of(cutless));
+    EXPECT_EQ(straight.straight, 1U);
+}
+
 TEST(LeadIn, LeavesOtherMovesAsTheyAre)
 {
     const ToolPath path = path_of({{Move::Rapid, {0, 0, 5}},

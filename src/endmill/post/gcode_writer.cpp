@@ -115,8 +115,9 @@ std::string path_control(const GcodeOptions& options)
     return path_control_of_tolerance(options);
 }
 
-// The comment at the start, in the form of the control; empty if it has none.
-std::string comment(const GcodeOptions& options)
+// The comment at the start, in the form of the control and cut to the line that begins
+// with `heading`; empty if the control has none.
+std::string comment(const GcodeOptions& options, const std::string& heading)
 {
     const Control& control = options.control;
     if (!options.comments || control.comments == CommentStyle::None)
@@ -128,11 +129,10 @@ std::string comment(const GcodeOptions& options)
                                                   : letter;
         });
     const bool in_parentheses = control.comments == CommentStyle::Parentheses;
-    constexpr std::size_t longest_frame = 10;  // O0001 ( )
+    constexpr std::size_t frame = 3;  // a blank and ( )
     if (control.longest_line)
-        text.resize(std::min(text.size(), *control.longest_line > longest_frame
-                                              ? *control.longest_line - longest_frame
-                                              : 0));
+        text.resize(
+            std::min(text.size(), *control.longest_line - heading.size() - frame));
     return in_parentheses ? '(' + text + ')' : ';' + text;
 }
 
@@ -243,6 +243,8 @@ public:
         program_.feed_mm_per_min = conditions_.feeds();
         program_.plunge_feed_mm_per_min = conditions_.plunge_feeds();
         program_.spindle_rpm = conditions_.speeds();
+        if (options_.ramp)
+            program_.straight_descents = returns_;
         program_.text = std::move(blocks_.text());
         return std::move(program_);
     }
@@ -254,7 +256,7 @@ private:
         if (control.percent)
             blocks_.add_line("%");
         std::string heading = program_number(control);
-        const std::string text = comment(options_);
+        const std::string text = comment(options_, heading);
         if (!heading.empty() && !text.empty())
             heading += ' ';
         if (heading += text; !heading.empty())
@@ -358,8 +360,9 @@ private:
         if (coolant_)
             blocks_.add_block(*coolant_);
         go_over(back.value_or(first));
-        if (back && path_.points[point].move != Move::Rapid)
-            blocks_.add_move(Motion::Feed, *back, descent_feed(point, conditions));
+        if (back && path_.points[point].move != Move::Rapid &&
+            blocks_.add_move(Motion::Feed, *back, descent_feed(point, conditions)))
+            ++returns_;
     }
 
     // Feed of the descent before the move to `point`.
@@ -411,6 +414,7 @@ private:
     BlockWriter blocks_;
     WrittenProgram program_;
     std::optional<int> tool_;
+    std::size_t returns_ = 0;  // vertical descents after changes of the tool
     std::size_t run_end_ = 0;  // one past the cuts with the conditions of the last one
 };
 
@@ -432,7 +436,7 @@ WrittenProgram gcode(const ToolPath& path, const GcodeOptions& options)
     const RampedPath ramped = with_ramps(path, height, std::tan(options.ramp->radians()));
     WrittenProgram program = ProgramWriter{ramped.path, options, height}.write(first);
     program.ramps = ramped.ramps;
-    program.straight_descents = ramped.straight;
+    program.straight_descents += ramped.straight;
     return program;
 }
 

@@ -37,7 +37,9 @@ struct GcodeOptions {
     /// Feeds of the descents that the path does not have: back to the path after a tool
     /// change. The feeds of its own moves are those of the path.
     MoveFeeds feeds = {};
-    std::optional<Angle> ramp = {};  ///< slope of the descents; none: straight down
+    /// Slope of the descents of the path; none: straight down. The descent after a tool
+    /// change stays vertical.
+    std::optional<Angle> ramp = {};
     /// mm, above 0: largest distance of arcs from the moves that they replace; none: no
     /// arcs.
     std::optional<double> arc_tolerance = {};
@@ -53,20 +55,26 @@ struct GcodeOptions {
 /// changed, and the new tool returns to the place above the last point and descends to
 /// it.
 ///
-/// The path control is `G64 P` with half the tolerance, so that the rounding of corners
+/// With PathControl::Tolerance the path control is `G64 P` with half the tolerance, so that the rounding of corners
 /// by the control leaves the other half. P is rounded to the nearest number with enough
 /// decimals to be within 1 % of that half. If nine decimals are not enough, or the
 /// tolerance is 0, the program has G61 (exact path). Without a tolerance it has plain
-/// `G64`. F and S have as many decimals as coordinates, without trailing zeros.
+/// `G64`. F has as many decimals as coordinates, and S as the control says, without
+/// trailing zeros.
+///
+/// Arcs: the program differs from the path by at most `arc_tolerance`, rounding included;
+/// `max_arc_error_mm` is the bound reached. Ramps: the path of `with_ramps`, which removes
+/// the same material.
 ///
 /// \param path the path.
 /// \param options format and missing data.
 /// \throws DomainError for a path without points; for decimals outside 0 to 9; if a move
 ///         at feed has no feed; for a feed or spindle speed that is not above 0 after
 ///         rounding; for a negative tool number; if the safe height lies below the path;
-///         if the tolerance is below 0; for a number that is not finite; for an unsound control; if the control
-///         has no words for a second tool, the coolant, the dwell or arcs, or takes
-///         shorter lines only.
+///         if the tolerance or the dwell is below 0; for an arc tolerance that is not above
+///         0; for a ramp that is not between 0 and 90 degrees; for a number that is not
+///         finite; for an unsound control; if the control has no words for a second tool,
+///         the coolant, the dwell or arcs, or takes shorter lines only.
 /// \throws GeometryError unless the axis of every point is +z: three axes cannot turn the
 ///          tool.
 /// Source: docs/methods/removal.md, section 6.

@@ -106,7 +106,9 @@ struct WrittenProgram {
     std::size_t arcs = 0;              ///< number of arcs
     double max_arc_error_mm = 0;  ///< mm, bound of the distance between arcs and path
     std::size_t ramps = 0;        ///< descents along a slope
-    std::size_t straight_descents = 0;  ///< descents for which a slope had no room
+    /// Descents that stay vertical although slopes are wanted, because no cut follows
+    /// them, the cuts are too short for a slope, or the tool was changed.
+    std::size_t straight_descents = 0;
     MinMax feed_mm_per_min;  ///< mm/min, range of the cutting feeds before rounding
     MinMax plunge_feed_mm_per_min;  ///< mm/min, range of the feeds of descents
     MinMax spindle_rpm;             ///< rpm, range of the spindle speeds before rounding

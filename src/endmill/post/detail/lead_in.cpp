@@ -60,22 +60,24 @@ class RampWriter {
 public:
     RampWriter(RampedPath& result, double tangent) : result_{result}, tangent_{tangent} {}
 
-    // Adds the slope to the plunge with this index, without its last point.
+    // Adds the slope to the plunge with this index, without its last point. Adds nothing
+    // and returns false if the slope has no room.
     // \param depth mm, above 0.
-    void add(const ToolPath& path, std::size_t plunge, double depth)
+    bool add(const ToolPath& path, std::size_t plunge, double depth)
     {
         const double length = depth / tangent_;
         const Run run = run_after(path, plunge, length / 2);
         const double returns = std::ceil(length / (2 * run.length()));
         if (!(returns <= most_returns)) {
             ++result_.straight;
-            return;
+            return false;
         }
         ++result_.ramps;
         const double reach = length / (2 * returns);  // of one way forward
         for (double begun = 0; begun < returns; ++begun)
             add_return(run, path.points[plunge],
                        {depth, length, 2 * reach * begun, std::min(reach, run.length())});
+        return true;
     }
 
 private:
@@ -121,6 +123,22 @@ private:
     double tangent_;
 };
 
+// The last of the vertical plunges that begin with `first` and have its tool.
+std::size_t last_plunge(const ToolPath& path, std::size_t first)
+{
+    const std::vector<PathPoint>& points = path.points;
+    std::size_t last = first;
+    const auto continues = [&](const PathPoint& next) {
+        const Vec3& tip = points[last].location.tip;
+        return next.move == Move::Plunge && next.location.tip.z() <= tip.z() &&
+               next.location.tip.head<2>() == tip.head<2>() &&
+               next.conditions.tool == points[first].conditions.tool;
+    };
+    while (last + 1 < points.size() && continues(points[last + 1]))
+        ++last;
+    return last;
+}
+
 }  // namespace
 
 RampedPath with_ramps(const ToolPath& path, double start_height, double tangent)
@@ -140,11 +158,18 @@ RampedPath with_ramps(const ToolPath& path, double start_height, double tangent)
             point.move == Move::Plunge || (k == 0 && point.move != Move::Rapid);
         const bool descends =
             is_plunge && before.z() > tip.z() && before.head<2>() == tip.head<2>();
-        if (descends)
-            writer.add(path, k, before.z() - tip.z());
-        result.path.points.push_back(point);
-        if (descends)
+        if (!descends) {
+            result.path.points.push_back(point);
+            continue;
+        }
+        const std::size_t last = last_plunge(path, k);
+        const bool is_slope =
+            writer.add(path, last, before.z() - path.points[last].location.tip.z());
+        for (k = is_slope ? last : k; k <= last; ++k) {
+            result.path.points.push_back(path.points[k]);
             result.path.points.back().move = Move::Plunge;
+        }
+        k = last;
     }
     return result;
 }

@@ -11,12 +11,13 @@ namespace endmill {
 struct RampedPath {
     ToolPath path;             ///< with the points of the slopes; all are plunges
     std::size_t ramps = 0;     ///< descents that became slopes
-    std::size_t straight = 0;  ///< descents that stay straight, for want of room
+    std::size_t straight = 0;  ///< descents that stay straight, for want of cuts or room
 };
 
 /// `path` with slopes instead of vertical plunges. A slope goes forward along the cutting
 /// moves that follow the plunge, and back to their start, as often as needed. Meanwhile
-/// the tool descends evenly from the height where the plunge began to the path.
+/// the tool descends evenly from the height where the plunge began to the path. Plunges
+/// one below the other with one tool are one descent, with the feed of the last one.
 ///
 /// No point of a slope lies below the path under it: its height over the path falls from
 /// the depth of the plunge to 0. A raised cutter removes nothing that the cutter on the
