@@ -155,18 +155,26 @@ InaccessibleStock inaccessible_of(const VerifyOptions& options, const PathSummar
         known.inaccessible.value_or(InaccessibleStock::Count));
 }
 
-// The test whether the cutter can come so near to a place of the mesh that it leaves half of
-// the scallop limit. It shares the drop cutter, which refers to the mesh.
+// The test whether a cutter of the path can come so near to a place of the mesh that it
+// leaves half of the scallop limit. It shares the drop cutters, which refer to the mesh.
 std::function<bool(const PartRay&)> accessibility(const VerifyInput& input)
 {
     constexpr double share_of_scallop = 0.5;
     if (input.inaccessible == InaccessibleStock::Count)
         return {};
-    const auto drop_cutter = std::make_shared<const DropCutter>(
-        std::get<TriangleMesh>(input.part->part), input.tool.cutter);
+    std::vector<Cutter> cutters{input.tool.cutter};
+    for (const ToolChange& change : input.changes)
+        if (std::ranges::find(cutters, change.cutter) == cutters.end())
+            cutters.push_back(change.cutter);
+    const auto& mesh = std::get<TriangleMesh>(input.part->part);
+    std::vector<std::shared_ptr<const DropCutter>> drop_cutters;
+    for (const Cutter& cutter : cutters)
+        drop_cutters.push_back(std::make_shared<const DropCutter>(mesh, cutter));
     const double distance = share_of_scallop * input.limits.scallop;
-    return [drop_cutter, distance](const PartRay& ray) {
-        return is_accessible(*drop_cutter, {ray.point, ray.normal}, distance);
+    return [drop_cutters = std::move(drop_cutters), distance](const PartRay& ray) {
+        return std::ranges::any_of(drop_cutters, [&](const auto& drop_cutter) {
+            return is_accessible(*drop_cutter, {ray.point, ray.normal}, distance);
+        });
     };
 }
 

@@ -187,9 +187,11 @@ std::string inaccessible_text(const Json& s)
 {
     if (!(s["inaccessible_area_mm2"].get<double>() > 0))
         return "";
+    const Json& cutter = s["cutter"];  // null for several tools
     return fmt::format(
-        "  excused     {} mm2 that {} cannot touch, with up to {} remaining\n",
-        shown(s["inaccessible_area_mm2"].get<double>()), s["cutter"].get<std::string>(),
+        "  excused     {} mm2 that {} touch, with up to {} remaining\n",
+        shown(s["inaccessible_area_mm2"].get<double>()),
+        cutter.is_null() ? "no tool can" : cutter.get<std::string>() + " cannot",
         length_text(s["max_inaccessible_mm"]));
 }
 

@@ -465,12 +465,45 @@ class SeveralTools(VerifyTest):
                             status=1)
         self.assertEqual((facts["verdict"], facts["first_of_collisions"]), ("gouged", 6))
 
+    def test_cut_before_the_first_tool_is_refused(self):
+        path = self.file(self.SLOTS.replace(",1\n", ",\n"), "p.csv")
+        for tools in (("--tools", self.file(self.TABLE, "t.json")), ("--cutter", "flat:4")):
+            self.assert_refused(endmill("verify", path, *self.OPTIONS, *tools, cwd=self.folder), 2,
+                                "the move to point 1 cuts before the first tool T2 at point 4")
+
     def test_rest_of_several_tools_is_cut_further(self):
         path = self.file(self.SLOTS, "p.csv")
         self.verify(path, *self.OPTIONS, "--tools", self.file(self.TABLE, "t.json"), "--write-stock")
         shutil.move(self.folder / "out/stock.vti", self.folder / "rest.vti")
         again = self.verify(path, "--part", "none", "--stock", "rest.vti", "--tools", "t.json")
         self.assertEqual(again["removed_mm3"], 0)
+
+    def test_place_that_only_the_second_tool_can_touch_is_judged(self):
+        # A pocket of 6 by 20 mm, 2 mm deep, in a plane that the first tool cuts.
+        xs, ys = (-20, -3, 3, 20), (-20, -10, 10, 20)
+        quads = [[(x, y, -2 * (i == j == 1)) for x, y in ((xs[i], ys[j]), (xs[i + 1], ys[j]), (xs[i + 1], ys[j + 1]),
+                                                          (xs[i], ys[j + 1]))] for i in range(3) for j in range(3)]
+        rim = [(-3, -10), (3, -10), (3, 10), (-3, 10)]
+        quads += [[(*a, -2), (*a, 0), (*b, 0), (*b, -2)] for a, b in zip(rim, rim[1:] + rim[:1])]
+        stl = "solid s\n" + "".join(
+            "facet normal 0 0 1\nouter loop\n" + "".join("vertex {} {} {}\n".format(*corner) for corner in facet) +
+            "endloop\nendfacet\n" for a, b, c, d in quads for facet in ((a, b, c), (a, c, d))) + "endsolid s\n"
+        path = self.file(self.HEADER + "".join(
+            f"{'cut' if k else 'rapid'},{x},{y},0,1\n" for k, (x, y) in enumerate(
+                (x, y if n % 2 else -y) for n, x in enumerate(range(-20, 21, 5)) for y in (-26, 26))) +
+            "rapid,18,0,9,2\ncut,18,0,0,2\ncut,19,0,0,2\n", "p.csv")
+        for second, verdict in (("flat:4", "uncut"), ("flat:8", "clean")):
+            table = self.file({"format": "endmill-tools/1", "tools": [{"number": 1, "tool": "flat:10"},
+                                                                      {"number": 2, "tool": second}]}, "t.json")
+            options = ("--tools", table, "--part", self.file(stl, "part.stl"), "--units", "mm", "--inaccessible",
+                       "excuse", "--resolution", "0.5", "--stock", "-20,-20,-9,20,20,1")
+            facts = self.verify(path, *options, status=int(verdict == "uncut"))
+            self.assertEqual(facts["verdict"], verdict)
+            if verdict == "clean":
+                pocket = 6 * 20 + 2 * 2 * (6 + 20)  # floor and walls
+                self.assertAlmostEqual(facts["inaccessible_area_mm2"], pocket, delta=0.01)
+                done = endmill("verify", path, *options, "-o", "said", cwd=self.folder)
+                self.assertIn("mm2 that no tool can touch", done.stdout)
 
     def test_wrong_tables_are_refused(self):
         path = self.file(self.SLOTS, "p.csv")
