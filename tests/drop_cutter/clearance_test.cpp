@@ -207,6 +207,46 @@ TEST(Accessibility, EndsOneRadiusFromAnInnerCorner)
     }
 }
 
+TriangleMesh slot_mesh(double width)
+{
+    return test::both(test::box_mesh({-width / 2, -20, -5}, {width / 2, 20, 0}),
+                      test::both(test::box_mesh({-20, -20, -5}, {-width / 2, 20, 9}),
+                                 test::box_mesh({width / 2, -20, -5}, {20, 20, 9})));
+}
+
+// A cutter that fits into a slot touches the floor up to the corner radius r from the walls,
+// one that does not fit touches none of it.
+TEST(Accessibility, OfTheFloorOfASlotEndsOneCornerRadiusFromTheWalls)
+{
+    for (const Cutter& cutter : {Cutter::flat(5), Cutter{5, 1}})
+        for (const double width : {9.0, 9.8, 10.0, 10.1, 11.0, 16.0}) {
+            const TriangleMesh mesh = slot_mesh(width);
+            const DropCutter drop_cutter{mesh, cutter};
+            const double r = cutter.corner_radius();
+            for (const double away : {0.02, 0.4, 0.9, 1.1, 2.0, 3.3, 4.4})
+                for (const double y : {-7.1, 0.0, 3.3}) {
+                    const CutterContact floor{{away - width / 2, y, 0}, Vec3::UnitZ()};
+                    EXPECT_EQ(is_accessible(drop_cutter, floor, 0.05),
+                              width >= 10 && away > r)
+                        << width << ' ' << away << ' ' << y << ' ' << r;
+                }
+        }
+}
+
+TEST(Accessibility, NeedsAPointAUnitNormalAndADistance)
+{
+    const TriangleMesh mesh = slot_mesh(12);
+    const DropCutter drop_cutter{mesh, Cutter::flat(5)};
+    const Vec3 up = Vec3::UnitZ();
+    EXPECT_TRUE(is_accessible(drop_cutter, {{0, 0, 0}, up}, 0));
+    for (const CutterContact& wrong :
+         {CutterContact{{0, 0, std::nan("")}, up}, CutterContact{{0, 0, 0}, 2 * up},
+          CutterContact{{0, 0, 0}, std::nan("") * up}})
+        EXPECT_THROW(is_accessible(drop_cutter, wrong, 0.1), DomainError);
+    for (const double wrong : {-0.1, std::nan("")})
+        EXPECT_THROW(is_accessible(drop_cutter, {{0, 0, 0}, up}, wrong), DomainError);
+}
+
 // Lifting the cutter by the rise at its place makes it rest there.
 TEST(GreatestRise, IsTheLiftThatARestingCutterNeeds)
 {

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -79,10 +78,10 @@ std::optional<LeastGap> least_of_all(std::size_t count, const MakeSearch& make_s
 // that all bounds are negated gaps.
 class MeshGapQuery {
 public:
-    MeshGapQuery(const DropTree& tree, const Vec3& reference, double resolution,
-                 double enough)
+    MeshGapQuery(const DropTree& tree, const Cutter& cutter, const Vec3& reference,
+                 double resolution, double enough)
         : tree_{tree},
-          core_{tree.cutter(), reference - tree.origin()},
+          core_{cutter, reference - tree.origin()},
           resolution_{resolution},
           found_{enough, {}}
     {
@@ -165,7 +164,7 @@ std::optional<LeastGap> least_gap(const DropCutter& drop_cutter,
     const DropTree& tree = drop_cutter.tree();
     return least_of_all(references.size(), [&] {
         return [&](std::size_t k, double enough) {
-            MeshGapQuery query{tree, references[k], resolution, enough};
+            MeshGapQuery query{tree, tree.cutter(), references[k], resolution, enough};
             tree.search(query);
             return query.found();
         };
@@ -239,31 +238,133 @@ std::optional<LeastGap> greatest_rise(const DropCutter& drop_cutter,
     return least;
 }
 
+namespace {
+
+// Stops at the first point of the mesh that is inside the cutter by the resolution.
+class InnerPointQuery : public MeshGapQuery {
+public:
+    InnerPointQuery(const DropTree& tree, const Cutter& cutter, const Vec3& reference,
+                    double resolution)
+        : MeshGapQuery{tree, cutter, reference, resolution, -resolution}
+    {
+    }
+
+    float limit() const
+    {
+        return found() ? std::numeric_limits<float>::infinity() : MeshGapQuery::limit();
+    }
+};
+
+// Searches the tips of a cutter whose flat bottom covers a point, all at one height, for one
+// that is clear of a mesh. Squares of tips are tested at their middle and quartered; a square
+// is dropped if the mesh bars all of its tips.
+class FlatSearch {
+public:
+    FlatSearch(const DropCutter& drop_cutter, const Vec3& middle, double spacing)
+        : drop_cutter_{drop_cutter},
+          middle_{middle},
+          spacing_{spacing}
+    {
+    }
+
+    // Also true if it remains unknown after many tests.
+    bool finds_clear_tip()
+    {
+        squares_.push_back({{0, 0}, drop_cutter_.cutter().flat_radius()});
+        for (std::size_t next = 0; next < squares_.size(); ++next) {
+            const Square square = squares_[next];
+            const auto found = drop_cutter_.contact(middle_.head<2>() + nearest(square));
+            if (!found || found->tip_z <= middle_.z())
+                return true;
+            if (is_barred(square))
+                continue;
+            if (next >= most_tests || square.half_size < spacing_)
+                return true;
+            quarter(square);
+        }
+        return false;
+    }
+
+private:
+    static constexpr std::size_t most_tests = 1024;
+    static constexpr double resolution_share = 0.125;  // of the size of a square
+
+    struct Square {
+        Eigen::Vector2d middle;  // relative to middle_
+        double half_size;
+    };
+
+    // The tip of the disc next to the square's middle.
+    Eigen::Vector2d nearest(const Square& square) const
+    {
+        const double flat_radius = drop_cutter_.cutter().flat_radius();
+        const double distance = square.middle.norm();
+        return distance > flat_radius
+                   ? Eigen::Vector2d{square.middle * (flat_radius / distance)}
+                   : square.middle;
+    }
+
+    // Whether the mesh bars all tips of the square: a narrower cutter in its middle, whose
+    // bottom the true one covers from every tip of the square, is not clear.
+    bool is_barred(const Square& square) const
+    {
+        const Cutter& cutter = drop_cutter_.cutter();
+        const double less = std::sqrt(2.0) * square.half_size;
+        if (less >= cutter.flat_radius())
+            return false;
+        const double r = cutter.corner_radius();
+        Vec3 reference = middle_ + r * Vec3::UnitZ();
+        reference.head<2>() += square.middle;
+        InnerPointQuery query{drop_cutter_.tree(),
+                              {cutter.radius() - less, r},
+                              reference,
+                              std::max(gap_resolution, resolution_share * less)};
+        drop_cutter_.tree().search(query);
+        return query.found().has_value();
+    }
+
+    void quarter(const Square& square)
+    {
+        const double half_size = square.half_size / 2;
+        for (const double x : {-half_size, half_size})
+            for (const double y : {-half_size, half_size}) {
+                const Eigen::Vector2d middle = square.middle + Eigen::Vector2d{x, y};
+                const Eigen::Vector2d corner =
+                    (middle.cwiseAbs() - Eigen::Vector2d{half_size, half_size})
+                        .cwiseMax(0);
+                if (corner.norm() < drop_cutter_.cutter().flat_radius())
+                    squares_.push_back({middle, half_size});
+            }
+    }
+
+    const DropCutter& drop_cutter_;
+    Vec3 middle_;
+    double spacing_;
+    std::vector<Square> squares_;
+};
+
+}  // namespace
+
 bool is_accessible(const DropCutter& drop_cutter, const CutterContact& contact,
                    double distance)
 {
-    constexpr int rim_points = 8;
+    constexpr double unit_accuracy = 1e-9;
+    require(contact.point.allFinite(), "is_accessible: the point is not finite");
+    require(std::abs(contact.normal.norm() - 1) <= unit_accuracy,
+            "is_accessible: the normal is not a unit vector");
+    require(distance >= 0 && std::isfinite(distance),
+            "is_accessible: need a finite distance >= 0");
     if (contact.normal.z() < 0)
         return false;
     const Cutter& cutter = drop_cutter.cutter();
-    const Vec3 tip =
+    Vec3 tip =
         control_point(cutter, {contact.point + distance * contact.normal, contact.normal},
                       ControlPoint::Tip);
-    const auto is_clear_at = [&](const Eigen::Vector2d& place) {
-        const auto found = drop_cutter.contact(place);
-        return !found || found->tip_z <= tip.z() + rest_gouge;
-    };
-    if (is_clear_at(tip.head<2>()))
-        return true;
-    if (!(cutter.flat_radius() > 0 && is_level(contact.normal)))
-        return false;
-    for (int k = 0; k < rim_points; ++k) {
-        const double angle = 2 * std::numbers::pi * k / rim_points;
-        const Eigen::Vector2d beside{std::cos(angle), std::sin(angle)};
-        if (is_clear_at(tip.head<2>() + cutter.flat_radius() * beside))
-            return true;
-    }
-    return false;
+    tip.z() += rest_gouge;
+    if (cutter.flat_radius() > 0 && is_level(contact.normal))
+        return FlatSearch{drop_cutter, tip, distance}.finds_clear_tip();
+    const auto found = drop_cutter.contact(tip.head<2>());
+    return !found || found->tip_z <= tip.z();
 }
 
 }  // namespace endmill

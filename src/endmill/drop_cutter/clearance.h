@@ -83,13 +83,16 @@ std::optional<LeastGap> greatest_rise(const DropCutter& drop_cutter,
 
 /// Whether a cutter can come within `distance` of a point of a mesh: placed such that it would
 /// touch the point, and moved away from it by the distance along the normal, it is clear of the
-/// mesh. On a level place a cutter with a flat bottom may touch with any point of the
-/// bottom; its centre and eight points of its rim are tried.
+/// mesh. A gouge up to `rest_gouge` counts as clear. On a level place a cutter with a flat
+/// bottom may touch with any point of the bottom. The place is inaccessible only if the
+/// mesh bars all these positions. Where it takes positions closer together than about the
+/// distance, or more than a thousand, to know that, the place counts as accessible.
 /// \param drop_cutter the mesh and the cutter.
 /// \param contact the point and the unit normal of the part there; a normal that points
 ///     downwards is never accessible.
 /// \param distance in mm, >= 0.
-/// \throws DomainError unless the point is finite.
+/// \throws DomainError unless the point is finite, the normal is a unit vector and the
+///     distance is finite and not negative.
 bool is_accessible(const DropCutter& drop_cutter, const CutterContact& contact,
                    double distance);
 
