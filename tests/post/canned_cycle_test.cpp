@@ -12,6 +12,7 @@ namespace endmill {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::StartsWith;
 
 // A program and its moves: "X Z" of a rapid, "X Z!" of a move at feed. The moves are those
@@ -123,6 +124,17 @@ TEST(CannedCycles, AreInTheProgramsUnit)
     EXPECT_THAT(tips(read_gcode("G20 G0 X0 Y0 Z1\nG99 G81 X1 Z-1 R0.5 F9\nM2")),
                 ElementsAre(Vec3(0, 0, 25.4), Vec3(25.4, 0, 25.4), Vec3(25.4, 0, 12.7),
                             Vec3(25.4, 0, -25.4), Vec3(25.4, 0, 12.7)));
+}
+
+TEST(CannedCycles, KeepTheirUnitUntilTheyEnd)
+{
+    const std::string cycle = "F9\nG99 G81 X1 Z-1 R1\n";
+    for (const char* next : {"G20 X2", "G20\nX2", "G20 G82 X2 Z-1 R1 P1"})
+        EXPECT_THAT(gcode_refusal(program_of(cycle + next)),
+                    HasSubstr("G20 or G21 within a canned cycle; expected G80 before it"))
+            << next;
+    for (const char* next : {"G21 X2", "G20\nG21 X2", "G80\nG20\nG81 X2 Z-1 R1"})
+        EXPECT_NO_THROW(read_gcode(program_of(cycle + next))) << next;
 }
 
 TEST(CannedCycles, BeginAPathAtTheirFirstHole)

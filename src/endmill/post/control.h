@@ -11,7 +11,7 @@ namespace endmill {
 
 /// What a control is told about the accuracy at corners.
 enum class PathControl {
-    Tolerance,  ///< `G64 P` with a share of the tolerance of the path
+    Tolerance,  ///< `G64 P` with half the tolerance of the path
     Exact,      ///< `G61`: exact path
     None,       ///< nothing
 };

@@ -55,12 +55,12 @@ struct GcodeOptions {
 /// changed, and the new tool returns to the place above the last point and descends to
 /// it.
 ///
-/// With PathControl::Tolerance the path control is `G64 P` with half the tolerance, so that the rounding of corners
-/// by the control leaves the other half. P is rounded to the nearest number with enough
-/// decimals to be within 1 % of that half. If nine decimals are not enough, or the
-/// tolerance is 0, the program has G61 (exact path). Without a tolerance it has plain
-/// `G64`. F has as many decimals as coordinates, and S as the control says, without
-/// trailing zeros.
+/// With PathControl::Tolerance the path control is `G64 P` with half the tolerance, so
+/// that the rounding of corners by the control leaves the other half. P is rounded to the
+/// nearest number with enough decimals to be within 1 % of that half. If nine decimals are
+/// not enough, or the tolerance is 0, the program has G61 (exact path). Without a tolerance
+/// it has plain `G64`. F has as many decimals as coordinates, and S as the control says,
+/// without trailing zeros.
 ///
 /// Arcs: the program differs from the path by at most `arc_tolerance`, rounding included;
 /// `max_arc_error_mm` is the bound reached. Ramps: the path of `with_ramps`, which removes

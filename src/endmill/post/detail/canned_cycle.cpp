@@ -121,10 +121,14 @@ void check_room(double moves, std::size_t room, const TextLines& lines)
 
 }  // namespace
 
-// A word must be given in the first block of its cycle.
+// A word must be given in the first block of its cycle. LinuxCNC keeps the numbers of the
+// words and of the initial level when the unit changes, other controls the lengths.
 void CannedCycles::take_words(const GcodeBlock& block, const GcodeModes& modes,
                               char depth_letter, const TextLines& lines)
 {
+    if (code_ != 0 && mm_per_unit_ != modes.mm_per_unit())
+        throw lines.complaint("G20 or G21 within a canned cycle", "G80 before it");
+    mm_per_unit_ = modes.mm_per_unit();
     const bool is_new = code_ != modes.cycle;
     const auto take = [&](char letter, double& word, const char* meaning) {
         if (block.has(letter))

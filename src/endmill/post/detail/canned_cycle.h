@@ -50,7 +50,7 @@ public:
     /// \param lines for error messages.
     /// \throws FormatError with file and line for a missing R, Q or depth, an R below the
     ///         depth, a Q that is not above 0, a number of holes that is not a whole number
-    ///         from 1.
+    ///         from 1, a change of the unit of length since the last of consecutive cycles.
     /// \throws LimitError if the moves are more than `room`.
     CannedCycle next(const GcodeBlock& block, const GcodeModes& modes,
                      const Vec3& position, std::size_t room, const TextLines& lines);
@@ -63,7 +63,8 @@ private:
                     const TextLines& lines);
     void set_levels(CannedCycle& cycle, RetractLevel retract, double start) const;
 
-    int code_ = 0;  // of the last block; 0 if it had no cycle
+    int code_ = 0;            // of the last block; 0 if it had no cycle
+    double mm_per_unit_ = 1;  // of the last block with a cycle
     double initial_level_ = 0;
     double r_ = 0;  // words as given, in mm
     double depth_ = 0;
