@@ -316,7 +316,7 @@ fs::path program_on_path(const std::string& name)
         const std::size_t end = std::min(rest.find(':'), rest.size());
         const fs::path folder{rest.substr(0, end)};
         rest.remove_prefix(std::min(end + 1, rest.size()));
-        const fs::path program = folder / name;
+        fs::path program = folder / name;
         std::error_code ignored;
         if (folder.is_absolute() && fs::is_regular_file(program, ignored) &&
             ::access(program.c_str(), X_OK) == 0)
