@@ -2,12 +2,14 @@
 #include "cli/interpreter.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <optional>
 #include <set>
+#include <span>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -76,6 +78,40 @@ void refuse_folders(const std::vector<std::string>& lines, const std::string& fi
                           {file, std::to_string(found - lines.begin() + 1),
                            "a subprogram in another folder, " + printable(*found, 40),
                            "subprograms in the same file"}};
+}
+
+// Whether the line has the G code `code`, such as "g28", but not "g28.1" or "g280".
+bool has_code(std::string_view line, std::string_view code)
+{
+    for (std::size_t at = line.find(code); at != std::string_view::npos;
+         at = line.find(code, at + 1)) {
+        const std::size_t after = at + code.size();
+        if (after == line.size() ||
+            std::string_view{".0123456789"}.find(line[after]) == std::string_view::npos)
+            return true;
+    }
+    return false;
+}
+
+// Refuses what depends on data that rs274 does not have here: it would go on with zeros.
+void refuse_unknown_data(const InterpreterTask& task,
+                         const std::vector<std::string>& lines)
+{
+    const auto refuse_codes = [&](std::span<const std::string_view> codes,
+                                  const std::string& found, const std::string& expected) {
+        for (std::size_t k = 0; k < lines.size(); ++k)
+            for (const std::string_view code : codes)
+                if (has_code(lines[k], code))
+                    throw FormatError{"E_GCODE",
+                                      {task.file, std::to_string(k + 1),
+                                       found + ' ' + printable(lines[k], 40), expected}};
+    };
+    constexpr std::array<std::string_view, 3> of_machine{"g28", "g30", "g53"};
+    refuse_codes(of_machine, "position of the machine", "positions of the part");
+    constexpr std::array<std::string_view, 2> compensation{"g41", "g42"};
+    if (task.tools.empty())
+        refuse_codes(compensation, "cutter compensation without diameters",
+                     "--tools FILE with the diameter of each tool, or a path of the tip");
 }
 
 // Tool numbers above `most_listed_tools` in the program, which is without comments.
@@ -243,6 +279,7 @@ std::string canonical_output(const InterpreterTask& task)
     const std::string text = without_comments(task.text);
     const std::vector<std::string> lines = squeezed_lines(text);
     refuse_folders(lines, task.file);
+    refuse_unknown_data(task, lines);
 
     const PrivateFolder folder{task.folder};
     folder.write("program.ngc", text);

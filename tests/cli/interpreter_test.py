@@ -159,6 +159,14 @@ class LinuxCnc(ProgramTest):
         other.unlink()
         self.refuse(HEAD + "o<other> call\nM2\n", 3, "seeking o-word: o<other> from line: 2")
 
+    def test_data_that_the_interpreter_lacks_are_not_taken_as_zero(self):
+        # rs274 would go to the zero of the part, and around the contour by a diameter of 0.
+        for line, found in (("G28", "position of the machine"), ("g91 g30 z0", "position of the machine"),
+                            ("G53 G0 Z-10", "position of the machine"), ("G41 D1", "cutter compensation")):
+            program = self.file(f"#1=5\nG21 G90 F100\nG0 X0 Y0 Z#1\n{line}\nG1 X9\nM2\n", "p.ngc")
+            done = endmill("info", program, "--interpreter", "linuxcnc", cwd=self.folder)
+            self.assert_refused(done, 3, "p.ngc:4", found)
+
     def test_interrupt_ends_the_interpreter_and_leaves_nothing(self):
         program = self.file(HEAD + "o1 while [1]\no1 endwhile\nM2\n", "p.ngc")
         for number in (signal.SIGINT, signal.SIGTERM):
