@@ -93,7 +93,7 @@ WrittenProgram written_gcode(const PostedPath& posted, const Control& control,
     program.spindle_rpm = known.spindle_rpm;
     program.tool = options.tool.value_or(program.tool);
     program.safe_height = options.safe_height;
-    program.tolerance = known.tolerance_mm();
+    program.tolerance = known.tolerance_mm().value_or(0);  // unknown: exact path
     program.decimals = options.decimals;
     program.line_numbers = options.line_numbers;
     program.comments = options.comments;

@@ -58,14 +58,14 @@ class Post(ProgramTest):
                          "0,0,0,100,1000,2\n1,0,0,200,1000,2\n", "path.csv")
         facts = self.summary("post", path, "-o", "own", "--decimals", "1")
         self.assertEqual(blocks(self.folder / "own/path.ngc")[3:],
-                         ["G64", "T2 M6", "S1000 M3", "G4 P2", "G0 G43 H2 Z5.0", "X0.0 Y0.0", "G1 Z0.0 F100",
+                         ["G61", "T2 M6", "S1000 M3", "G4 P2", "G0 G43 H2 Z5.0", "X0.0 Y0.0", "G1 Z0.0 F100",
                           "X1.0 F200", "G0 Z5.0", "M5", "M30", "%"])
         self.assertEqual((facts["plunge_feed_mm_per_min"], facts["feed_mm_per_min"]), (100, 200))
         self.summary("post", path, "--feed", "50", "--spindle-rpm", "300", "--tool-number", "7", "--cutter",
                      "flat:8", "--safe-height", "9", "--line-numbers", "--decimals", "0", "--dwell-s", "0", "-o",
                      "told")
         self.assertEqual(blocks(self.folder / "told/path.ngc"),
-                         ["%", "(endmill: path, cutter flat:8, tips)", "N1 G21 G90 G94 G17 G40 G49 G80 G54", "N2 G64",
+                         ["%", "(endmill: path, cutter flat:8, tips)", "N1 G21 G90 G94 G17 G40 G49 G80 G54", "N2 G61",
                           "N3 T7 M6", "N4 S300 M3", "N5 G0 G43 H7 Z9", "N6 X0 Y0", "N7 G1 Z0 F17", "N8 X1 F50",
                           "N9 G0 Z9", "N10 M5", "N11 M30", "%"])
 
@@ -228,7 +228,7 @@ class Controls(ProgramTest):
 
     def test_linuxcnc(self):
         lines = self.posted("linuxcnc", "p.ngc", "--coolant", "mist")
-        self.assertEqual(lines[2:9], ["G21 G90 G94 G17 G40 G49 G80 G54", "G64", "T1 M6", "S6000 M3", "G4 P2", "M7",
+        self.assertEqual(lines[2:9], ["G21 G90 G94 G17 G40 G49 G80 G54", "G61", "T1 M6", "S6000 M3", "G4 P2", "M7",
                                       "G0 G43 H1 Z5.0000"])
         self.assertEqual(lines[-5:], ["G0 Z5.0000", "M9", "M5", "M30", "%"])
 
@@ -256,7 +256,7 @@ class Controls(ProgramTest):
         facts = self.summary("post", self.path, "--control", file, "-o", "out")
         self.assertEqual((facts["control"], facts["file"]), ("router", "p.tap"))
         text = (self.folder / "out/p.tap").read_bytes()
-        self.assertTrue(text.startswith(b"%\r\nG21 G90 G94 G17 G40 G49 G80 G54\r\nG64\r\nT1 M6\r\n"))
+        self.assertTrue(text.startswith(b"%\r\nG21 G90 G94 G17 G40 G49 G80 G54\r\nG61\r\nT1 M6\r\n"))
 
     def test_inches(self):
         lines = self.posted("linuxcnc", "p.ngc", "--units", "inch")
