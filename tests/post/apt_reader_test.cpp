@@ -56,6 +56,7 @@ TEST(AptReader, ReadsEveryStatement)
     EXPECT_THAT(moves, ElementsAre(Move::Rapid, Move::Plunge, Move::Cut, Move::Rapid,
                                    Move::Retract));
     EXPECT_EQ(points[2].location.tip, (Vec3{5, 0.5, -1.5}));
+    EXPECT_EQ(points[2].conditions.tool, 3);
     EXPECT_EQ(points[2].location.axis, (Vec3{0, 0.6, 0.8}));
     EXPECT_EQ(points[3].location.axis, (Vec3{0, 0, 1}));
     EXPECT_THAT(
@@ -107,6 +108,11 @@ TEST(AptReader, RefusesOtherStatementsWithTheLine)
                                   "UNITS/INCH",
                                   "UNITS",
                                   "SPINDL/OFF",
+                                  "LOADTL",
+                                  "LOADTL/drill",
+                                  "LOADTL/1.5",
+                                  "LOADTL/-1",
+                                  "LOADTL/100000",
                                   "SPINDL/100,RPM,CCLW",
                                   "SPINDL/0,RPM,CLW",
                                   "SPINDL/-1,RPM,CLW",

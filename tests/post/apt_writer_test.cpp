@@ -2,6 +2,9 @@
 #include "endmill/post/apt.h"
 
 #include <limits>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,6 +44,24 @@ TEST(Apt, WritesASmallPathAsByHand)
               "FINI\n");
     EXPECT_EQ(program.lines, 13U);
     EXPECT_DOUBLE_EQ(program.max_rounding_error_mm, 4e-5);
+}
+
+TEST(Apt, StatesEachChangeOfTheTool)
+{
+    const Vec3 up = Vec3::UnitZ();
+    ToolPath path;
+    path.points = {{0, 0, Move::Cut, 0, {{0, 0, 0}, up}},
+                   {0, 1, Move::Cut, 0, {{1, 0, 0}, up}},
+                   {0, 2, Move::Cut, 0, {{2, 0, 0}, up}}};
+    path = test::with_conditions(path, {{9, {}, 1}, {9, {}, 1}, {9, {}, 2}});
+    const std::string text = apt(path, {.decimals = 0}).text;
+    EXPECT_EQ(text,
+              "PARTNO/\nUNITS/MM\nLOADTL/1\nFEDRAT/9,MMPM\nGOTO/0,0,0\nGOTO/1,0,0\n"
+              "LOADTL/2\nGOTO/2,0,0\nFINI\n");
+    std::vector<std::optional<int>> tools;
+    for (const PathPoint& point : parse_apt(text, "f.apt").path.points)
+        tools.push_back(point.conditions.tool);
+    EXPECT_EQ(tools, (std::vector<std::optional<int>>{1, 1, 2}));
 }
 
 TEST(Apt, LeavesOutTheCutterAndTheSpeedIfUnknown)

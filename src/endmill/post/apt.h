@@ -27,7 +27,7 @@ struct AptReadOptions {
 bool is_apt(std::string_view text);
 
 /// Reads CL data with the statements that `apt` writes, and with REMARK, PPRINT and `$$`
-/// (comments) and LOADTL, COOLNT and STOP (no effect). Upper and lower case are equal,
+/// (comments) and COOLNT and STOP (no effect). Upper and lower case are equal,
 /// and blanks between words are ignored. Numbers are plain decimals. CUTTER without a
 /// corner radius is a flat end mill.
 ///
@@ -60,9 +60,9 @@ struct AptOptions {
 /// The path as CL data in the words of APT (ISO 4343): PARTNO, UNITS/MM, CUTTER, then
 /// SPINDL and FEDRAT where they change, RAPID before each rapid move, GOTO to each tip,
 /// with the axis where it is not +z, and FINI. With `multax`, MULTAX follows UNITS and
-/// every GOTO has its axis. The cutter and the axes are written
-/// exactly: reading gives the same doubles. Tool number and safe start are not written;
-/// the post-processor that reads the data adds them.
+/// every GOTO has its axis. LOADTL stands where the path names another tool. The cutter and
+/// the axes are written exactly: reading gives the same doubles. A safe start is not
+/// written; the post-processor that reads the data adds it.
 /// \param path the path.
 /// \param options format and missing data.
 /// \throws DomainError for a path without points; for decimals outside 0 to 9; if a move

@@ -85,10 +85,12 @@ Statement statement_of(std::string_view line)
 // Statements whose rest is text for people.
 constexpr std::array<std::string_view, 3> text_words{"PARTNO", "REMARK", "PPRINT"};
 // Statements about the machine, which have no effect on the path.
-constexpr std::array<std::string_view, 3> ignored_words{"LOADTL", "COOLNT", "STOP"};
+constexpr std::array<std::string_view, 2> ignored_words{"COOLNT", "STOP"};
 // Statements that define the path.
-constexpr std::array<std::string_view, 8> read_words{
-    "UNITS", "MULTAX", "CUTTER", "SPINDL", "FEDRAT", "RAPID", "GOTO", "FINI"};
+constexpr std::array<std::string_view, 9> read_words{
+    "UNITS", "MULTAX", "CUTTER", "LOADTL", "SPINDL", "FEDRAT", "RAPID", "GOTO", "FINI"};
+// Controls accept tool numbers of at most five digits.
+constexpr double greatest_tool = 99999;
 
 // A typical statement GOTO has about this length.
 constexpr std::size_t likely_bytes_per_statement = 32;
@@ -131,6 +133,8 @@ private:
             read_speed(statement);
         else if (statement.is("CUTTER"))
             read_cutter(statement);
+        else if (statement.is("LOADTL"))
+            read_tool(statement);
         else if (statement.is("UNITS"))
             read_units(statement);
         else if (statement.is("MULTAX"))
@@ -258,6 +262,16 @@ private:
         conditions_.spindle_rpm = number(parts[0]);
         if (!(*conditions_.spindle_rpm > 0))
             refuse("a speed above 0");
+    }
+
+    // What follows the number, such as LENGTH, is for the machine.
+    void read_tool(const Statement& statement)
+    {
+        const auto parts = arguments(statement);
+        const double tool = parts.empty() ? -1 : number(parts[0]);
+        if (!(0 <= tool && tool <= greatest_tool && tool == std::floor(tool)))
+            refuse("LOADTL/number, a whole number from 0 to 99999");
+        conditions_.tool = static_cast<int>(tool);
     }
 
     void read_cutter(const Statement& statement)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "endmill/core/error.h"
@@ -43,6 +44,10 @@ public:
 
     void add_point(const PathPoint& point, const CuttingConditions& conditions)
     {
+        if (conditions.tool && conditions.tool != tool_) {
+            tool_ = conditions.tool;
+            add("LOADTL/" + std::to_string(*tool_));
+        }
         if (conditions.spindle_rpm)
             add_changed("SPINDL/", *conditions.spindle_rpm, ",RPM,CLW", speed_);
         if (conditions.feed_mm_per_min)
@@ -97,6 +102,7 @@ private:
 
     const AptOptions& options_;
     WrittenProgram program_;
+    std::optional<int> tool_;
     std::string speed_;  // the statements in force
     std::string feed_;
 };
