@@ -56,14 +56,13 @@ TEST(AptReader, ReadsEveryStatement)
     EXPECT_THAT(moves, ElementsAre(Move::Rapid, Move::Plunge, Move::Cut, Move::Rapid,
                                    Move::Retract));
     EXPECT_EQ(points[2].location.tip, (Vec3{5, 0.5, -1.5}));
-    EXPECT_EQ(points[2].conditions.tool, 3);
     EXPECT_EQ(points[2].location.axis, (Vec3{0, 0.6, 0.8}));
     EXPECT_EQ(points[3].location.axis, (Vec3{0, 0, 1}));
     EXPECT_THAT(
         test::conditions_of(program.path),
-        ElementsAre(CuttingConditions{}, CuttingConditions{250.5, 3000, {}},
-                    CuttingConditions{250.5, 3000, {}}, CuttingConditions{{}, 3000, {}},
-                    CuttingConditions{250.5, 3000, {}}));
+        ElementsAre(CuttingConditions{{}, {}, 3}, CuttingConditions{250.5, 3000, 3},
+                    CuttingConditions{250.5, 3000, 3}, CuttingConditions{{}, 3000, 3},
+                    CuttingConditions{250.5, 3000, 3}));
 }
 
 TEST(AptReader, RequiresOnlyAGoto)
