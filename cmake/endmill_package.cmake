@@ -35,7 +35,7 @@ macro(endmill_package)
   set(CPACK_DEBIAN_PACKAGE_MAINTAINER "The endmill authors")
   set(CPACK_DEBIAN_PACKAGE_SECTION science)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-  string(JOIN ", " CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev (>= 3.4)" libtbb-dev libboost-dev
+  string(JOIN ", " CPACK_DEBIAN_PACKAGE_SUGGESTS "libeigen3-dev (>= 3.4)" libboost-dev
          "libcgal-dev (>= 5.5)" nlohmann-json3-dev libopenmesh-dev libssl-dev)
   include(CPack)
 endmacro()

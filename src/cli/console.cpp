@@ -57,7 +57,9 @@ void report_error(const std::string& code, const std::string& message, ExitCode 
     write_error({{"code", code}, {"message", printable(message)}}, exit, as_json);
 }
 
-ExitCode report_current_exception(bool as_json)
+namespace {
+
+ExitCode report_exception(bool as_json)
 {
     const auto report = [&](const Error& error, ExitCode exit) {
         report_error(error.code(), error.what(), exit, as_json);
@@ -81,8 +83,7 @@ ExitCode report_current_exception(bool as_json)
     } catch (const LimitError& error) {
         return report(error, ExitCode::Limit);
     } catch (const std::bad_alloc&) {
-        report_error("E_LIMIT", "out of memory", ExitCode::Limit, as_json);
-        return ExitCode::Limit;
+        throw;
     } catch (const std::exception& error) {
         report_error("E_FAULT",
                      std::string{"this is a fault of endmill; please report it with the "
@@ -90,6 +91,28 @@ ExitCode report_current_exception(bool as_json)
                          error.what(),
                      ExitCode::Fault, as_json);
         return ExitCode::Fault;
+    }
+}
+
+// Needs no memory.
+ExitCode report_lack_of_memory(bool as_json)
+{
+    std::fputs(as_json
+                   ? R"({"error":{"code":"E_LIMIT","exit":6,"message":"out of memory"}})"
+                     "\n"
+                   : "endmill: error: out of memory\n",
+               stderr);
+    return ExitCode::Limit;
+}
+
+}  // namespace
+
+ExitCode report_current_exception(bool as_json) noexcept
+{
+    try {
+        return report_exception(as_json);
+    } catch (...) {
+        return report_lack_of_memory(as_json);
     }
 }
 

@@ -31,9 +31,10 @@ auto naming(const std::string& file, Act act)
 }
 
 /// Reports the current exception on standard error, as the line "endmill: error: …" or
-/// as a JSON object.
+/// as a JSON object. If there is no memory for the report, or the exception says so, it
+/// reports that.
 /// \return the exit code of the program.
-ExitCode report_current_exception(bool as_json);
+ExitCode report_current_exception(bool as_json) noexcept;
 
 /// Reports `message` in the same format.
 void report_error(const std::string& code, const std::string& message, ExitCode exit,

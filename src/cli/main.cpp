@@ -3,10 +3,15 @@
 // a message and an exit code.
 
 #include <algorithm>
+#include <cstdlib>
+#include <exception>
 #include <memory>
+#include <new>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include <unistd.h>
 
 #include "build_facts.h"
 #include "cli/command.h"
@@ -14,6 +19,7 @@
 #include "cli/help_formatter.h"
 #include "cli/interrupt.h"
 #include "cli/usage_message.h"
+#include "endmill/files/output_folder.h"
 
 namespace endmill {
 namespace {
@@ -28,7 +34,7 @@ constexpr const char* footer =
     "  1  the answer is no, or a gouge     5  output not written\n"
     "  2  wrong command line               6  a limit was reached, such as memory\n"
     "  3  missing or malformed input file  7  a fault of endmill\n"
-    "  130, 143  interrupted";
+    "  128 + N  ended by signal N: 130 interrupted, 143 terminated";
 
 ExitCode run(int argc, char** argv, bool json_errors)
 {
@@ -74,12 +80,29 @@ ExitCode run(int argc, char** argv, bool json_errors)
     return action();
 }
 
+// Functions of libraries that must not throw, such as destructors, allocate memory. If there
+// is none, the language ends the program here.
+[[noreturn]] void end_without_memory()
+{
+    try {
+        if (const auto exception = std::current_exception())
+            std::rethrow_exception(exception);
+    } catch (const std::bad_alloc&) {
+        OutputFolder::abandon_all_unless_busy();
+        _exit(static_cast<int>(report_current_exception(false)));
+    } catch (...) {
+        std::abort();
+    }
+    std::abort();
+}
+
 }  // namespace
 }  // namespace endmill
 
 int main(int argc, char** argv)
 {
     using namespace endmill;
+    std::set_terminate(end_without_memory);
     handle_interrupts();
     const std::span<char*> words{argv, static_cast<std::size_t>(argc)};
     const bool json_errors = std::ranges::any_of(words, [](const char* word) {

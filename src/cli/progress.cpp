@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <utility>
 
 #include <unistd.h>
@@ -62,8 +63,13 @@ std::string waiting_time(double seconds)
 ProgressLine::ProgressLine(std::string work, const CommonOptions& options)
     : work_{std::move(work)}
 {
-    if (!options.quiet)
-        thread_ = std::thread{[this] { run(); }};
+    if (options.quiet)
+        return;
+    try {
+        thread_ = std::thread{[this] { show_until_over(); }};
+    } catch (const std::exception&) {
+        return;  // no thread to be had: the work goes on without progress
+    }
 }
 
 ProgressLine::~ProgressLine()
@@ -106,6 +112,15 @@ void ProgressLine::show(std::string state, double share)
     const std::lock_guard lock{mutex_};
     state_ = std::move(state);
     share_ = share;
+}
+
+void ProgressLine::show_until_over()
+{
+    try {
+        run();
+    } catch (const std::exception&) {
+        return;  // no memory for a line
+    }
 }
 
 void ProgressLine::run()

@@ -15,7 +15,8 @@ namespace endmill {
 /// the program began, and the time that is left. On a terminal it is one line, which
 /// appears after one second and is removed at the end. Elsewhere a line is printed every
 /// ten seconds. With --quiet there is none. A separate thread updates the time, so it
-/// changes even if the work reports nothing. Any thread may report progress.
+/// changes even if the work reports nothing. If the system has no thread or no memory for it,
+/// there is no progress. Any thread may report progress.
 ///
 /// The time left follows from the share of the current work and the time that it took. It
 /// is omitted while the share is not known or too small for an estimate.
@@ -44,6 +45,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
+    void show_until_over();
     void run();
     void draw();
     void print_line();

@@ -301,7 +301,7 @@ class Output(ProgramTest):
             with subprocess.Popen([ENDMILL, "plan", SURFACES / "net_rot24_7D.json", "--chord-tolerance", "5e-4",
                                    "-o", "out"], cwd=self.folder, stderr=subprocess.PIPE,
                                   stdout=subprocess.PIPE) as process:
-                while not (self.folder / "out").exists() and process.poll() is None:
+                while not list(self.folder.glob(".endmill-*")) and process.poll() is None:
                     time.sleep(0.01)
                 process.send_signal(number)
                 process.communicate(timeout=600)

@@ -47,6 +47,135 @@ TEST(OutputFolder, ShowsItsFilesTogetherWhenPublished)
     EXPECT_EQ(content_of(place.path() / "a/b/u/toolpath.csv"), std::string(3000000, 'x'));
 }
 
+TEST(OutputFolder, IsNotThereBeforeItIsPublished)
+{
+    const TemporaryFolder place;
+    OutputFolder output{place.path() / "a/"};
+    output.write("u/a.csv", "x");
+    EXPECT_FALSE(fs::exists(place.path() / "a"));
+    output.publish();
+    EXPECT_EQ(names_in(place.path()), (Names{"a", "a/u", "a/u/a.csv"}));
+    output.write("b.csv", "x");
+    output.publish();
+    EXPECT_EQ(names_in(place.path()), (Names{"a", "a/b.csv", "a/u", "a/u/a.csv"}));
+}
+
+TEST(OutputFolder, IsRestoredIfAFileCannotBePublished)
+{
+    const TemporaryFolder place;
+    place.put("summary.json", "old");
+    place.put("b.csv", "old");
+    place.put("left.csv", "old");
+    OutputFolder output{place.path(), FullFolder::Accept};
+    output.remove_unless_written("left.csv");
+    for (const char* name : {"a.csv", "b.csv", "summary.json", "u/c.csv"})
+        output.write(name, "new");
+    place.put("u", "a file in the way");
+    EXPECT_THAT([&] { output.publish(); },
+                testing::ThrowsMessage<OutputError>(HasSubstr("u/c.csv: ")));
+    for (const char* name : {"summary.json", "b.csv", "left.csv"})
+        EXPECT_EQ(content_of(place.path() / name), "old") << name;
+    EXPECT_FALSE(fs::exists(place.path() / "a.csv"));
+}
+
+TEST(OutputFolder, StatesWhyANameCannotBeUsed)
+{
+    const TemporaryFolder place;
+    EXPECT_THAT([&] { OutputFolder{place.path() / std::string(300, 'n')}; },
+                testing::ThrowsMessage<OutputError>(HasSubstr("File name too long")));
+    fs::create_symlink("nowhere", place.path() / "link");
+    EXPECT_THAT([&] { OutputFolder{place.path() / "link"}; },
+                testing::ThrowsMessage<OutputError>(
+                    HasSubstr("link: it is a link to nowhere, which does not exist")));
+    fs::create_symlink("self", place.path() / "self");
+    EXPECT_THAT([&] { OutputFolder{place.path() / "self"}; },
+                testing::ThrowsMessage<OutputError>(
+                    HasSubstr("it is a link to self, which cannot be followed")));
+}
+
+// A run whose process is gone: no process has this number. It was killed at some time while
+// it replaced a.csv and summary.json, wrote b.csv for the first time, and removed left.csv.
+class KilledRunTest : public testing::Test {
+protected:
+    static constexpr const char* staging = ".endmill-4194305-0.tmp";
+
+    void put(const fs::path& name, const std::string& content) const
+    {
+        fs::create_directories((place.path() / name).parent_path());
+        place.put(name, content);
+    }
+
+    // The state after a number of its renames, 0 to 6.
+    void kill_after(int renames) const
+    {
+        const fs::path hidden = staging;
+        put(hidden / "names", "wa.csv\0wb.csv\0wsummary.json\0rleft.csv\0"s);
+        put(renames > 0 ? hidden / "old/summary.json" : "summary.json", "old");
+        put(renames > 1 ? hidden / "old/a.csv" : "a.csv", "old");
+        put(renames > 2 ? hidden / "old/left.csv" : "left.csv", "old");
+        put(renames > 3 ? "a.csv" : hidden / "new/a.csv", "new");
+        put(renames > 4 ? "b.csv" : hidden / "new/b.csv", "new");
+        put(renames > 5 ? "summary.json" : hidden / "new/summary.json", "new");
+    }
+
+    const TemporaryFolder place;
+};
+
+TEST_F(KilledRunTest, IsUndoneUnlessAllItsFilesArePublished)
+{
+    for (int renames = 0; renames <= 6; ++renames) {
+        for (const auto& entry : fs::directory_iterator{place.path()})
+            fs::remove_all(entry.path());
+        kill_after(renames);
+        const OutputFolder next{place.path(), FullFolder::Accept};
+        const bool is_new = renames == 6;
+        EXPECT_FALSE(fs::exists(place.path() / staging)) << renames;
+        EXPECT_EQ(content_of(place.path() / "summary.json"), is_new ? "new" : "old");
+        EXPECT_EQ(content_of(place.path() / "a.csv"), is_new ? "new" : "old");
+        EXPECT_EQ(fs::exists(place.path() / "b.csv"), is_new);
+        EXPECT_EQ(fs::exists(place.path() / "left.csv"), !is_new);
+    }
+}
+
+TEST_F(KilledRunTest, DoesNotCountAsContent)
+{
+    put(fs::path{staging} / "new/a.csv", "new");
+    put(fs::path{staging} / ".part-1", "n");
+    EXPECT_NO_THROW(OutputFolder{place.path()});
+    EXPECT_EQ(names_in(place.path()), Names{});
+}
+
+TEST_F(KilledRunTest, CannotTouchFilesOutsideItsFolder)
+{
+    const TemporaryFolder elsewhere;
+    elsewhere.put("b.csv", "of another");
+    fs::create_directory_symlink(elsewhere.path(), place.path() / "u");
+    const std::string outside = (elsewhere.path() / "b.csv").string();
+    put(fs::path{staging} / "names", "wu/b.csv\0w" + outside + "\0w../b.csv\0wa.csv\0"s);
+    put(fs::path{staging} / "new/a.csv", "new");
+    const OutputFolder next{place.path(), FullFolder::Accept};
+    EXPECT_EQ(content_of(elsewhere.path() / "b.csv"), "of another");
+    EXPECT_FALSE(fs::exists(place.path() / staging));
+}
+
+TEST_F(KilledRunTest, StaysWhileItsProcessLives)
+{
+    const OutputFolder living{place.path()};
+    EXPECT_THAT([&] { OutputFolder{place.path()}; },
+                testing::ThrowsMessage<DomainError>(HasSubstr("is not empty")));
+    const OutputFolder other{place.path(), FullFolder::Accept};
+    EXPECT_EQ(names_in(place.path()).size(), 4U);  // two staging folders
+}
+
+TEST_F(KilledRunTest, IsToldByItsName)
+{
+    for (const char* name : {".endmill-1-0.tmpx", ".endmill--0.tmp", ".endmill-a-0.tmp",
+                             ".endmill-1.tmp", "endmill-1-0.tmp", ".endmill-1-.tmp"})
+        put(fs::path{name} / "a.csv", "mine");
+    const OutputFolder next{place.path(), FullFolder::Accept};
+    EXPECT_EQ(names_in(place.path()).size(), 6U * 2 + 2);
+}
+
 TEST(OutputFolder, LeavesNothingUnlessPublished)
 {
     const TemporaryFolder place;
@@ -285,7 +414,7 @@ TEST(OutputFolder, AFullDiskIsAnErrorThatLeavesNothing)
         } catch (const OutputError& error) {
             EXPECT_THAT(error.what(), HasSubstr("large.csv: File too large"));
         }
-        EXPECT_EQ(names_in(place.path() / "a").size(), 1U);  // the small one, unpublished
+        EXPECT_FALSE(fs::exists(place.path() / "a"));
     }
     EXPECT_EQ(names_in(place.path()), Names{});
 }

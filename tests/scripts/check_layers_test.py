@@ -9,7 +9,7 @@ import check_layers
 SPDX = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
 MODULES = """# SPDX-License-Identifier: GPL-3.0-or-later
 # endmill_module(ghost) in a comment declares nothing
-endmill_module(core LIBRARIES Eigen3::Eigen PRIVATE_LIBRARIES TBB::tbb)
+endmill_module(core LIBRARIES Eigen3::Eigen PRIVATE_LIBRARIES Threads::Threads)
 endmill_module(surface
                USES core
                LIBRARIES x::y TEST_LIBRARIES files)

@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/core/parallel.h"
 
+#include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <limits>
-#include <memory>
 #include <mutex>
-
-#include <tbb/blocked_range.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
+#include <thread>
 
 #include "endmill/core/error.h"
 
+// Every call of parallel_for is a job. Its caller works on it, and threads of one pool help.
+// Each takes ranges of the numbers from a counter, long ones first. A thread that waits for the
+// helpers of its job works on no other job, so that nested calls cannot wait for each other.
+// A job lives on the stack of its caller, and nothing is allocated but the threads: where the
+// system has none left, the caller works alone.
+
 namespace endmill {
 namespace {
+
+using Body = std::function<void(std::size_t begin, std::size_t end)>;
 
 // Keeps the exception of the lowest range. Ranges do not overlap and each stops at its
 // first fault, so the result does not depend on how the numbers were divided.
@@ -44,31 +50,163 @@ private:
     std::exception_ptr exception_;
 };
 
-}  // namespace
+// One call of parallel_for.
+class Job {
+public:
+    Job(std::size_t count, const Body& body, std::size_t threads)
+        : count_{count},
+          body_{body},
+          ranges_left_{ranges_per_thread * threads}
+    {
+    }
 
-void parallel_for(std::size_t count,
-                  const std::function<void(std::size_t begin, std::size_t end)>& body)
-{
-    FirstException first;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>{0, count}, [&](const auto& range) {
-        if (!first.may_precede(range.begin()))
+    bool has_work() const { return next_.load(std::memory_order_relaxed) < count_; }
+
+    // Processes ranges until none is left.
+    void work()
+    {
+        std::size_t begin = next_;
+        while (begin < count_) {
+            const std::size_t size =
+                std::max<std::size_t>(1, (count_ - begin) / ranges_left_);
+            if (!next_.compare_exchange_weak(begin, begin + size))
+                continue;
+            process(begin, begin + size);
+            begin = next_;
+        }
+    }
+
+    void rethrow() const { first_.rethrow(); }
+
+    // Guarded by the mutex of the pool.
+    Job* older = nullptr;
+    int helpers = 0;
+
+private:
+    // A range is this share of what is left for each thread, so that threads of different
+    // speed end together.
+    static constexpr std::size_t ranges_per_thread = 4;
+
+    void process(std::size_t begin, std::size_t end)
+    {
+        if (!first_.may_precede(begin))
             return;
         try {
-            body(range.begin(), range.end());
+            body_(begin, end);
         } catch (...) {
-            first.keep_current(range.begin());
+            first_.keep_current(begin);
         }
-    });
-    first.rethrow();
+    }
+
+    std::size_t count_;
+    const Body& body_;
+    std::size_t ranges_left_;
+    std::atomic<std::size_t> next_ = 0;
+    FirstException first_;
+};
+
+// The helping threads. They start with the first job that needs them.
+class Pool {
+public:
+    // The pool of this process.
+    static Pool& instance()
+    {
+        static auto* const pool = new Pool;  // never destroyed: threads may outlive main
+        return *pool;
+    }
+
+    void set_threads(int count)
+    {
+        {
+            const std::lock_guard lock{mutex_};
+            threads_ = count;
+        }
+        has_job_.notify_all();
+    }
+
+    void run(std::size_t count, const Body& body)
+    {
+        std::unique_lock lock{mutex_};
+        Job job{count, body, static_cast<std::size_t>(threads_)};
+        const bool has_helpers = count > 1 && threads_ > 1;
+        if (has_helpers) {
+            start_threads();
+            job.older = newest_;
+            newest_ = &job;
+        }
+        lock.unlock();
+        if (has_helpers)
+            has_job_.notify_all();
+        job.work();
+        if (has_helpers) {
+            lock.lock();
+            remove(job);
+            has_no_helpers_.wait(lock, [&] { return job.helpers == 0; });
+        }
+        job.rethrow();
+    }
+
+private:
+    // The caller of a job is one of the threads. Holds the mutex.
+    void start_threads()
+    {
+        try {
+            for (; started_ < threads_ - 1; ++started_)
+                std::thread{[this, number = started_] { help(number); }}.detach();
+        } catch (const std::exception&) {
+            threads_ = started_ + 1;  // no more threads to be had
+        }
+    }
+
+    // The life of helper `number`.
+    void help(int number)
+    {
+        std::unique_lock lock{mutex_};
+        for (;;) {
+            Job* job = number < threads_ - 1 ? newest_ : nullptr;
+            while (job && !job->has_work())
+                job = job->older;
+            if (!job) {
+                has_job_.wait(lock);
+                continue;
+            }
+            ++job->helpers;
+            lock.unlock();
+            job->work();
+            lock.lock();
+            if (--job->helpers == 0)
+                has_no_helpers_.notify_all();
+        }
+    }
+
+    // Holds the mutex.
+    void remove(const Job& job)
+    {
+        Job** link = &newest_;
+        while (*link != &job)
+            link = &(*link)->older;
+        *link = job.older;
+    }
+
+    std::mutex mutex_;
+    std::condition_variable has_job_;
+    std::condition_variable has_no_helpers_;
+    Job* newest_ = nullptr;
+    int threads_ = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    int started_ = 0;
+};
+
+}  // namespace
+
+void parallel_for(std::size_t count, const Body& body)
+{
+    Pool::instance().run(count, body);
 }
 
 void set_thread_count(int count)
 {
     require(1 <= count && count <= 1024, "set_thread_count: need 1 <= count <= 1024");
-    static std::unique_ptr<tbb::global_control> limit;
-    limit.reset();  // TBB applies the smaller one of two limits
-    limit = std::make_unique<tbb::global_control>(
-        tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
+    Pool::instance().set_threads(count);
 }
 
 }  // namespace endmill

@@ -2,12 +2,10 @@
 #include "endmill/files/output_folder.h"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <cerrno>
 #include <csignal>
-#include <cstddef>
 #include <ctime>
+#include <memory>
 #include <mutex>
 #include <set>
 #include <system_error>
@@ -18,15 +16,15 @@
 #include <unistd.h>
 
 #include "endmill/core/error.h"
+#include "endmill/files/detail/staging_folder.h"
 #include "endmill/files/read_file.h"
 
 // Life of an output file:
 //
-// 1. `write_pieces` creates a hidden temporary file in the folder of the target, so that
-//    the later rename stays within one file system and is atomic.
-// 2. The content is written and flushed to the disk (fsync).
-// 3. `publish` renames all temporary files to their targets, removes leftovers of an
-//    earlier run, and flushes the folders.
+// 1. `write_pieces` creates it in the staging folder, which lies in the same file system as
+//    its final place, writes it and flushes it to the disk (fsync).
+// 2. `publish` renames the staging folder to the output folder if there is none yet. Else
+//    it moves the files, as a change that can be undone (FolderChange).
 //
 // Every step first checks whether the process is being interrupted (`abandon_all`). The
 // lists of all OutputFolders are guarded by one mutex in a registry of the process,
@@ -52,13 +50,6 @@ Registry& registry()
     static auto* const instance =
         new Registry;  // never destroyed: threads may outlive main
     return *instance;
-}
-
-// Throws an OutputError with the reason of the operating system.
-[[noreturn]] void fail(const std::string& act, const fs::path& path, int error)
-{
-    throw OutputError{"cannot " + act + " " + shown_path(path) + ": " +
-                      std::generic_category().message(error)};
 }
 
 // Throws if the process is being interrupted. The caller holds the registry's mutex.
@@ -148,17 +139,6 @@ private:
     int descriptor_;
 };
 
-// A hidden name in the folder of the target; the process number and a counter make it
-// unique.
-fs::path temporary_name(const fs::path& target)
-{
-    static std::atomic<unsigned> count = 0;
-    const std::string name = "." + target.filename().string() + "." +
-                             std::to_string(::getpid()) + "." + std::to_string(count++) +
-                             ".tmp";
-    return target.parent_path() / name;
-}
-
 // Flushes the folder, so that its renames survive a loss of power.
 void flush_folder(const fs::path& folder)
 {
@@ -169,64 +149,65 @@ void flush_folder(const fs::path& folder)
     ::close(descriptor);
 }
 
-// Checks an existing folder before anything is created.
-void require_usable(const fs::path& path, FullFolder full)
+// Checks the folder before anything is created. \return whether it exists.
+bool require_usable(const fs::path& path, FullFolder full)
 {
     std::error_code error;
+    const fs::file_status link = fs::symlink_status(path, error);
+    if (link.type() == fs::file_type::none)
+        fail_output("create the output folder", path, error.value());
     const fs::file_status status = fs::status(path, error);
+    if (fs::is_symlink(link) && !fs::exists(status))
+        throw OutputError{
+            "cannot create the output folder " + shown_path(path) + ": it is a link to " +
+            shown_path(fs::read_symlink(path, error)) +
+            (status.type() == fs::file_type::not_found ? ", which does not exist"
+                                                       : ", which cannot be followed")};
     if (!fs::exists(status))
-        return;
+        return false;
     if (!fs::is_directory(status))
         throw DomainError{"output folder " + shown_path(path) +
                           " is a file; expected a new or empty folder"};
+    clear_abandoned_runs(path);
     const bool empty = fs::is_empty(path, error);
     if (error)
-        fail("read the output folder", path, error.value());
+        fail_output("read the output folder", path, error.value());
     if (!empty && full == FullFolder::Refuse)
         throw DomainError{"output folder " + shown_path(path) +
                           " is not empty; expected a new or empty folder, or --force"};
+    return true;
 }
 
 // Refuses names that are absolute or lead out of the folder.
 void require_plain_name(const fs::path& name)
 {
-    const bool plain = name.is_relative() && name.has_filename() &&
-                       std::ranges::none_of(
-                           name, [](const fs::path& p) { return p == "." || p == ".."; });
-    if (!plain)
+    if (!is_plain_name(name))
         throw DomainError{"OutputFolder: " + shown_path(name) +
                           " is not the name of a file in the folder"};
 }
 
-// Whether `name` lies in `folder` itself: no folder on its path is a symbolic link.
-bool lies_inside(const fs::path& folder, const fs::path& name)
-{
-    std::error_code error;
-    fs::path path = folder;
-    for (const fs::path& part : name.parent_path()) {
-        path /= part;
-        if (!fs::is_directory(fs::symlink_status(path, error)))
-            return false;
-    }
-    return true;
-}
-
 }  // namespace
+
+struct OutputFolder::Staging {
+    StagingFolder folder;
+    bool is_result = false;  // it becomes the output folder
+    unsigned parts = 0;      // files that were begun
+};
 
 // The folder registers itself before it creates anything, so that an interruption at any
 // time can clean up.
 OutputFolder::OutputFolder(fs::path path, FullFolder full) : path_{std::move(path)}
 {
     require(!path_.empty(), "the output folder has an empty name");
-    require_usable(path_, full);
+    const bool is_present = require_usable(path_, full);
     {
         const std::scoped_lock lock{registry().mutex};
         registry().folders.insert(this);
     }
     try {
-        make_folders(path_);
-        if (::faccessat(AT_FDCWD, path_.c_str(), W_OK | X_OK, AT_EACCESS) != 0)
-            fail("write to the output folder", path_, errno);
+        if (!is_present)
+            make_parents();
+        make_staging();
     } catch (...) {
         const std::scoped_lock lock{registry().mutex};
         registry().folders.erase(this);
@@ -252,7 +233,7 @@ void OutputFolder::protect(const fs::path& input)
 void OutputFolder::remove_unless_written(const fs::path& name)
 {
     require_plain_name(name);
-    leftovers_.push_back(name);
+    to_be_removed_.push_back(name);
 }
 
 void OutputFolder::write(const fs::path& name, std::string_view content)
@@ -260,71 +241,70 @@ void OutputFolder::write(const fs::path& name, std::string_view content)
     write_pieces(name, [&](const Sink& sink) { sink(content); });
 }
 
-// The mutex is released while the content is produced and written. The temporary file is
-// in the list of pending files during this time, so an interruption removes it.
+// The mutex is released while the content is produced and written. A file becomes a part of
+// the result when it is complete, so one that fails keeps an earlier one of its name.
 void OutputFolder::write_pieces(const fs::path& name,
                                 const std::function<void(const Sink&)>& produce)
 {
     require_plain_name(name);
     const fs::path target = path_ / name;
     check_target(target);
-    make_folders(target.parent_path());
-
     std::unique_lock lock{registry().mutex};
     require_not_abandoned();
-    const fs::path temporary = temporary_name(target);
-    const NewFile file{temporary};
+    if (!staging_)
+        make_staging();
+    const fs::path place = place_of_files();
+    const fs::path part =
+        staging_->folder.path() / (".part-" + std::to_string(staging_->parts++));
+    const NewFile file{part};
     if (!file.is_open())
-        fail("write", target, errno);
-    pending_.push_back({temporary, target});
+        fail_output("write", target, errno);
     lock.unlock();
     const auto require_done = [&](int error) {
         if (error != 0)
-            fail("write", target, error);
+            fail_output("write", target, error);
     };
     try {
         produce([&](std::string_view piece) { require_done(file.append(piece)); });
         require_done(file.finish());
     } catch (...) {
-        lock.lock();
-        forget(temporary);
+        ::unlink(part.c_str());
         throw;
     }
     lock.lock();
-    // The new file replaces an earlier one of the same name.
-    std::erase_if(pending_, [&](const PendingFile& other) {
-        const bool is_earlier = other.target == target && other.temporary != temporary;
-        if (is_earlier)
-            ::unlink(other.temporary.c_str());
-        return is_earlier;
-    });
+    require_not_abandoned();
+    require_done(make_folders(place, name));
+    require_done(::rename(part.c_str(), (place / name).c_str()) == 0 ? 0 : errno);
+    if (std::ranges::find(written_, name) == written_.end())
+        written_.push_back(name);
 }
 
-// All renames happen under the mutex: an interruption comes before the first or after the
-// last. A failed rename leaves the remaining files pending, and the destructor removes
-// them.
+// All changes happen under the mutex: an interruption comes before or after them.
 void OutputFolder::publish()
 {
-    std::set<fs::path> folders;
-    {
-        const std::scoped_lock lock{registry().mutex};
-        require_not_abandoned();
-        while (!pending_.empty()) {
-            const PendingFile& file = pending_.front();
-            if (::rename(file.temporary.c_str(), file.target.c_str()) != 0)
-                fail("write", file.target, errno);
-            folders.insert(file.target.parent_path());
-            std::erase_if(leftovers_, [&](const fs::path& name) {
-                return path_ / name == file.target;
-            });
-            pending_.erase(pending_.begin());
-        }
-        created_folders_.clear();
-        for (const fs::path& name : leftovers_)
-            remove_leftover(name);
-        leftovers_.clear();
+    const std::scoped_lock lock{registry().mutex};
+    require_not_abandoned();
+    if (!staging_)
+        return;
+    if (staging_->is_result) {
+        const fs::path target = path_.has_filename() ? path_ : path_.parent_path();
+        flush_folder(staging_->folder.path());
+        if (::rename(staging_->folder.path().c_str(), target.c_str()) != 0)
+            fail_output("create the output folder", path_, errno);
+        staging_->folder.release();
+        flush_folder(target.parent_path());
+    } else {
+        FolderChange{path_, staging_->folder.path()}.make(written_, leftovers(),
+                                                          staging_->folder);
+        std::set<fs::path> folders;
+        for (const fs::path& name : written_)
+            folders.insert((path_ / name).parent_path());
+        std::ranges::for_each(folders, flush_folder);
     }
-    std::ranges::for_each(folders, flush_folder);
+    staging_.reset();
+    created_folders_.clear();
+    written_.clear();
+    to_be_removed_.clear();
 }
 
 void OutputFolder::abandon_all()
@@ -336,33 +316,61 @@ void OutputFolder::abandon_all()
         static_cast<OutputFolder*>(folder)->abandon();
 }
 
-// Creates the missing folders of a path, the outermost first.
-void OutputFolder::make_folders(const fs::path& folder)
+void OutputFolder::abandon_all_unless_busy()
+{
+    if (!registry().mutex.try_lock())
+        return;
+    registry().mutex.unlock();
+    abandon_all();
+}
+
+// Creates the missing folders above the output folder, the outermost first. They are created
+// one by one, so that exactly the created ones can be removed.
+void OutputFolder::make_parents()
 {
     std::error_code error;
     std::vector<fs::path> missing;
-    for (fs::path path = folder; !path.empty() && !fs::exists(path, error);
+    const fs::path folder = path_.has_filename() ? path_ : path_.parent_path();
+    for (fs::path path = folder.parent_path(); !path.empty() && !fs::exists(path, error);
          path = path.parent_path())
         missing.push_back(path);
     const std::scoped_lock lock{registry().mutex};
     require_not_abandoned();
-    // Folders are created one by one, so that exactly the created ones can be removed.
     while (!missing.empty()) {
         const int failure = ::mkdir(missing.back().c_str(), 0777) == 0 ? 0 : errno;
         if (failure == 0)
             created_folders_.push_back(missing.back());
         else if (!fs::is_directory(missing.back(), error))
-            fail("create the output folder", missing.back(), failure);
+            fail_output("create the output folder", missing.back(), failure);
         missing.pop_back();
     }
 }
 
-// The caller holds the registry's mutex.
-void OutputFolder::forget(const fs::path& temporary)
+// The staging folder of a new output folder lies beside it, and that of an existing one in
+// it.
+void OutputFolder::make_staging()
 {
-    ::unlink(temporary.c_str());
-    std::erase_if(pending_,
-                  [&](const PendingFile& file) { return file.temporary == temporary; });
+    std::error_code error;
+    auto staging = std::make_unique<Staging>();
+    staging->is_result = !fs::exists(path_, error);
+    fs::path place = path_;
+    if (staging->is_result) {
+        place = (path_.has_filename() ? path_ : path_.parent_path()).parent_path();
+        if (place.empty())
+            place = ".";
+        clear_abandoned_runs(place);
+    }
+    staging->folder = StagingFolder{place, path_};
+    const fs::path files = staging->folder.path() / "new";
+    if (!staging->is_result && ::mkdir(files.c_str(), 0777) != 0)
+        fail_output("write to the output folder", path_, errno);
+    staging_ = std::move(staging);
+}
+
+fs::path OutputFolder::place_of_files() const
+{
+    const fs::path& folder = staging_->folder.path();
+    return staging_->is_result ? folder : folder / "new";
 }
 
 // Refuses a target that is a folder or a protected input.
@@ -370,7 +378,7 @@ void OutputFolder::check_target(const fs::path& target) const
 {
     std::error_code error;
     if (fs::is_directory(target, error))
-        fail("write", target, EISDIR);
+        fail_output("write", target, EISDIR);
     if (is_input(target))
         throw DomainError{"output " + shown_path(target) +
                           " is the input file; expected another output folder"};
@@ -385,32 +393,30 @@ bool OutputFolder::is_input(const fs::path& target) const
     });
 }
 
-// Removes a file of an earlier run if it is a plain file below the folder.
-void OutputFolder::remove_leftover(const fs::path& name) const
+// The plain files below the folder that an earlier run left.
+std::vector<fs::path> OutputFolder::leftovers() const
 {
-    std::error_code error;
-    const fs::path target = path_ / name;
-    const bool is_ours = lies_inside(path_, name) &&
-                         fs::is_regular_file(fs::symlink_status(target, error)) &&
-                         !is_input(target);
-    if (!is_ours)
-        return;
-    if (::unlink(target.c_str()) != 0)
-        fail("remove", target, errno);
-    if (name.has_parent_path())
-        ::rmdir(target.parent_path().c_str());  // fails if the folder is not empty
+    std::vector<fs::path> found;
+    for (const fs::path& name : to_be_removed_) {
+        std::error_code error;
+        const fs::path target = path_ / name;
+        if (std::ranges::find(written_, name) == written_.end() &&
+            lies_inside(path_, name) &&
+            fs::is_regular_file(fs::symlink_status(target, error)) && !is_input(target))
+            found.push_back(name);
+    }
+    return found;
 }
 
 // The caller holds the registry's mutex.
 void OutputFolder::abandon()
 {
-    for (const PendingFile& file : pending_)
-        ::unlink(file.temporary.c_str());
+    staging_.reset();
     for (auto folder = created_folders_.rbegin(); folder != created_folders_.rend();
          ++folder)
         ::rmdir(folder->c_str());
-    pending_.clear();
     created_folders_.clear();
+    written_.clear();
 }
 
 void write_file(const fs::path& path, std::string_view content)

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,23 +19,29 @@ enum class FullFolder {
 /// An output folder whose files become visible all together when they are complete, or
 /// not at all.
 ///
-/// `write` stores a file beside its final place under a temporary name; `publish` renames
-/// all of them. An `OutputFolder` that is destroyed before `publish` removes its
-/// temporary files and the folders that it created. All output of the library goes
-/// through this class.
+/// `write` stores a file in a hidden staging folder; `publish` moves all of them to their
+/// places. A folder that does not exist yet appears as a whole, by one rename. In one that
+/// exists the summary of an earlier run is taken away first, and the new one comes last; if
+/// a step fails, the folder becomes what it was before. If the process is killed meanwhile,
+/// the next OutputFolder of the same folder restores it. It also removes the staging folders
+/// of processes that are gone.
+///
+/// An `OutputFolder` that is destroyed before `publish` removes its staging folder and the
+/// folders that it created. All output of the library goes through this class.
 class OutputFolder {
 public:
-    /// Creates the folder and missing parent folders.
+    /// Creates missing parent folders and the staging folder.
     /// \throws DomainError if `path` is a file, or a folder that is not empty if
-    ///         `full` refuses it.
-    /// \throws OutputError if the folder cannot be created, read or written to.
+    ///         `full` refuses it. Files that a killed process left do not count.
+    /// \throws OutputError if the folder cannot be created, read or written to, such as a
+    ///         link to a place that does not exist or a name that is too long.
     explicit OutputFolder(std::filesystem::path path,
                           FullFolder full = FullFolder::Refuse);
 
-    /// Unless published, removes the temporary files and the folders that it created.
+    /// Unless published, removes the staging folder and the folders that it created.
     ~OutputFolder();
-    OutputFolder(const OutputFolder&) = delete;             ///< it owns temporary files
-    OutputFolder& operator=(const OutputFolder&) = delete;  ///< it owns temporary files
+    OutputFolder(const OutputFolder&) = delete;             ///< it owns a staging folder
+    OutputFolder& operator=(const OutputFolder&) = delete;  ///< it owns a staging folder
 
     const std::filesystem::path& path() const { return path_; }  ///< as given
 
@@ -66,36 +73,36 @@ public:
     void write_pieces(const std::filesystem::path& name,
                       const std::function<void(const Sink&)>& produce);
 
-    /// Renames every file to its final name, in the order of writing, then removes the
-    /// files named by `remove_unless_written`.
-    /// \throws OutputError if a file cannot be renamed or removed, or after
-    ///         `abandon_all`.
+    /// Moves every file to its final place, and removes the files named by
+    /// `remove_unless_written`: all of it, or nothing.
+    /// \throws OutputError if a file cannot be moved or removed, or after `abandon_all`.
     void publish();
 
-    /// Removes the temporary files and created folders of every unpublished
-    /// `OutputFolder` of this process, for a program that is being interrupted.
-    /// Afterwards every `OutputFolder` throws OutputError. Any thread may call it, a
-    /// signal handler may not.
+    /// Removes the staging and created folders of every unpublished `OutputFolder` of this
+    /// process, for a program that is being interrupted. Afterwards every `OutputFolder`
+    /// throws OutputError. Any thread may call it, a signal handler may not.
     static void abandon_all();
 
-private:
-    struct PendingFile {
-        std::filesystem::path temporary;
-        std::filesystem::path target;
-    };
+    /// `abandon_all`, unless a thread is just using the list of folders.
+    static void abandon_all_unless_busy();
 
-    void make_folders(const std::filesystem::path& folder);
-    void forget(const std::filesystem::path& temporary);
+private:
+    struct Staging;
+
+    void make_parents();
+    void make_staging();
+    std::filesystem::path place_of_files() const;
     void check_target(const std::filesystem::path& target) const;
     bool is_input(const std::filesystem::path& target) const;
-    void remove_leftover(const std::filesystem::path& name) const;
+    std::vector<std::filesystem::path> leftovers() const;
     void abandon();
 
     std::filesystem::path path_;
     std::vector<std::filesystem::path> inputs_;           // protected files
     std::vector<std::filesystem::path> created_folders_;  // outermost first
-    std::vector<PendingFile> pending_;                    // written, not yet renamed
-    std::vector<std::filesystem::path> leftovers_;        // to be removed unless written
+    std::vector<std::filesystem::path> written_;          // names, in order, each once
+    std::vector<std::filesystem::path> to_be_removed_;    // names, unless written
+    std::unique_ptr<Staging> staging_;
 };
 
 /// Writes one file, complete or not at all, and replaces an existing one. Creates the

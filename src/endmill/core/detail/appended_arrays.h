@@ -39,7 +39,8 @@ public:
     std::string append(std::string_view name, int components,
                        const std::vector<Number>& numbers)
     {
-        std::string element = "    <DataArray type=\"" + std::string{vtk_type<Number>};
+        std::string element{"    <DataArray type=\""};
+        element += vtk_type<Number>;
         element += "\" Name=\"" + std::string{name};
         element += "\" NumberOfComponents=\"" + std::to_string(components);
         element += "\" format=\"appended\" offset=\"" + std::to_string(bytes_.size());

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace endmill {
+
+/// A hidden folder that holds the files of an unfinished run. It is locked as long as its
+/// process lives, so that later runs can tell whether they may remove it.
+class StagingFolder {
+public:
+    StagingFolder() = default;  ///< none
+
+    /// Creates the folder in `place`. \throws OutputError that names `shown` and the reason.
+    StagingFolder(const std::filesystem::path& place, const std::filesystem::path& shown);
+
+    ~StagingFolder();  ///< removes the folder and all its files
+    StagingFolder(const StagingFolder&) = delete;             ///< one folder, one owner
+    StagingFolder& operator=(const StagingFolder&) = delete;  ///< not assignable either
+    StagingFolder(StagingFolder&& other) noexcept;
+    StagingFolder& operator=(StagingFolder&& other) noexcept;
+
+    /// The folder; empty if there is none.
+    const std::filesystem::path& path() const { return path_; }
+
+    /// Forgets the folder, which has got another name.
+    void release();
+
+    /// Removes the folder and all its files, as far as possible.
+    void remove() noexcept;
+
+private:
+    std::filesystem::path path_;
+    int lock_ = -1;  // descriptor of the folder
+};
+
+/// The changes of a folder that one run publishes: new files, and old files to remove. They
+/// are made one by one, and can be undone as long as not all are made, also by a later run:
+///
+///     STAGING/new/NAME   a new file that is not published yet
+///     STAGING/old/NAME   an old file, moved out of the way
+///     STAGING/names      the names of both
+///
+/// No file named summary.json is in the folder while it is being changed: old ones go first,
+/// new ones come last.
+class FolderChange {
+public:
+    /// \param folder the folder. \param staging a StagingFolder in it.
+    FolderChange(std::filesystem::path folder, std::filesystem::path staging);
+
+    /// Makes all changes, or none of them. If it fails and the system does not even let it
+    /// restore the folder, `staging` is released, and a later run restores it.
+    /// \param written names of files in STAGING/new. \param removed names of old files.
+    /// \throws OutputError with the name of the file and the reason.
+    void make(const std::vector<std::filesystem::path>& written,
+              const std::vector<std::filesystem::path>& removed, StagingFolder& staging);
+
+    /// Undoes the changes, unless all new files are published.
+    /// \return false if something cannot be undone.
+    bool undo();
+
+private:
+    bool is_complete(const std::vector<std::filesystem::path>& written) const;
+    void move_away(const std::filesystem::path& name);
+    void publish(const std::filesystem::path& name);
+
+    std::filesystem::path folder_;
+    std::filesystem::path staging_;
+};
+
+/// Undoes the unfinished changes of runs that were killed in `folder`, and removes their
+/// staging folders. Those of runs that still go on stay.
+void clear_abandoned_runs(const std::filesystem::path& folder);
+
+/// Whether the name is that of a staging folder.
+bool is_staging_name(const std::filesystem::path& name);
+
+/// Whether `name` lies in `folder` itself: no folder on its path is a symbolic link.
+bool lies_inside(const std::filesystem::path& folder, const std::filesystem::path& name);
+
+/// Whether `name` is relative and names a file without leaving its folder.
+bool is_plain_name(const std::filesystem::path& name);
+
+/// Creates the folders of `name` below `folder`. \return 0, or the error number.
+int make_folders(const std::filesystem::path& folder, const std::filesystem::path& name);
+
+/// Throws an OutputError "cannot ACT PATH: REASON" with the reason of the operating system.
+[[noreturn]] void fail_output(const std::string& act, const std::filesystem::path& path,
+                              int error);
+
+}  // namespace endmill
