@@ -124,7 +124,7 @@ TEST_F(ProgramBuilderTest, TurnsTheSpindleBetweenStartAndStop)
     step();
     builder.set_spindle_speed(5000);
     step();
-    builder.start_spindle();
+    builder.start_spindle(SpindleSense::Clockwise);
     step();
     builder.set_spindle_speed(0);
     step();
