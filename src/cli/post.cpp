@@ -110,7 +110,7 @@ WrittenProgram written_gcode(const PostedPath& posted, const Control& control,
     return gcode(posted.read.path, program);
 }
 
-// What the written program could not do as the path and the options ask.
+// Refuses what the written program could not do as the path and the options ask.
 void require_writable(const Program& program, const PostOptions& options)
 {
     if (const auto point = program.counterclockwise_from)
@@ -120,8 +120,10 @@ void require_writable(const Program& program, const PostOptions& options)
              "the spindle turns counterclockwise (M4) on the move to point " +
                  std::to_string(*point) + ", and the written program has M3",
              "a program with M3"}};
+    if (!options.safe_height)
+        return;
     const auto extent = path_totals(program.path).extent;
-    if (options.safe_height && extent && *options.safe_height < extent->high.z())
+    if (extent && *options.safe_height < extent->high.z())
         throw DomainError{"--safe-height: found " + to_text(*options.safe_height) +
                           ", and the path reaches " + to_text(extent->high.z()) +
                           " mm; expected no less"};
@@ -253,6 +255,9 @@ void add_post_command(CLI::App& program, Action& action)
         "results/u/toolpath.csv is results-u). Cutter, tolerance and feed default to\n"
         "those of the path, then of the summary.json beside it. Coordinates are tips.\n"
         "The options are in mm and mm/min for --units inch too.\n\n"
+        "With --approach-distance no stock may be higher than this distance above the\n"
+        "path; otherwise rapids run into it, which verify reports as collisions.\n"
+        "Descents without a cut after them (drilling) do not change.\n\n"
         "Example:\n"
         "  endmill plan datasets/surfaces/saddle.json --cutter ball:20 -o saddle\n"
         "  endmill post saddle/u/toolpath.csv --control fanuc --feed 800 --spindle-rpm "

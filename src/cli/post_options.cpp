@@ -93,12 +93,11 @@ void add_motion_options(CLI::App& command, PostOptions& options)
         {"--ramp-angle-deg", "DEG", "--lead-in ramp: angle of the slope over the path",
          NumberDomain::above_zero_to(steepest_ramp_deg)},
         options.ramp_angle_deg);
-    add_number(
-        command,
-        {"--approach-distance", "MM",
-         "G-code: descents to a cut are rapid down to this height above their end; "
-         "no stock may be higher there (default: no rapid)"},
-        options.approach_distance);
+    add_number(command,
+               {"--approach-distance", "MM",
+                "G-code: descents to a cut are rapid down to this height above their end "
+                "(default: all at plunge feed or on the slope)"},
+               options.approach_distance);
     command.add_flag("--arcs", options.arcs,
                      "G-code: fit arcs (G2, G3 in G17, G18, G19) to the cuts");
     add_number(

@@ -332,7 +332,7 @@ class Controls(ProgramTest):
         refuse(3, "bad.json:/start/0: G21", "--units writes G20 or G21", options=("--control", bad))
         for end in ([], ["M5"]):
             bad = self.file({**PLAIN, "end": end}, "bad.json")
-            refuse(3, "bad.json:/end", "a block with M2 or M30", options=("--control", bad))
+            refuse(3, "bad.json:/end", "no block with M2 or M30", options=("--control", bad))
         refuse(2, "--tool-number: has no effect with the control grbl",
                options=("--control", "grbl", "--tool-number", "2"))
         refuse(2, "--tool-number: found", options=("--tool-number", "0"))

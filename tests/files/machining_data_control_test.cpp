@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(
               "E_CONTROL c.json:/start/1: G21 in a block at the start; expected no unit: "
               "--units writes G20 or G21"},
         Fault{", \"M2\"", "",
-              "E_CONTROL c.json:/end: [\"M5\"]; expected a block with M2 or M30"},
+              "E_CONTROL c.json:/end: no block with M2 or M30; expected one that ends"},
         Fault{"[\"M5\", \"M2\"]", "[]", "E_CONTROL c.json:/end"},
         Fault{"\"xy\"", "\"yx\"", "c.json:/first_axes: \"yx\"; expected"},
         Fault{"G17 G40", "X0", "E_CONTROL c.json:/start/1: X0 in a block at the start"},

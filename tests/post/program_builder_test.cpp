@@ -131,6 +131,23 @@ TEST_F(ProgramBuilderTest, TurnsTheSpindleBetweenStartAndStop)
     EXPECT_THAT(speeds(builder.take()), ElementsAre(-1, 3000, -1, -1, 5000, -1));
 }
 
+// Rapids do not count: the tool cuts nothing on them.
+TEST_F(ProgramBuilderTest, KnowsTheFirstMoveAtFeedWithTheSpindleReversed)
+{
+    const auto built = [&](SpindleSense later) {
+        ProgramBuilder builder{lines, options};
+        builder.start_spindle(SpindleSense::Counterclockwise);
+        builder.go_to({0, 0, 0}, std::nullopt);
+        builder.go_to({1, 0, 0}, std::nullopt);
+        builder.start_spindle(later);
+        builder.go_to({2, 0, 0}, MoveFeed{100});
+        builder.go_to({3, 0, 0}, MoveFeed{100});
+        return builder.take().counterclockwise_from;
+    };
+    EXPECT_EQ(built(SpindleSense::Counterclockwise), 2U);
+    EXPECT_FALSE(built(SpindleSense::Clockwise));
+}
+
 TEST_F(ProgramBuilderTest, ChangesToTheToolSelectedLast)
 {
     ProgramBuilder builder{lines, options};

@@ -124,8 +124,8 @@ std::vector<std::string> end_blocks(const JsonValue& root)
 {
     std::vector<std::string> result = blocks(root, "end", false);
     if (std::ranges::none_of(result, ends_program))
-        throw control_complaint(root.member("end"),
-                                "a block with M2 or M30, which ends the program");
+        throw root.member("end").complaint(
+            "no block with M2 or M30", "one that ends the program", std::string{code});
     return result;
 }
 
