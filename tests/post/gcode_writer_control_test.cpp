@@ -249,7 +249,8 @@ TEST(GcodeControl, CutsTheCommentToTheLine)
 
 TEST(GcodeControl, RefusesWhatTheControlCannotDo)
 {
-    const auto refusal = [](GcodeOptions options, const ToolPath& path) -> std::string {
+    const auto refusal = [](const GcodeOptions& options,
+                            const ToolPath& path) -> std::string {
         try {
             gcode(path, options);
             return "accepted";
