@@ -98,6 +98,9 @@ void ProgramBuilder::append(Move move, const Vec3& point)
          .location = {tip, Vec3::UnitZ()},
          .conditions = {.spindle_rpm = is_turning ? speed_rpm_ : std::nullopt,
                         .tool = tool_}});
+    if (move != Move::Rapid && !spindle_stopped_ && !counterclockwise_from_ &&
+        spindle_sense_ == SpindleSense::Counterclockwise)
+        counterclockwise_from_ = path_.points.size() - 1;
     position_ = point;
     highest_mm_ = std::max(highest_mm_, point.z());
     if (move == Move::Cut || move == Move::Plunge)
@@ -128,6 +131,12 @@ void ProgramBuilder::set_feed(const MoveFeed& feed, std::size_t first_point)
 
 // T selects the next tool and M6 changes to it, so that a program may select a tool
 // early. Whether the program has an M6 at all is known only at its end.
+void ProgramBuilder::start_spindle(SpindleSense sense)
+{
+    spindle_stopped_ = false;
+    spindle_sense_ = sense;
+}
+
 void ProgramBuilder::select_tool(int number)
 {
     if (selections_.empty() || selections_.back().tool != number)
@@ -204,8 +213,10 @@ Program ProgramBuilder::take()
         fill_selected_tools();
     remark_tools();
     close_last_pass();
-    Program program{
-        .path = std::move(path_), .cutter = {}, .remarks = std::move(remarks_)};
+    Program program{.path = std::move(path_),
+                    .cutter = {},
+                    .remarks = std::move(remarks_),
+                    .counterclockwise_from = counterclockwise_from_};
     path_ = {};
     remarks_ = {};
     return program;
