@@ -110,20 +110,15 @@ std::string tools_text(const Json& tools)
 
 std::string path_text(const Json& s)
 {
-    std::string extent;
-    for (std::size_t c = 0; c < 3; ++c)
-        extent += fmt::format("{}{} {} to {}", c == 0 ? "" : ", ", "xyz"[c],
-                              shown_coordinate(s["min_mm"][c].get<double>()),
-                              shown_coordinate(s["max_mm"][c].get<double>()));
     return fmt::format(
         "{}: {}, {}\n"
         "{}"
-        "  extent      {} mm\n"
+        "  extent      {}\n"
         "  settings    feed {}; spindle {}; tools {}\n",
         s["name"].get<std::string>(), s["format"].get<std::string>(),
-        counted(s["points"].get<std::size_t>(), "point"), path_totals_text(s), extent,
-        range_text(s, "feed_mm_per_min", " mm/min"), range_text(s, "spindle_rpm", " rpm"),
-        tools_text(s["tools"]));
+        counted(s["points"].get<std::size_t>(), "point"), path_totals_text(s),
+        extent_text(s), range_text(s, "feed_mm_per_min", " mm/min"),
+        range_text(s, "spindle_rpm", " rpm"), tools_text(s["tools"]));
 }
 
 }  // namespace

@@ -33,6 +33,16 @@ std::string path_totals_text(const Json& s)
                        length("cut_mm"), length("link_mm"), length("rapid_mm"), time);
 }
 
+std::string extent_text(const Json& s)
+{
+    std::string extent;
+    for (std::size_t c = 0; c < 3; ++c)
+        extent += fmt::format("{}{} {} to {}", c == 0 ? "" : ", ", "xyz"[c],
+                              shown_coordinate(s["min_mm"][c].get<double>()),
+                              shown_coordinate(s["max_mm"][c].get<double>()));
+    return extent + " mm";
+}
+
 void identify_path(Json& summary, std::size_t points, std::string_view content)
 {
     summary["toolpath_points"] = points;

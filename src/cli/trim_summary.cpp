@@ -9,6 +9,7 @@
 #include "cli/console.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
+#include "endmill/files/path_file.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/planning/path_interval.h"
 #include "endmill/trimming/trimming.h"
@@ -42,7 +43,7 @@ void add_path(Json& summary, const CutPart& part, const TrimOptions& options,
     if (const auto* mesh = std::get_if<DroppedPart>(&part.shape)) {
         summary["outer_tolerance_mm"] = options.tolerance;
         summary["added_planes"] = mesh->added_planes;
-        summary["inaccessible"] = "excuse";
+        summary["inaccessible"] = inaccessible_name(InaccessibleStock::Report);
     }
 }
 

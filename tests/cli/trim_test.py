@@ -204,14 +204,14 @@ class Trim(ProgramTest):
 
     def test_mesh_path_is_accepted_by_verify_with_the_limits_of_its_summary(self):
         # The cutter cannot touch the inner corners of pocket and groove and the foot of the dome. The roof has none.
-        for name, excused in (("prism.obj", False), ("v-groove.stl", True), ("pocket.stl", True)):
+        for name, is_reported in (("prism.obj", False), ("v-groove.stl", True), ("pocket.stl", True)):
             facts = self.summary("trim", MESHES / name, "--cutter", "ball:6", "--scallop", "0.2", "-o", "path", "--force")
             self.assertEqual((facts["scallop_mm"], facts["inner_tolerance_mm"], facts["outer_tolerance_mm"]),
                              (0.2, 0.01, 0.01), name)
             judged = self.summary("verify", "path/toolpath.csv", "--resolution", "0.5", "-o", "judged", "--force")
             self.assertEqual(judged["verdict"], "clean", name)
             self.assertAlmostEqual(judged["scallop_limit_mm"], 0.21, delta=1e-12)
-            self.assertEqual(judged["inaccessible_area_mm2"] > 0, excused, name)
+            self.assertEqual(judged["inaccessible_area_mm2"] > 0, is_reported, name)
             self.summary("post", "path/toolpath.csv", "--feed", "500", "--decimals", "6", "-o", "posted", "--force")
             judged = self.summary("verify", "posted/toolpath.ngc", "--resolution", "0.5", "-o", "judged", "--force")
             self.assertEqual(judged["verdict"], "clean", name)
@@ -222,11 +222,11 @@ class Trim(ProgramTest):
         # In a corner of three faces a ball of radius R leaves R (1 - 1 / sqrt 3) along the normal of each.
         self.assertAlmostEqual(counted["max_scallop_mm"], 3 * (1 - 3 ** -0.5), delta=0.12)
 
-    def test_excuse_needs_a_mesh(self):
+    def test_report_of_inaccessible_stock_needs_a_mesh(self):
         self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "40", "--planes", "5", "--tolerance", "1", "-o",
                      "path")
-        done = endmill("verify", "path/toolpath.csv", "--inaccessible", "excuse", cwd=self.folder)
-        self.assert_refused(done, 2, "--inaccessible excuse", "expected a mesh")
+        done = endmill("verify", "path/toolpath.csv", "--inaccessible", "report", cwd=self.folder)
+        self.assert_refused(done, 2, "--inaccessible report", "expected a mesh")
 
     def test_planes_are_added_on_slopes_across_the_feed_only(self):
         words = ("trim", MESHES / "prism.obj", "--cutter", "ball:6", "--scallop", "0.1")
