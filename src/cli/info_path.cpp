@@ -80,7 +80,7 @@ Json path_summary(const PathOptions& options, PathFormat format, const Program& 
                  {"format", format_word(format)},
                  {"points", program.path.points.size()},
                  {"cutter", cutter ? Json(cutter_word(*cutter)) : Json(nullptr)}};
-    add_path_totals(summary, program.path);
+    add_path_totals(summary, path_totals(program.path));
     add_conditions(summary, program.path);
     add_reading(summary, options);
     summary["position_error_mm"] = program.position_error_mm;

@@ -10,9 +10,9 @@
 
 namespace endmill {
 
-/// The totals of a path in a summary: cut_mm, link_mm, rapid_mm, time_min, tools, min_mm,
-/// max_mm.
-void add_path_totals(Json& summary, const ToolPath& path);
+/// The totals of a path in a summary: cut_mm, plunge_mm, link_mm, rapid_mm, time_min,
+/// tools, min_mm, max_mm.
+void add_path_totals(Json& summary, const PathTotals& totals);
 
 /// One line of a report on these totals: lengths and time.
 std::string path_totals_text(const Json& summary);

@@ -107,7 +107,7 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
                  {"max_rounding_error_mm", written.max_rounding_error_mm},
                  {"position_error_mm", posted.read.position_error_mm}};
     add_interpreter(summary, options.path);
-    add_path_totals(summary, posted.read.path);
+    add_path_totals(summary, path_totals(posted.read.path));
     identify_path(summary, posted.read.path.points.size(), written.text);
     add_range(summary, "feed_mm_per_min", written.feed_mm_per_min);
     add_range(summary, "plunge_feed_mm_per_min", written.plunge_feed_mm_per_min);

@@ -370,7 +370,7 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
                       refined_bounds(on_part->deviation, context.limits), *charts);
     else
         add_no_deviation(summary);
-    add_path_totals(summary, context.program.path);
+    add_path_totals(summary, path_totals(context.program.path));
     add_removal(summary, verification.removal, context.program.path);
     summary["contact_width_bound_mm"] = verification.contacts.width_mm;
     add_earlier(summary, verification);

@@ -89,7 +89,8 @@ class InfoPath(ProgramTest):
 
     def test_program_has_lengths_time_tools_and_extent(self):
         facts = self.summary("info", self.file(self.PROGRAM, "p.ngc"))
-        self.assertEqual([facts[key] for key in ("cut_mm", "link_mm", "rapid_mm", "tools")], [25, 0, 20, [3]])
+        self.assertEqual([facts[key] for key in ("cut_mm", "plunge_mm", "link_mm", "rapid_mm", "tools")],
+                         [5, 20, 0, 20, [3]])
         self.assertAlmostEqual(facts["time_min"], 0.5 + 0.05, delta=1e-12)
         self.assertEqual((facts["min_mm"], facts["max_mm"]), ([0, 0, 0], [3, 4, 20]))
         self.assertEqual((facts["min_feed_mm_per_min"], facts["max_feed_mm_per_min"]), (40, 100))

@@ -277,7 +277,8 @@ class Volumes(VerifyTest):
                 "rapid,15,5,20,,1\n")
         header = "move," + COLUMNS.strip() + ",feed_mm_per_min,tool\n"
         facts = self.cut("--cutter", "ball:10", *BLOCK, tips=header + rows)
-        self.assertEqual([facts[key] for key in ("cut_mm", "link_mm", "rapid_mm", "tools")], [21 + 5, 1 + 21, 12, [1]])
+        self.assertEqual([facts[key] for key in ("cut_mm", "plunge_mm", "link_mm", "rapid_mm", "tools")],
+                         [5, 21, 1 + 21, 12, [1]])
         self.assertAlmostEqual(facts["time_min"], 0.21 + 0.1 + 0.02 + 0.1, delta=1e-12)
         self.assertEqual((facts["min_mm"], facts["max_mm"]), ([0, 0, -1], [15, 5, 20]))
         self.assertIsNone(self.cut("--cutter", "ball:10", *BLOCK)["time_min"])
