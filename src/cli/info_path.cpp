@@ -139,7 +139,10 @@ bool is_tool_path(const std::string& file, const ReadLimits& limits)
 
 ExitCode report_path(const PathOptions& path, const CommonOptions& options)
 {
-    const PathSummary known = path_summary_of(path, options);
+    // A report on a path judges nothing, so a summary of another path needs no warning.
+    CommonOptions silent = options;
+    silent.quiet = true;
+    const PathSummary known = path_summary_of(path, silent);
     const Program program =
         read_program_for(path, path.cutter ? path.cutter : known.cutter, options);
     for (const std::string& remark : program.remarks)

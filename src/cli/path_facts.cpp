@@ -45,6 +45,12 @@ std::string extent_text(const Json& s)
     return extent + " mm";
 }
 
+void number_points(ToolPath& path)
+{
+    for (std::size_t k = 0; k < path.points.size(); ++k)
+        path.points[k].point = static_cast<int>(k);
+}
+
 void identify_path(Json& summary, std::size_t points, std::string_view content)
 {
     summary["toolpath_points"] = points;

@@ -518,8 +518,8 @@ Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,
 std::string setup_text(const Json& s)
 {
     std::string text =
-        fmt::format("{}: {} on {}{}; {} facets, {} directions\n",
-                    s["name"].get<std::string>(), machinable_text(s),
+        fmt::format("{}: {} on {}{}; {}, {} directions\n", s["name"].get<std::string>(),
+                    machinable_text(s),
                     s["configuration"].is_null() ? s["type"].get<std::string>()
                                                  : s["configuration"].get<std::string>(),
                     s["mode"].is_null() ? "" : ", mode " + s["mode"].get<std::string>(),
