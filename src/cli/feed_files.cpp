@@ -44,7 +44,7 @@ FeedFigure figure_of(const Json& s)
 {
     return {"Feed along " + s["name"].get<std::string>(),
             {fmt::format(
-                "{}, {} in mm, {}; mode {}, top of the stock at z = {} mm",
+                "{}, cutter {} (mm), {}; mode {}, top of the stock at z = {} mm",
                 std::filesystem::path{s["material"].get<std::string>()}.stem().string(),
                 s["cutter"].get<std::string>(),
                 counted(s["flutes"].get<std::size_t>(), "flute"),

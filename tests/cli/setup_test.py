@@ -472,7 +472,7 @@ class Setup(ProgramTest):
         done = endmill("setup", self.file(odd, "odd.off"), "--family", "AB", "--sphere", "hex:2", "-o", "out", "--json",
                        cwd=self.folder)
         remarks = " ".join(json.loads(done.stdout)["remarks"])
-        for said in ("the part is open", "more than two triangles", "repeat an earlier triangle"):
+        for said in ("the part is open", "more than two triangles", "1 triangle repeats an earlier triangle"):
             self.assertIn(said, remarks)
             self.assertIn(said, done.stderr)
 
