@@ -35,6 +35,22 @@ std::string path_totals_text(const Json& s)
         time);
 }
 
+std::string extent_text(const Json& s)
+{
+    std::string extent;
+    for (std::size_t c = 0; c < 3; ++c)
+        extent += fmt::format("{}{} {} to {}", c == 0 ? "" : ", ", "xyz"[c],
+                              shown_coordinate(s["min_mm"][c].get<double>()),
+                              shown_coordinate(s["max_mm"][c].get<double>()));
+    return extent + " mm";
+}
+
+void number_points(ToolPath& path)
+{
+    for (std::size_t k = 0; k < path.points.size(); ++k)
+        path.points[k].point = static_cast<int>(k);
+}
+
 void identify_path(Json& summary, std::size_t points, std::string_view content)
 {
     summary["toolpath_points"] = points;

@@ -31,18 +31,6 @@ std::optional<Move> move_from_name(std::string_view name)
     return std::nullopt;
 }
 
-PathLengths path_lengths(const ToolPath& path)
-{
-    PathLengths lengths;
-    for (std::size_t k = 1; k < path.points.size(); ++k) {
-        const PathPoint& point = path.points[k];
-        const bool is_at_feed = point.move == Move::Cut || point.move == Move::Link;
-        (is_at_feed ? lengths.at_feed_mm : lengths.lifted_mm) +=
-            (point.location.tip - path.points[k - 1].location.tip).norm();
-    }
-    return lengths;
-}
-
 namespace {
 
 // The length of `totals` to which a move of this kind belongs.

@@ -82,15 +82,6 @@ struct ToolPath {
     std::vector<PathPoint> points;  ///< in order
 };
 
-/// Lengths of a path, measured along the tip.
-struct PathLengths {
-    double at_feed_mm = 0;  ///< mm, of cuts and links
-    double lifted_mm = 0;   ///< mm, of rapids, retracts and plunges
-};
-
-/// The lengths of the moves of `path`. No move leads to its first point.
-PathLengths path_lengths(const ToolPath& path);
-
 /// A box along the coordinate axes that holds all tips of a path.
 struct TipBox {
     Vec3 low;   ///< mm

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "endmill/core/detail/large_pages.h"
@@ -174,24 +173,6 @@ void ProgramBuilder::fill_selected_tools()
     }
 }
 
-// A path has one cutter, so a remark lists the tools if several of them cut.
-void ProgramBuilder::remark_tools()
-{
-    constexpr std::size_t most_named = 10;
-    std::set<int> tools;
-    for (const PathPoint& point : path_.points)
-        if (point.conditions.feed_mm_per_min && point.conditions.tool)
-            tools.insert(*point.conditions.tool);
-    if (tools.size() < 2)
-        return;
-    std::string text = "several tools cut:";
-    std::size_t named = 0;
-    for (const int tool : tools)
-        if (named++ < most_named)
-            text += (named > 1 ? ", T" : " T") + std::to_string(tool);
-    remark(tools.size() > most_named ? text + ", ..." : text);
-}
-
 // The moves after the last cut have begun a pass without cuts; adds them to the pass
 // before.
 void ProgramBuilder::close_last_pass()
@@ -211,7 +192,6 @@ Program ProgramBuilder::take()
 {
     if (!has_changes_)
         fill_selected_tools();
-    remark_tools();
     close_last_pass();
     Program program{.path = std::move(path_),
                     .cutter = {},

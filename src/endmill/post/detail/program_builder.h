@@ -110,7 +110,6 @@ private:
     void append(Move move, const Vec3& point);
     void set_feed(const MoveFeed& feed, std::size_t first_point);
     void fill_selected_tools();
-    void remark_tools();
     void close_last_pass();
 
     const TextLines& lines_;
