@@ -13,7 +13,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/read_file.h"
-#include "endmill/post/control.h"
+#include "endmill/post/program.h"
 
 namespace endmill {
 namespace {
