@@ -18,7 +18,8 @@ Installs missing packages (Debian, root) and runs the tests:
 It takes 20 minutes on two cores, beginning with an empty clone.
 
   --all          also runs all tests under sanitizers, fuzzes each reader for 60 s,
-                 compiles all experiments and benchmarks, compiles every installed
+                 repeats the tests of faults many times as often, compiles all experiments
+                 and benchmarks, compiles every installed
                  header alone, builds and tests the Debian package, builds the
                  documentation, runs an experiment by scripts/reproduce.sh, compares every
                  picture of docs/images with what its commands make, and runs clang-tidy
@@ -43,6 +44,7 @@ asan_tests=(--tests-regex '^cli\.(bad_input|coefficients|eval|feed|info|mesh_par
 for argument in "$@"; do
     case "$argument" in
         --all)
+            export ENDMILL_FAULTS=long
             all=true fuzz_seconds=60 tidy_options=(--all)
             groups+=(benchmarks docs packaging)
             release_targets+=(endmill_experiments endmill_benchmarks)

@@ -94,25 +94,24 @@ ExitCode report_exception(bool as_json)
     }
 }
 
-// Needs no memory.
-ExitCode report_lack_of_memory(bool as_json)
+}  // namespace
+
+void report_lack_of_memory(bool as_json) noexcept
 {
     std::fputs(as_json
                    ? R"({"error":{"code":"E_LIMIT","exit":6,"message":"out of memory"}})"
                      "\n"
                    : "endmill: error: out of memory\n",
                stderr);
-    return ExitCode::Limit;
 }
-
-}  // namespace
 
 ExitCode report_current_exception(bool as_json) noexcept
 {
     try {
         return report_exception(as_json);
     } catch (...) {
-        return report_lack_of_memory(as_json);
+        report_lack_of_memory(as_json);
+        return ExitCode::Limit;
     }
 }
 

@@ -36,6 +36,9 @@ auto naming(const std::string& file, Act act)
 /// \return the exit code of the program.
 ExitCode report_current_exception(bool as_json) noexcept;
 
+/// Reports in the same format that there is no memory. It needs none.
+void report_lack_of_memory(bool as_json) noexcept;
+
 /// Reports `message` in the same format.
 void report_error(const std::string& code, const std::string& message, ExitCode exit,
                   bool as_json);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <utility>
 
@@ -29,20 +30,16 @@ struct StockTop {
     std::string by;
 };
 
-// The top of the block around the part that the summary of the path names. A summary may
-// be older than a move of the part, so a part that cannot be read is no error.
+// The top of the block around the part that the summary of the path names, if it names one.
+// \throws Error if the part cannot be read.
 std::optional<double> top_by_summary(const FeedInput& input,
                                      const FeedCommandOptions& options)
 {
     if (!input.known.part)
         return std::nullopt;
     const auto& [file, units, up] = *input.known.part;
-    try {
-        const Part part = read_part(file, {options.common.limits, units, up}).part;
-        return default_block(&part, input.program.path, input.tool.cutter).high.z();
-    } catch (const Error&) {
-        return std::nullopt;
-    }
+    const Part part = read_part(file, {options.common.limits, units, up}).part;
+    return default_block(&part, input.program.path, input.tool.cutter).high.z();
 }
 
 // Without a part the default block is the bounding box of the path, whose top is not the
@@ -57,10 +54,18 @@ std::optional<StockTop> known_stock_top(const FeedInput& input,
         return StockTop{block_top, "--stock"};
     if (!options.part.path.empty())
         return StockTop{block_top, "1 mm above --part"};
-    if (const auto top = top_by_summary(input, options))
-        return StockTop{*top, "1 mm above the part of the path"};
+    // A summary may be older than a move of the part. The path can help then.
+    std::exception_ptr unreadable;
+    try {
+        if (const auto top = top_by_summary(input, options))
+            return StockTop{*top, "1 mm above the part of the path"};
+    } catch (const Error&) {
+        unreadable = std::current_exception();
+    }
     if (const auto top = entry_height(input.program.path))
         return StockTop{*top, "at most, where the first move at feed goes down"};
+    if (unreadable)
+        std::rethrow_exception(unreadable);
     return std::nullopt;
 }
 

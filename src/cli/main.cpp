@@ -36,6 +36,14 @@ constexpr const char* footer =
     "  3  missing or malformed input file  7  a fault of endmill\n"
     "  128 + N  ended by signal N: 130 interrupted, 143 terminated";
 
+// The words of the command line.
+std::span<char*> arguments;
+
+bool is_json_errors(const char* word)
+{
+    return std::string_view{word} == "--json-errors";
+}
+
 ExitCode run(int argc, char** argv, bool json_errors)
 {
     CLI::App program{"Plans, checks and posts tool paths for free-form surfaces.",
@@ -80,20 +88,32 @@ ExitCode run(int argc, char** argv, bool json_errors)
     return action();
 }
 
+// Whether the program ends because it got no memory. There may be none for an exception either.
+bool lacks_memory()
+{
+    if (!std::current_exception()) {
+        void* const some = std::malloc(1);
+        std::free(some);
+        return !some;
+    }
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        return true;
+    } catch (...) {
+        return false;
+    }
+}
+
 // Functions of libraries that must not throw, such as destructors, allocate memory. If there
 // is none, the language ends the program here.
 [[noreturn]] void end_without_memory()
 {
-    try {
-        if (const auto exception = std::current_exception())
-            std::rethrow_exception(exception);
-    } catch (const std::bad_alloc&) {
-        OutputFolder::abandon_all_unless_busy();
-        _exit(static_cast<int>(report_current_exception(false)));
-    } catch (...) {
+    if (!lacks_memory())
         std::abort();
-    }
-    std::abort();
+    OutputFolder::abandon_all_unless_busy();
+    report_lack_of_memory(std::ranges::any_of(arguments, is_json_errors));
+    _exit(static_cast<int>(ExitCode::Limit));
 }
 
 }  // namespace
@@ -102,12 +122,10 @@ ExitCode run(int argc, char** argv, bool json_errors)
 int main(int argc, char** argv)
 {
     using namespace endmill;
+    arguments = {argv, static_cast<std::size_t>(argc)};
     std::set_terminate(end_without_memory);
     handle_interrupts();
-    const std::span<char*> words{argv, static_cast<std::size_t>(argc)};
-    const bool json_errors = std::ranges::any_of(words, [](const char* word) {
-        return std::string_view{word} == "--json-errors";
-    });
+    const bool json_errors = std::ranges::any_of(arguments, is_json_errors);
     try {
         return static_cast<int>(run(argc, argv, json_errors));
     } catch (...) {

@@ -2,11 +2,14 @@
 #include "endmill/files/output_folder.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <ctime>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -44,11 +47,12 @@ struct Registry {
     bool abandoned = false;
 };
 
-// The registry of this process.
+// The registry of this process. It needs no memory of the heap, and is never destroyed:
+// threads may outlive main.
 Registry& registry()
 {
-    static auto* const instance =
-        new Registry;  // never destroyed: threads may outlive main
+    alignas(Registry) static std::array<std::byte, sizeof(Registry)> memory;
+    static auto* const instance = new (memory.data()) Registry;
     return *instance;
 }
 

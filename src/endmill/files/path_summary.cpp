@@ -135,8 +135,9 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
                                              const ReadLimits& limits)
 {
     const std::filesystem::path path = tool_path.parent_path() / "summary.json";
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored))
+    std::error_code error;
+    const auto type = std::filesystem::status(path, error).type();
+    if (type == std::filesystem::file_type::not_found)
         return std::nullopt;
     const JsonDocument document{read_file(path, limits), shown_path(path), limits};
     const JsonValue root = document.root();

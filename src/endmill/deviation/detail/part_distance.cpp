@@ -34,7 +34,7 @@ PartDistance::PartDistance(const PartCharts& charts, double chord_tolerance)
 // Makes the search trees on first use.
 void PartDistance::prepare() const
 {
-    std::call_once(is_prepared_, [this] {
+    prepare_once_([this] {
         if (charts_.mesh())
             return;
         surface_tree_.emplace(charts_.surfaces(), chord_tolerance_);
@@ -47,7 +47,7 @@ void PartDistance::prepare() const
 // without gaps.
 const TriangleTree& PartDistance::whole() const
 {
-    std::call_once(is_whole_made_, [this] {
+    make_whole_once_([this] {
         if (charts_.mesh()) {
             whole_.emplace(*charts_.mesh());
             return;

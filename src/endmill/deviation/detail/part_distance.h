@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstddef>
-#include <mutex>
 #include <optional>
 
+#include "endmill/deviation/detail/once.h"
 #include "endmill/deviation/detail/surface_tree.h"
 #include "endmill/deviation/part_charts.h"
 #include "endmill/mesh/triangle_tree.h"
@@ -71,11 +71,11 @@ private:
 
     const PartCharts& charts_;
     double chord_tolerance_;
-    mutable std::once_flag is_prepared_;
+    mutable Once prepare_once_;
     mutable std::optional<SurfaceTree> surface_tree_;  // fine triangulation of surfaces
     mutable std::optional<SurfaceTree> coarse_tree_;
     mutable double chord_error_ = 0;
-    mutable std::once_flag is_whole_made_;
+    mutable Once make_whole_once_;
     mutable TriangleMesh sampled_;
     mutable std::optional<TriangleTree> whole_;
 };

@@ -16,7 +16,7 @@
 // and a box, computed from its four corners and a bound on the second derivatives, so its
 // triangles need not exist. The boxes are grouped by fours into the levels of a tree. A
 // query descends into near boxes first; only when a piece's disc may contain a nearer
-// place are its triangles made (`sample`), once, by `std::call_once`.
+// place are its triangles made (`sample`), once (`Once`).
 
 namespace endmill {
 namespace {
@@ -139,7 +139,7 @@ void SurfaceTree::add_upper_boxes()
 const SampledPatch& SurfaceTree::sample(std::size_t piece) const
 {
     Sample& sample = samples_[piece];
-    std::call_once(sample.is_made, [&] {
+    sample.make_once([&] {
         const Cells& cells = pieces_[piece];
         std::vector<Vec3> points;
         points.reserve(static_cast<std::size_t>(cells.high_u - cells.low_u + 1) *

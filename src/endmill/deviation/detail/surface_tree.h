@@ -4,11 +4,11 @@
 #include <cstddef>
 #include <deque>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "endmill/deviation/detail/once.h"
 #include "endmill/deviation/detail/sampled_patch.h"
 #include "endmill/mesh/triangle_tree.h"
 #include "endmill/surface/detail/bend_bounds.h"
@@ -62,7 +62,7 @@ private:
         Vec3 point(int u, int v) const;
     };
     struct Sample {
-        std::once_flag is_made = {};
+        Once make_once = {};
         std::optional<SampledPatch> patch = {};
     };
     struct Box {

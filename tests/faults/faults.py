@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shared code of the tests of faults: the commands that write, and runs in which the system fails.
+
+The tests run in a short form. With ENDMILL_FAULTS=long they run many times as often."""
+import concurrent.futures
+import errno
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
+from program import ENDMILL, ROOT  # noqa: E402
+
+IS_LONG = os.environ.get("ENDMILL_FAULTS") == "long"
+LIBRARY = os.environ.get("ENDMILL_FAILING_CALLS", "")
+STAGING = ".endmill-"
+NOT_FINITE = re.compile(rb"(?i)(?<![a-z])-?(nan|inf)(?![a-z])")
+# A time that a run took, as a member of a summary.
+TIME = re.compile(rb'("\w+_m?s": )[0-9.e+-]+')
+SURFACE = ROOT / "datasets/surfaces/saddle.json"
+PLANE = ROOT / "datasets/surfaces/plane.json"
+MESH = ROOT / "datasets/meshes/prism.obj"
+STEEL = ROOT / "datasets/materials/steel.json"
+PLAN = ["--cutter", "ball:20", "--scallop", "1"]
+
+# Every command that writes files: its arguments, where PATH stands for a planned path and FOLDER for the
+# output folder. A new command joins by one line.
+COMMANDS = {
+    "sample": ["sample", SURFACE, "--chord-tolerance", "1", "-o", "FOLDER"],
+    "plan": ["plan", PLANE, *PLAN, "-o", "FOLDER"],
+    "trim": ["trim", MESH, "--cutter", "ball:6", "--planes", "5", "--grid", "20", "-o", "FOLDER"],
+    "trim --method all": ["trim", PLANE, "--method", "all", "--cutter", "ball:6", "--planes", "3", "--grid", "9",
+                          "-o", "FOLDER"],
+    "verify": ["verify", "PATH", "--resolution", "4", "--max-refine", "0", "--write-stock", "-o", "FOLDER"],
+    "post": ["post", "PATH", "--feed", "800", "--spindle-rpm", "6000", "-o", "FOLDER"],
+    "feed": ["feed", "PATH", "--material", STEEL, "--flutes", "2", "--helix-deg", "30", "--max-force-n", "500",
+             "-o", "FOLDER"],
+    "setup": ["setup", MESH, "--machine", "W/caxyBz/T", "--sphere", "hex:4", "-o", "FOLDER"],
+    "info": ["info", SURFACE, "-o", "FOLDER"],
+    "machine": ["machine", "W/caxyBz/T", "-o", "FOLDER"],
+    "cite": ["cite", "-o", "FOLDER"],
+}
+
+
+class Finished:
+    """A run that has ended: status (negative: the number of the signal), error text, and the content of the
+    output folder by file, without staging folders, whose number is in `left`."""
+
+    def __init__(self, status, error, folder):
+        self.status = status
+        self.error = error
+        self.left = len(list(folder.parent.rglob(STAGING + "*")))
+        self.files = contents(folder)
+
+
+def contents(folder):
+    """The files of a folder by name, staging folders left out; None if there is no folder."""
+    if not folder.is_dir():
+        return None
+    return {str(path.relative_to(folder)): TIME.sub(rb"\1", path.read_bytes()) for path in sorted(folder.rglob("*"))
+            if path.is_file() and STAGING not in str(path.relative_to(folder))}
+
+
+def difference(found, expected):
+    """The names of the files that differ; empty if none does."""
+    if found is None or expected is None:
+        return "" if found is expected else "one folder is missing"
+    return ", ".join(sorted(name for name in {*found, *expected} if found.get(name) != expected.get(name)))
+
+
+def not_finite(files):
+    """The names of the text files that contain a number that is not finite."""
+    texts = {name: content for name, content in (files or {}).items() if name.endswith((".csv", ".json", ".ngc", ".svg"))}
+    return [name for name, content in texts.items() if NOT_FINITE.search(content)]
+
+
+def environment(fault=None, counts=None):
+    settings = {**os.environ, "LD_PRELOAD": LIBRARY}
+    if fault:
+        settings["ENDMILL_FAULT"] = fault
+    if counts:
+        settings["ENDMILL_FAULT_COUNTS"] = str(counts)
+    return settings
+
+
+class FaultTest(unittest.TestCase):
+    """Has a planned path, and runs commands in folders of their own."""
+
+    @classmethod
+    def setUpClass(cls):
+        if not LIBRARY:
+            raise unittest.SkipTest("ENDMILL_FAILING_CALLS does not name the library of failing calls")
+        cls.place = Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.place)
+        subprocess.run([ENDMILL, "plan", PLANE, *PLAN, "--quiet", "-o", cls.place / "path"], check=True)
+
+    def run_command(self, name, folder, *options, fault=None, counts=None, timeout=120, **settings):
+        path = self.place / "path/u/toolpath.csv"
+        words = [{"PATH": path, "FOLDER": folder}.get(word, word) for word in COMMANDS[name]]
+        done = subprocess.run([ENDMILL, *map(str, words), *options], capture_output=True, check=False,
+                              stdin=subprocess.DEVNULL, timeout=timeout, cwd=folder.parent,
+                              env=environment(fault, counts), **settings)
+        return Finished(done.returncode, done.stderr.decode(errors="replace"), folder)
+
+    def in_new_place(self, act):
+        """The result of act(folder), where the folder does not exist yet; its parent is removed afterwards."""
+        with tempfile.TemporaryDirectory(dir=self.place) as parent:
+            return act(Path(parent) / "results")
+
+    def sound(self, name):
+        """A run without faults: what it wrote, and how often it made each call."""
+        def act(folder):
+            counts = folder.parent / "counts"
+            done = self.run_command(name, folder, counts=counts)
+            self.assertIn(done.status, (0, 1), f"{name}: {done.error}")
+            lines = counts.read_text().splitlines()
+            return done.files, {call: int(count) for call, count in map(str.split, lines)}
+        return self.in_new_place(act)
+
+    def in_parallel(self, act, cases):
+        """act(*case) for all cases, on as many threads as there are processors."""
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            for done in [pool.submit(act, *case) for case in cases]:
+                done.result()
+
+
+def some_of(count, short):
+    """Numbers from 1 to `count`: all of them up to 300 in the long form, else `short` of them."""
+    if IS_LONG:
+        return list(range(1, min(count, 300) + 1))
+    if count <= short:
+        return list(range(1, count + 1))
+    return sorted({1 + round(k * (count - 1) / (short - 1)) for k in range(short)})
+
+
+FULL_DISK = errno.ENOSPC
+NO_MEMORY = errno.ENOMEM
+NO_MORE_THREADS = errno.EAGAIN

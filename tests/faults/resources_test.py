@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Threads and memory run out in every command that writes: it works without them, or says so."""
+import resource
+import unittest
+
+from faults import COMMANDS, NO_MEMORY, NO_MORE_THREADS, FaultTest, difference, some_of
+
+
+class ResourcesTest(FaultTest):
+    def test_threads(self):
+        """The caller works alone, or with the threads that it got."""
+        for name in COMMANDS:
+            with self.subTest(name):
+                new, _ = self.sound(name)
+
+                def check(number, name=name, new=new):
+                    def act(folder):
+                        done = self.run_command(name, folder, fault=f"thread:{number}:{NO_MORE_THREADS}")
+                        self.assertIn(done.status, (0, 1), done.error)
+                        self.assertEqual("", difference(done.files, new))
+                    self.in_new_place(act)
+                self.in_parallel(check, [(number,) for number in ("1+", "2+", "1", "2", "3")])
+
+    def check_memory(self, name, number, new):
+        def act(folder):
+            done = self.run_command(name, folder, fault=f"memory:{number}:{NO_MEMORY}")
+            case = f"{name}, memory {number}: exit {done.status}, {done.error}"
+            self.assertIn(done.status, (0, 1, 6), case)
+            if done.files is not None or done.status != 6:
+                self.assertEqual("", difference(done.files, new), case)
+            if done.status == 6:
+                self.assertIn("out of memory", done.error, case)
+        self.in_new_place(act)
+
+    def test_memory(self):
+        for name in COMMANDS:
+            with self.subTest(name):
+                new, counts = self.sound(name)
+                numbers = some_of(counts["memory"], 12) if counts["memory"] <= 300 else \
+                    [1 + k * (counts["memory"] - 1) // 11 for k in range(12)]
+                cases = [(name, f"{number}{later}", new) for number in numbers for later in ("", "+")]
+                self.in_parallel(self.check_memory, cases)
+
+    def test_a_small_address_space(self):
+        for name in COMMANDS:
+            for kib in (40_000, 60_000, 90_000, 200_000):
+                with self.subTest(name, kib=kib):
+                    def limit(kib=kib):
+                        resource.setrlimit(resource.RLIMIT_AS, (kib * 1024, kib * 1024))
+
+                    def act(folder, name=name, limit=limit):
+                        done = self.run_command(name, folder, preexec_fn=limit)
+                        if "error while loading shared libraries" not in done.error:
+                            self.assertIn(done.status, (0, 1, 6), done.error)
+                    self.in_new_place(act)
+
+
+if __name__ == "__main__":
+    unittest.main()
