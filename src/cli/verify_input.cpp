@@ -159,7 +159,6 @@ InaccessibleStock inaccessible_of(const VerifyOptions& options, const PathSummar
 // leaves half of the scallop limit. It shares the drop cutters, which refer to the mesh.
 std::function<bool(const PartRay&)> accessibility(const VerifyInput& input)
 {
-    constexpr double share_of_scallop = 0.5;
     if (input.inaccessible == InaccessibleStock::Count)
         return {};
     std::vector<Cutter> cutters{input.tool.cutter};
@@ -170,7 +169,7 @@ std::function<bool(const PartRay&)> accessibility(const VerifyInput& input)
     std::vector<std::shared_ptr<const DropCutter>> drop_cutters;
     for (const Cutter& cutter : cutters)
         drop_cutters.push_back(std::make_shared<const DropCutter>(mesh, cutter));
-    const double distance = share_of_scallop * input.limits.scallop;
+    const double distance = reached_share * input.limits.scallop;
     return [drop_cutters = std::move(drop_cutters), distance](const PartRay& ray) {
         return std::ranges::any_of(drop_cutters, [&](const auto& drop_cutter) {
             return is_accessible(*drop_cutter, {ray.point, ray.normal}, distance);

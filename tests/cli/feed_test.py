@@ -275,7 +275,7 @@ class Feed(ProgramTest):
         part.unlink()
         moved = endmill("feed", self.folder / "plan/toolpath.csv", "--material", STEEL, "--tool", TOOL, "-o", "moved",
                         cwd=self.folder)
-        self.assert_refused(moved, 2, "the stock's top is not known", "--stock-top")
+        self.assert_refused(moved, 3, "plane.json: cannot open")
         done = endmill("feed", path, "--material", STEEL, "--tool", TOOL, "-o", "text", cwd=self.folder)
         self.assertIn("top of the stock z 4 mm (at most, where the first move at feed goes down)", done.stdout)
 

@@ -706,7 +706,7 @@ class BadInput(VerifyTest):
             with subprocess.Popen([ENDMILL, "verify", path, "--part", "surface.json", "--cutter", "ball:10",
                                    "--resolution", "0.01", "-o", "out"], cwd=self.folder, stderr=subprocess.PIPE,
                                   stdout=subprocess.PIPE) as process:
-                while not (self.folder / "out").exists() and process.poll() is None:
+                while not list(self.folder.glob(".endmill-*")) and process.poll() is None:
                     time.sleep(0.01)
                 process.send_signal(number)
                 process.communicate(timeout=600)
@@ -719,7 +719,7 @@ class BadInput(VerifyTest):
         with subprocess.Popen([ENDMILL, "verify", path, "--cutter", "ball:10", "--stock", "0,0,-5,30,10,0",
                                "--resolution", "0.5", "--engagement", "-o", "out"], cwd=self.folder,
                               stderr=subprocess.PIPE, stdout=subprocess.PIPE) as process:
-            while process.poll() is None and not list(self.folder.glob("out/.engagement.csv.*")):
+            while process.poll() is None and not list(self.folder.glob(".endmill-*/.part-*")):
                 time.sleep(0.001)
             process.send_signal(signal.SIGTERM)
             process.communicate(timeout=600)

@@ -26,6 +26,10 @@ struct DeviationLimits {
     double scallop = 0.1;     ///< greatest allowed thickness of remaining stock, mm
 };
 
+/// Share of the limit of remaining stock. Where no more remains, the cutter has reached the
+/// part.
+inline constexpr double reached_share = 0.5;
+
 /// Options of the measurement.
 struct DeviationOptions {
     DeviationLimits limits = {};  ///< cells are refined until the verdict is certain
@@ -33,8 +37,9 @@ struct DeviationOptions {
     int max_refine = 8;           ///< largest number of halvings of a cell, 0 to 20
     std::size_t most_cells = 100'000'000;  ///< limit of the first cells
     /// Whether the cutter can reach a place of the part. If set, a cell is judged for
-    /// remaining stock only if this returns true for its middle. Remaining stock in the
-    /// accessible part of other cells is not bounded. Called by several threads at once.
+    /// remaining stock only if this returns true for its middle, or if at most
+    /// `reached_share` of the limit remains there. Remaining stock in the accessible part of
+    /// other cells is not bounded. Called by several threads at once.
     std::function<bool(const PartRay& ray)> is_accessible = {};
     /// If set, it is called with the finished share, 0 to 1.
     std::function<void(double share)> progress = {};
@@ -62,8 +67,8 @@ struct Deviation {
     double gouge_area_mm2 = 0;  ///< area with a gouge deeper than the tolerance
     double uncut_area_mm2 = 0;  ///< area with more remaining stock than the limit
     double area_mm2 = 0;        ///< area that was judged
-    /// Area that the cutter cannot reach, where remaining stock is not judged; 0 unless
-    /// DeviationOptions::is_accessible is set.
+    /// Area that the cutter has not reached and cannot reach, where remaining stock is not
+    /// judged; 0 unless DeviationOptions::is_accessible is set.
     double inaccessible_area_mm2 = 0;
     /// Greatest remaining stock there, at the first rays, mm. Relative error 0.01.
     double max_inaccessible_mm = 0;

@@ -160,6 +160,43 @@ double least_left_by_planes(const MeasuredCell& cell, std::span<const StraightSw
     return least;
 }
 
+std::optional<ClearedPart> part_cleared(const MeasuredCell& cell, const StraightSweep& sweep)
+{
+    const HalfSpace half = half_space_beyond(sweep, cell.ray.point);
+    const PartCell& of = cell.cell;
+    const Eigen::Vector2d middle = of.centre();
+    const double bend = cell.reach * cell.curvature.absolute;
+    const double at_middle =
+        half.normal.dot(cell.ray.point) + cell.reach * bend / 2 - half.least;
+    const Eigen::Vector2d rise{half.normal.dot(cell.ray.du),
+                               half.normal.dot(cell.ray.dv)};
+    const auto depth = [&](const Eigen::Vector2d& at) {
+        return at_middle + rise.dot(at - middle) - touching_depth;
+    };
+    std::vector<Eigen::Vector2d> inside;  // corners of the polygon in the half space
+    for (int k = 0; k < of.corners; ++k) {
+        const Eigen::Vector2d& from = of.at[static_cast<std::size_t>(k)];
+        const Eigen::Vector2d& to = of.at[static_cast<std::size_t>((k + 1) % of.corners)];
+        const double a = depth(from);
+        const double b = depth(to);
+        if (a > 0)
+            inside.push_back(from);
+        if ((a > 0) != (b > 0))
+            inside.emplace_back(from + a / (a - b) * (to - from));
+    }
+    if (inside.empty())
+        return std::nullopt;
+    ClearedPart part{Eigen::Vector2d::Zero(), 0};
+    for (const Eigen::Vector2d& corner : inside)
+        part.at += corner / static_cast<double>(inside.size());
+    for (const Eigen::Vector2d& corner : inside) {
+        const Eigen::Vector2d away = corner - part.at;
+        part.reach = std::max(part.reach,
+                              (away.x() * cell.ray.du + away.y() * cell.ray.dv).norm());
+    }
+    return part;
+}
+
 std::vector<std::int32_t> sweeps_on_cell(const MeasuredCell& cell,
                                          std::span<const StraightSweep> all,
                                          std::span<const std::int32_t> sweeps)

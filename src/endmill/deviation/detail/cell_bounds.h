@@ -66,6 +66,19 @@ std::vector<std::int32_t> sweeps_on_cell(const MeasuredCell& cell,
                                          std::span<const StraightSweep> all,
                                          std::span<const std::int32_t> sweeps);
 
+/// A part of a cell: a point in parameters, and the largest distance of the part's points
+/// from it.
+struct ClearedPart {
+    Eigen::Vector2d at;
+    double reach;  ///< mm, from the partials at the cell's middle
+};
+
+/// Returns the part of the cell that the sweep may clear: the part inside the half space
+/// which is perpendicular to the way from the cell's middle to the sweep.
+/// \return nothing if the sweep clears nothing of the part on the cell.
+std::optional<ClearedPart> part_cleared(const MeasuredCell& cell,
+                                     const StraightSweep& sweep);
+
 /// Returns an upper bound of the thickness on the whole cell in mm, from thickness and
 /// slope at the middle and the curvatures of the cutter's corner and the part. It is
 /// infinite for a sharp edge.

@@ -141,7 +141,8 @@ bool TileMeasure::is_outer(const PartRay& ray) const
 bool TileMeasure::is_inaccessible(const MeasuredCell& cell) const
 {
     const auto& is_accessible = measured_.options.is_accessible;
-    return is_accessible && cell.cut.thickness > 0 && !is_accessible(cell.ray);
+    return is_accessible && cell.cut.thickness > reached_share * limits().scallop &&
+           !is_accessible(cell.ray);
 }
 
 void TileMeasure::set_judged(MeasuredCell& cell) const

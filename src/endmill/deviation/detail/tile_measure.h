@@ -213,6 +213,10 @@ private:
     double least_left(const MeasuredCell& cell);
     double smooth_least(const MeasuredCell& cell);
     bool has_no_foot(const MeasuredCell& cell, double away) const;
+    bool has_no_foot(const PartRay& ray, double reach, double curvature,
+                     double away) const;
+    bool clears_no_foot(const MeasuredCell& cell,
+                        std::span<const std::int32_t> sweep_numbers, double away) const;
     RefinementThresholds sharpened(const RefinementThresholds& thresholds,
                                    const Extremes& found) const;
     void refine(const MeasuredCell& cell, const RefinementThresholds& first_thresholds,

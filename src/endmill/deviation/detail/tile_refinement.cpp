@@ -80,12 +80,36 @@ Extremes TileMeasure::refined_to(int level, const RefinementThresholds& threshol
 // Source: paper/notes/deviation-bounds.md, eq. (c).
 bool TileMeasure::has_no_foot(const MeasuredCell& cell, double away) const
 {
-    const double moves = cell.reach * (1 + std::abs(away) * cell.curvature.absolute);
+    return has_no_foot(cell.ray, cell.reach, cell.curvature.absolute, away);
+}
+
+// The same for the part of a cell within `reach` of the foot of a ray.
+bool TileMeasure::has_no_foot(const PartRay& ray, double reach, double curvature,
+                              double away) const
+{
+    const double moves = reach * (1 + std::abs(away) * curvature);
     if (!(moves < std::abs(away)) || !std::isfinite(away))
         return false;
     std::optional<std::size_t> no_hint;
-    return measured_.distance(cell.ray.point + away * cell.ray.normal, no_hint) + moves <
+    return measured_.distance(ray.point + away * ray.normal, no_hint) + moves <
            std::abs(away);
+}
+
+// Whether no gouge of the depth -away or more has its foot where these sweeps clear the
+// cell. A sweep that just touches an edge or a corner of the part clears a small part of the
+// cells beside it, however large they are.
+bool TileMeasure::clears_no_foot(const MeasuredCell& cell,
+                                 std::span<const std::int32_t> sweep_numbers,
+                                 double away) const
+{
+    return std::ranges::all_of(sweep_numbers, [&](std::int32_t number) {
+        const auto cleared =
+            part_cleared(cell, sweeps()[static_cast<std::size_t>(number)]);
+        if (!cleared)
+            return true;
+        const auto ray = measured_.charts.ray(cell.cell.chart, cleared->at);
+        return ray && has_no_foot(*ray, cleared->reach, cell.curvature.absolute, away);
+    });
 }
 
 // Widens the thresholds by the maxima that were found in the tile meanwhile.
@@ -125,7 +149,8 @@ void TileMeasure::refine(const MeasuredCell& cell,
             most = thresholds.upper;
         if (least < thresholds.lower &&
             (by_planes || cell.cut.thickness < thresholds.lower) &&
-            has_no_foot(cell, thresholds.lower))
+            (has_no_foot(cell, thresholds.lower) ||
+             (by_planes && clears_no_foot(cell, gouging, thresholds.lower))))
             least = thresholds.lower;
         is_leaf = depth.level >= last_level_ || is_exhausted() ||
                   !thresholds.are_exceeded(most, least);
