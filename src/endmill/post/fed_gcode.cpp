@@ -309,7 +309,7 @@ private:
     std::string text_;
     std::string feed_;   // F in force, as written; empty if unknown
     std::string speed_;  // S in force, as written; empty if unknown
-    GcodeUnit unit_ = GcodeUnit::Unsaid;
+    GcodeUnit unit_ = GcodeUnit::Unstated;
     FeedRateMode feed_mode_ = FeedRateMode::PerMinute;
 };
 

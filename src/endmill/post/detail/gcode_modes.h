@@ -24,14 +24,14 @@ enum class GcodeMotion {
 
 /// Height to which a canned cycle retracts.
 enum class RetractLevel {
-    Unsaid,   ///< before the first code: that of G99
-    Initial,  ///< G98: height before the first hole
-    R,        ///< G99: height of the word R
+    Unstated,  ///< before the first code: that of G99
+    Initial,   ///< G98: height before the first hole
+    R,         ///< G99: height of the word R
 };
 
 /// Unit of the lengths of a program.
 enum class GcodeUnit {
-    Unsaid,      ///< before the first code: taken as mm
+    Unstated,    ///< before the first code: taken as mm
     Inch,        ///< G20
     Millimetre,  ///< G21
 };
@@ -56,17 +56,27 @@ struct GcodeModes {
     DistanceMode distance = DistanceMode::Absolute;    ///< group 3, ends of moves
     DistanceMode centres = DistanceMode::Incremental;  ///< group 4, words I, J, K
     FeedRateMode feed = FeedRateMode::PerMinute;       ///< group 5
-    GcodeUnit unit = GcodeUnit::Unsaid;                ///< group 6
-    /// Group 12: 540 to 593, in tenths; 0 before the first code.
+    GcodeUnit unit = GcodeUnit::Unstated;              ///< group 6
+    /// Group 12: 540 to 593, in tenths; 0 before the first code and the first position.
     int coordinate_system = 0;
+    bool has_stated_system = false;  ///< whether a code of group 12 occurred
     int cycle = 0;  ///< G code of the canned cycle, such as 81; 0 before the first one
-    RetractLevel retract = RetractLevel::Unsaid;  ///< group 10
+    RetractLevel retract = RetractLevel::Unstated;  ///< group 10
     bool has_surface_speed = false;  ///< G96: S is a cutting speed, not a spindle speed
     bool used_tool_length = false;   ///< whether a G43 occurred
     bool used_blending = false;      ///< whether a G64 occurred
 
     /// mm per unit of length.
     double mm_per_unit() const { return unit == GcodeUnit::Inch ? mm_per_inch : 1; }
+
+    /// Notes that a position was stated. Without a code it is in the system G54, with
+    /// which controls begin.
+    void use_coordinate_system()
+    {
+        constexpr int first_system = 540;
+        if (coordinate_system == 0)
+            coordinate_system = first_system;
+    }
 
     /// Applies the G codes of `block`.
     /// \throws FormatError at the current line of `lines` for a code outside the subset,

@@ -31,14 +31,10 @@ void GcodeRemarks::note_modes(const GcodeBlock& block, const GcodeModes& before,
     for (const int code : block.g.all())
         if (is_idle_g_code(code))
             count(idle_codes_, code, lines);
-    if (after.unit != GcodeUnit::Unsaid && before.unit == GcodeUnit::Unsaid &&
-        has_unsaid_lengths_)
+    if (after.unit != GcodeUnit::Unstated && before.unit == GcodeUnit::Unstated &&
+        has_unstated_lengths_)
         first_unit_line_ = lines.number();
     has_inches_ = has_inches_ || after.unit == GcodeUnit::Inch;
-    if (after.coordinate_system != before.coordinate_system && builder.has_position())
-        builder.remark("coordinate system first named in line " +
-                       std::to_string(lines.number()) +
-                       ", after motion: taken as the system of the motion before it");
     if (after.used_tool_length && !before.used_tool_length)
         builder.remark(
             (block.has('H') ? "G43 H" + brief(block.value('H')) : std::string{"G43"}) +
@@ -48,9 +44,9 @@ void GcodeRemarks::note_modes(const GcodeBlock& block, const GcodeModes& before,
             "G96: S is a cutting speed, so the path has no spindle speed until G97");
 }
 
-void GcodeRemarks::note_unsaid_lengths(const GcodeBlock& block)
+void GcodeRemarks::note_unstated_lengths(const GcodeBlock& block)
 {
-    has_unsaid_lengths_ = has_unsaid_lengths_ || block.has_any("XYZIJKRF");
+    has_unstated_lengths_ = has_unstated_lengths_ || block.has_any("XYZIJKRF");
 }
 
 void GcodeRemarks::note_reference(const GcodeBlock& block, const TextLines& lines)
@@ -58,13 +54,12 @@ void GcodeRemarks::note_reference(const GcodeBlock& block, const TextLines& line
     for (const int code : block.g.all())
         if (code == 280 || code == 300 || code == 530)
             count(references_, code, lines);
-    reference_line_ = lines.number();
 }
 
 void GcodeRemarks::note_cycle(const GcodeModes& modes, ProgramBuilder& builder)
 {
     has_cycles_ = true;
-    if (modes.retract == RetractLevel::Unsaid)
+    if (modes.retract == RetractLevel::Unstated)
         builder.remark(
             "neither G98 nor G99 before a canned cycle: it retracts to R, as under G99; "
             "some controls begin with G98");
@@ -79,7 +74,7 @@ void GcodeRemarks::finish(const GcodeModes& modes, bool has_ended,
         builder.remark("no M2, M30 or closing %: the program may be cut short");
     if (has_inches_)
         builder.remark("inches (G20) converted to mm");
-    if (modes.unit == GcodeUnit::Unsaid)
+    if (modes.unit == GcodeUnit::Unstated)
         builder.remark("neither G20 nor G21: lengths are taken as mm");
     else if (first_unit_line_ != 0)
         builder.remark("no G20 or G21 before line " + std::to_string(first_unit_line_) +
