@@ -43,11 +43,12 @@ std::string program_text(const FeedResult& result)
 FeedFigure figure_of(const Json& s)
 {
     return {"Feed along " + s["name"].get<std::string>(),
-            {fmt::format("{}, {} mm, {}; mode {}, top of the stock at z = {} mm",
-                         s["material"].get<std::string>(), s["cutter"].get<std::string>(),
-                         counted(s["flutes"].get<std::size_t>(), "flute"),
-                         s["mode"].get<std::string>(),
-                         shown(s["stock_top_mm"].get<double>()))}};
+            {fmt::format(
+                "{}, cutter {} (mm), {}; mode {}, top of the stock at z = {} mm",
+                std::filesystem::path{s["material"].get<std::string>()}.stem().string(),
+                s["cutter"].get<std::string>(),
+                counted(s["flutes"].get<std::size_t>(), "flute"),
+                s["mode"].get<std::string>(), shown(s["stock_top_mm"].get<double>()))}};
 }
 
 // The contents of the output files.

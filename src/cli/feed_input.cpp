@@ -9,6 +9,7 @@
 
 #include "cli/console.h"
 #include "cli/idle_options.h"
+#include "cli/path_facts.h"
 #include "cli/path_tools.h"
 #include "cli/progress.h"
 #include "endmill/core/error.h"
@@ -290,6 +291,7 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
         return program_of_text(text, options.path, reading, options.common);
     }();
     require_order(program, file, text);
+    number_points(program.path);
     if (!options.path.tools.empty())
         tool = tool_of_table(program, options);
     if (!tool)

@@ -2,7 +2,10 @@
 #include "cli/feed_summary.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -133,15 +136,29 @@ void add_known(Json& summary, const FeedResult& result)
     summary["remarks"] = result.remarks;
 }
 
-// "cutting force 62.5 %, cap 37.5 %": the limits that govern, with their shares.
+// The words of the limits in feed.svg, by their keys.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10>
+    limit_names_in_words{{{"cutting_force", "force across the tool axis"},
+                          {"thrust", "force along the tool axis"},
+                          {"torque", "torque"},
+                          {"cap", "feed per tooth of the material"},
+                          {"block_rate", "time of a block"},
+                          {"infeasible", "no feasible feed"},
+                          {"economic_speed", "tool life"},
+                          {"spindle", "spindle speed"},
+                          {"power", "spindle power"},
+                          {"feed_drive", "feed drive"}}};
+
+// "tool life 62.5 %, spindle speed 37.5 %": the limits that govern, with their shares.
 std::string shares_text(const Json& shares)
 {
     std::string text;
     for (const auto& [key, share] : shares.items()) {
-        std::string name = key;
-        std::ranges::replace(name, '_', ' ');
+        const auto words = std::ranges::find(limit_names_in_words, key,
+                                             [](const auto& pair) { return pair.first; });
         if (share.get<double>() > 0)
-            text += fmt::format("{}{} {:.1f} %", text.empty() ? "" : ", ", name,
+            text += fmt::format("{}{} {:.1f} %", text.empty() ? "" : ", ",
+                                words == limit_names_in_words.end() ? key : words->second,
                                 100 * share.get<double>());
     }
     return text;
@@ -158,15 +175,14 @@ std::string times_text(const Json& s)
     if (!s["total_min"].is_null())
         text += fmt::format(", {} in all with {} of other moves", minutes(s["total_min"]),
                             minutes(s["noncut_min"]));
-    text += "\n";
     if (!s["saving_percent"].is_null())
-        text += fmt::format("  saving        {:.1f} % against {} mm/min\n",
+        text += fmt::format("; saving {:.1f} % against {} mm/min",
                             s["saving_percent"].get<double>(),
                             to_text(s["constant_feed_mm_per_min"].get<double>()));
     if (s.contains("planned_min"))
-        text += "  machine       " + minutes(s["planned_min"]) +
-                " of cutting with its acceleration\n";
-    return text;
+        text += "; " + minutes(s["planned_min"]) +
+                " of cutting with the acceleration of the machine";
+    return text + "\n";
 }
 
 }  // namespace

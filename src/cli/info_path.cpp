@@ -80,7 +80,7 @@ Json path_summary(const PathOptions& options, PathFormat format, const Program& 
                  {"format", format_word(format)},
                  {"points", program.path.points.size()},
                  {"cutter", cutter ? Json(cutter_word(*cutter)) : Json(nullptr)}};
-    add_path_totals(summary, program.path);
+    add_path_totals(summary, path_totals(program.path));
     add_conditions(summary, program.path);
     add_reading(summary, options);
     summary["position_error_mm"] = program.position_error_mm;
@@ -110,20 +110,15 @@ std::string tools_text(const Json& tools)
 
 std::string path_text(const Json& s)
 {
-    std::string extent;
-    for (std::size_t c = 0; c < 3; ++c)
-        extent += fmt::format("{}{} {} to {}", c == 0 ? "" : ", ", "xyz"[c],
-                              shown_coordinate(s["min_mm"][c].get<double>()),
-                              shown_coordinate(s["max_mm"][c].get<double>()));
     return fmt::format(
         "{}: {}, {}\n"
         "{}"
-        "  extent      {} mm\n"
+        "  extent      {}\n"
         "  settings    feed {}; spindle {}; tools {}\n",
         s["name"].get<std::string>(), s["format"].get<std::string>(),
-        counted(s["points"].get<std::size_t>(), "point"), path_totals_text(s), extent,
-        range_text(s, "feed_mm_per_min", " mm/min"), range_text(s, "spindle_rpm", " rpm"),
-        tools_text(s["tools"]));
+        counted(s["points"].get<std::size_t>(), "point"), path_totals_text(s),
+        extent_text(s), range_text(s, "feed_mm_per_min", " mm/min"),
+        range_text(s, "spindle_rpm", " rpm"), tools_text(s["tools"]));
 }
 
 }  // namespace
@@ -144,7 +139,10 @@ bool is_tool_path(const std::string& file, const ReadLimits& limits)
 
 ExitCode report_path(const PathOptions& path, const CommonOptions& options)
 {
-    const PathSummary known = path_summary_of(path, options);
+    // A report on a path judges nothing, so a summary of another path needs no warning.
+    CommonOptions silent = options;
+    silent.quiet = true;
+    const PathSummary known = path_summary_of(path, silent);
     const Program program =
         read_program_for(path, path.cutter ? path.cutter : known.cutter, options);
     for (const std::string& remark : program.remarks)

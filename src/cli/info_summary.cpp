@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include "cli/shown_numbers.h"
+#include "endmill/core/text.h"
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/mesh/mesh_repair.h"
 #include "endmill/surface/extent.h"
@@ -69,14 +71,20 @@ void add_boundary_loops(Json& summary, const TriangleMesh& mesh)
     summary["longest_boundary_loop_mm"] = loops.empty() ? Json(nullptr) : Json(longest);
 }
 
+// "3 boundary edges in 1 loop, 12 mm long", or "no boundary".
 std::string boundary_text(const Json& s)
 {
     const auto loops = s["boundary_loops"].get<std::size_t>();
     if (loops == 0)
-        return "none";
-    return fmt::format("{} {}, {} mm long in all, the longest {} mm", loops,
-                       loops == 1 ? "loop" : "loops", shown_or_none(s["boundary_mm"]),
-                       shown_or_none(s["longest_boundary_loop_mm"]));
+        return "no boundary";
+    std::string text =
+        fmt::format("{} in {}, {} mm long",
+                    counted(s["boundary_edges"].get<std::size_t>(), "boundary edge"),
+                    counted(loops, "loop"), shown_or_none(s["boundary_mm"]));
+    if (loops > 1)
+        text += fmt::format(" in all, the longest {} mm",
+                            shown_or_none(s["longest_boundary_loop_mm"]));
+    return text;
 }
 
 std::string place_shown(const Json& place)
@@ -146,15 +154,13 @@ Json surface_summary(const PartFile& file, const SurfaceContinuity& continuity,
 std::string surface_text(const Json& s)
 {
     return fmt::format(
-        "{}: {}\n"
+        "{}: {}, continuity {}{}\n"
         "{}"
-        "  continuity    {}{}\n"
         "  curvature     {} to {} per mm (positive: convex)\n"
         "  ball cutter   {}\n"
         "  tool axis     {}\n",
-        s["name"].get<std::string>(), patches_text(s), size_text(s),
-        s["continuity"].get<std::string>(), break_shown(s),
-        shown_or_none(s["min_curvature_per_mm"]),
+        s["name"].get<std::string>(), patches_text(s), s["continuity"].get<std::string>(),
+        break_shown(s), size_text(s), shown_or_none(s["min_curvature_per_mm"]),
         shown_or_none(s["max_curvature_per_mm"]), limit_text(s),
         s["unreachable_at"].is_null()
             ? "the cutter can touch the whole surface"
@@ -198,25 +204,24 @@ Json mesh_summary(const PartFile& file, const PartOptions& options)
 
 std::string mesh_text(const Json& s)
 {
+    const auto count = [&](const char* key, std::string_view thing) {
+        return counted(s[key].get<std::size_t>(), thing);
+    };
     return fmt::format(
-        "{}: {} triangles, {} points, {} {}\n"
+        "{}: {}, {}, {}\n"
         "{}"
         "  volume        {}\n"
-        "  edges         {} boundary edges, {} edges of more than two triangles, {} "
-        "edges "
-        "between triangles of opposite orientation\n"
-        "  boundary      {}\n"
+        "  edges         {}; {} of more than two triangles, {} between triangles of "
+        "opposite orientation\n"
         "  triangles     {} degenerate (left out), {} duplicate\n",
-        s["name"].get<std::string>(), s["triangles"].get<std::size_t>(),
-        s["vertices"].get<std::size_t>(), s["components"].get<std::size_t>(),
-        s["components"] == 1 ? "piece" : "pieces", size_text(s),
+        s["name"].get<std::string>(), count("triangles", "triangle"),
+        count("vertices", "point"), count("components", "piece"), size_text(s),
         s["volume_mm3"].is_null()
             ? "none: the mesh is open, or its triangles face opposite sides"
             : shown_or_none(s["volume_mm3"]) + " mm3",
-        s["boundary_edges"].get<std::size_t>(),
-        s["non_manifold_edges"].get<std::size_t>(),
-        s["inconsistent_edges"].get<std::size_t>(), boundary_text(s),
-        s["degenerate"].get<std::size_t>(), s["duplicates"].get<std::size_t>());
+        boundary_text(s), count("non_manifold_edges", "edge"),
+        count("inconsistent_edges", "edge"), s["degenerate"].get<std::size_t>(),
+        s["duplicates"].get<std::size_t>());
 }
 
 }  // namespace endmill

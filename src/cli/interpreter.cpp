@@ -18,8 +18,8 @@
 #include "cli/command.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
-#include "endmill/post/control.h"
 #include "endmill/post/gcode_reader.h"
+#include "endmill/post/program.h"
 
 namespace endmill {
 namespace {

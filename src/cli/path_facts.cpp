@@ -9,10 +9,10 @@
 
 namespace endmill {
 
-void add_path_totals(Json& summary, const ToolPath& path)
+void add_path_totals(Json& summary, const PathTotals& totals)
 {
-    const PathTotals totals = path_totals(path);
     summary["cut_mm"] = totals.cut_mm;
+    summary["plunge_mm"] = totals.plunge_mm;
     summary["link_mm"] = totals.link_mm;
     summary["rapid_mm"] = totals.rapid_mm;
     summary["time_min"] = totals.time_min ? Json(*totals.time_min) : Json(nullptr);
@@ -29,8 +29,26 @@ std::string path_totals_text(const Json& s)
         time = shown_time(s["time_min"].get<double>()) + " min at feed";
     if (!s["time_min"].is_null() && s["rapid_mm"].get<double>() > 0)
         time += ", rapids not counted";
-    return fmt::format("  path        cuts {} mm, links {} mm, rapids {} mm; {}\n",
-                       length("cut_mm"), length("link_mm"), length("rapid_mm"), time);
+    return fmt::format(
+        "  path        cuts {} mm, plunges {} mm, links {} mm, rapids {} mm; {}\n",
+        length("cut_mm"), length("plunge_mm"), length("link_mm"), length("rapid_mm"),
+        time);
+}
+
+std::string extent_text(const Json& s)
+{
+    std::string extent;
+    for (std::size_t c = 0; c < 3; ++c)
+        extent += fmt::format("{}{} {} to {}", c == 0 ? "" : ", ", "xyz"[c],
+                              shown_coordinate(s["min_mm"][c].get<double>()),
+                              shown_coordinate(s["max_mm"][c].get<double>()));
+    return extent + " mm";
+}
+
+void number_points(ToolPath& path)
+{
+    for (std::size_t k = 0; k < path.points.size(); ++k)
+        path.points[k].point = static_cast<int>(k);
 }
 
 void identify_path(Json& summary, std::size_t points, std::string_view content)

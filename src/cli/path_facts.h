@@ -10,12 +10,18 @@
 
 namespace endmill {
 
-/// The totals of a path in a summary: cut_mm, link_mm, rapid_mm, time_min, tools, min_mm,
-/// max_mm.
-void add_path_totals(Json& summary, const ToolPath& path);
+/// The totals of a path in a summary: cut_mm, plunge_mm, link_mm, rapid_mm, time_min,
+/// tools, min_mm, max_mm.
+void add_path_totals(Json& summary, const PathTotals& totals);
 
 /// One line of a report on these totals: lengths and time.
 std::string path_totals_text(const Json& summary);
+
+/// The box of all tips: "x 0 to 10, y -5 to 5, z 0 to 20.5 mm".
+std::string extent_text(const Json& summary);
+
+/// Numbers the points of a path from 0 in its order, as all files and messages do.
+void number_points(ToolPath& path);
 
 /// Adds what identifies the path file beside a summary: toolpath_points and
 /// toolpath_sha256. A summary beside another file is not used, see `path_summary_of`.

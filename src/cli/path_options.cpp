@@ -13,8 +13,8 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/read_file.h"
-#include "endmill/post/control.h"
 #include "endmill/post/gcode_reader.h"
+#include "endmill/post/program.h"
 
 namespace endmill {
 namespace {

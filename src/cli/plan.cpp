@@ -109,9 +109,8 @@ ExitCode run_plan(PlanOptions options)
     const PlanResult result = write_plan({surfaces, context, options}, folder);
     folder.publish();
     print_result(options.common, result.summary,
-                 settings_text(context, options) + limit_text(context.limit) +
-                     result.text + "written to " + printable(folder.path().string()) +
-                     "\n");
+                 settings_text(context, options) + result.text + "written to " +
+                     printable(folder.path().string()) + "\n");
     if (result.gouge)
         report_gouge(*result.gouge, options);
     const bool is_good = result.uncovered_places == 0 && !result.gouge;

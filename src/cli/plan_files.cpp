@@ -166,7 +166,10 @@ DirectionResult write_direction(const PlanTask& task, MeasuredPath plan,
 {
     const auto& [surfaces, context, options] = task;
     warn_of_uncovered(plan.planned, options.common);
+    number_points(plan.path);
     Json summary = direction_summary(context, options, plan.planned);
+    add_path_totals(summary["path"], path_totals(plan.path));
+    summary["path"]["points"] = plan.path.points.size();
     name_part(summary, {options.part}, folder.path() / prefix);
     const std::string table = tool_path_csv(plan.path);
     identify_path(summary, plan.path.points.size(), table);

@@ -10,16 +10,15 @@
 
 namespace endmill {
 
+namespace {
+
+// The largest radius that fits the surface.
 std::string limit_text(const std::optional<CutterLimit>& limit)
 {
     if (!limit)
-        return "  cutter limit  none: the surface has no concavity\n";
-    return fmt::format("  cutter limit  radius below {} mm, at {}\n",
-                       shown_limit(limit->radius_mm),
-                       place_text(limit->at, limit->point));
+        return "no concavity limits its radius";
+    return fmt::format("radius below {} mm fits", shown_limit(limit->radius_mm));
 }
-
-namespace {
 
 // The form of the curvature across the feed. Mode verified does not use it.
 std::string cross_curvature_text(const PlanOptions& options)
@@ -27,10 +26,10 @@ std::string cross_curvature_text(const PlanOptions& options)
     if (options.mode != Planner::Paper)
         return {};
     if (options.planning.cross_curvature == CrossCurvature::Exact)
-        return "  cross feed    curvature exact, from the second fundamental form (the "
-               "paper's eq. (8): --cross-curvature chord)\n";
-    return fmt::format("  cross feed    curvature by eq. (8) of the paper, chord {} mm\n",
-                       shown_limit(options.planning.cross_step));
+        return ", exact curvature across the feed";
+    return fmt::format(
+        ", curvature across the feed by eq. (8) of the paper with chord {} mm",
+        shown_limit(options.planning.cross_step));
 }
 
 }  // namespace
@@ -44,11 +43,11 @@ std::string settings_text(const PlanContext& context, const PlanOptions& options
             : fmt::format("inner tolerance {} mm, outer tolerance {} mm",
                           shown_limit(options.motion.inner),
                           shown_limit(options.motion.outer));
-    return fmt::format("{}: cutter ball:{}, mode {}, {}, scallop height {} mm\n",
+    return fmt::format("{}: cutter ball:{} ({}), mode {}, {}, scallop height {} mm{}\n",
                        context.name, to_text(context.cutter_diameter),
-                       mode_word(options.mode), tolerance,
-                       shown_limit(options.planning.scallop_height)) +
-           cross_curvature_text(options);
+                       limit_text(context.limit), mode_word(options.mode), tolerance,
+                       shown_limit(options.planning.scallop_height),
+                       cross_curvature_text(options));
 }
 
 namespace {
@@ -102,18 +101,21 @@ std::string_view limit_name(PathLimit limit)
 
 std::string direction_text(const PlannedDirection& planned, const Json& s)
 {
+    const Json& path = s["path"];
     std::string text = fmt::format(
-        "  along {}       {} passes, {} points, travel {}, links {}",
+        "  along {}       {} passes, {}, contact travel {}; cuts {}, links {}",
         s["direction"].get<std::string>(), s["passes"].get<std::size_t>(),
-        s["ncl"].get<std::size_t>(), length_of(s, "tcd_mm"), length_of(s, "link_mm"));
+        counted(path["points"].get<std::size_t>(), "point"), length_of(s, "tcd_mm"),
+        length_of(path, "cut_mm"), length_of(path, "link_mm"));
     if (const auto links = s["lifted_links"].get<std::size_t>())
-        text += fmt::format(" ({} lifted)", links);
+        text += fmt::format(", plunges {}, rapids {} ({} lifted)",
+                            length_of(path, "plunge_mm"), length_of(path, "rapid_mm"),
+                            counted(links, "link"));
     if (s.contains("time_min"))
         text +=
             fmt::format(", {} min at {} mm/min", shown_time(s["time_min"].get<double>()),
                         to_text(s["feed_mm_per_min"].get<double>()));
-    text += "\n                " +
-            (s["mode"] == "paper" ? chord_error_text(s) : std::string{}) +
+    text += "; " + (s["mode"] == "paper" ? chord_error_text(s) : std::string{}) +
             deviation_text(planned, s);
     if (const auto places = s["uncovered_places"].get<std::size_t>())
         text += ", not covered: " + counted(places, "place");
@@ -141,8 +143,7 @@ std::string comparison_text(const Json& both)
 {
     return fmt::format(
         "  recommended   along {}: the directions differ by {:.1f} % in travel and "
-        "{:.1f} "
-        "% in points\n",
+        "{:.1f} % in points\n",
         both["recommended"].get<std::string>(), 100 * both["reduction_tcd"].get<double>(),
         100 * both["reduction_ncl"].get<double>());
 }

@@ -10,11 +10,8 @@
 
 namespace endmill {
 
-/// The line of the report on the limit of the ball's radius.
-std::string limit_text(const std::optional<CutterLimit>& limit);
-
-/// The first lines of a report: part, cutter, mode and tolerances in force; in mode paper
-/// also the form of the curvature across the feed.
+/// The first line of a report: part, cutter and its limit, mode and tolerances in force; in
+/// mode paper also the form of the curvature across the feed.
 std::string settings_text(const PlanContext& context, const PlanOptions& options);
 
 /// The report on one direction.

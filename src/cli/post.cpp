@@ -38,7 +38,7 @@ constexpr double arc_slack_mm = 0.001;
 constexpr double default_arc_tolerance_mm = 0.001;
 
 // Options replace the values of the path.
-void apply_options(ToolPath& path, const PostOptions& options, const MoveFeeds& feeds)
+void apply_options(ToolPath& path, const PostOptions& options, const FeedSettings& feeds)
 {
     for (PathPoint& point : path.points) {
         CuttingConditions& conditions = point.conditions;
@@ -83,7 +83,7 @@ PathSummary known_of(const Program& program, PathSummary known,
 
 // The G-code program.
 WrittenProgram written_gcode(const PostedPath& posted, const Control& control,
-                             const PostOptions& options, const MoveFeeds& feeds)
+                             const PostOptions& options, const FeedSettings& feeds)
 {
     const PathSummary& known = posted.known;
     GcodeOptions program;
@@ -102,11 +102,31 @@ WrittenProgram written_gcode(const PostedPath& posted, const Control& control,
     program.coolant = options.coolant;
     program.dwell_s = options.dwell_s.value_or(control.dwell ? default_dwell_s : 0);
     program.feeds = feeds;
+    program.approach_distance = options.approach_distance;
     if (options.lead_in == LeadIn::Ramp)
         program.ramp = Angle::degrees(options.ramp_angle_deg);
     if (options.arcs)
         program.arc_tolerance = arc_tolerance(known, options);
     return gcode(posted.read.path, program);
+}
+
+// Refuses what the written program could not do as the path and the options ask.
+void require_writable(const Program& program, const PostOptions& options)
+{
+    if (const auto point = program.counterclockwise_from)
+        throw FormatError{
+            "E_GCODE",
+            {printable(options.path.file), "",
+             "the spindle turns counterclockwise (M4) on the move to point " +
+                 std::to_string(*point) + ", and the written program has M3",
+             "a program with M3"}};
+    if (!options.safe_height)
+        return;
+    const auto extent = path_totals(program.path).extent;
+    if (extent && *options.safe_height < extent->high.z())
+        throw DomainError{"--safe-height: found " + to_text(*options.safe_height) +
+                          ", and the path reaches " + to_text(extent->high.z()) +
+                          " mm; expected no less"};
 }
 
 // Warnings to read before the machine starts.
@@ -138,7 +158,7 @@ void warn_of(const PostedPath& posted, const PostOptions& options)
 
 // Writes the program in the requested language.
 PostedPath posted_path(const Program& program, PathSummary known,
-                       const PostOptions& options, const MoveFeeds& feeds)
+                       const PostOptions& options, const FeedSettings& feeds)
 {
     const std::string stem = std::filesystem::path{options.path.file}.stem().string();
     PostedPath posted{printable(known.name.value_or(stem)),
@@ -157,6 +177,7 @@ PostedPath posted_path(const Program& program, PathSummary known,
         return posted;
     }
     posted.control = chosen_control(options);
+    require_possible(options, *posted.control);
     posted.file = stem + posted.control->extension;
     posted.written = written_gcode(posted, *posted.control, options, feeds);
     return posted;
@@ -186,9 +207,12 @@ ExitCode run_post(const PostOptions& options)
     Program program = read_program_for(
         options.path, options.path.cutter ? options.path.cutter : beside.cutter,
         options.common);
+    require_writable(program, options);
     PathSummary known = known_of(program, beside, options);
-    const MoveFeeds feeds{known.feed_mm_per_min, options.feed_mm_per_min.has_value(),
-                          options.plunge_feed_mm_per_min, plunge_share};
+    const FeedSettings feeds{
+        known.feed_mm_per_min,
+        options.feed_mm_per_min ? FeedChoice::OfSettings : FeedChoice::OfPath,
+        options.plunge_feed_mm_per_min, plunge_share};
     apply_options(program.path, options, feeds);
     const PostedPath posted = posted_path(program, std::move(known), options, feeds);
     warn_of(posted, options);
@@ -210,9 +234,9 @@ ExitCode run_post(const PostOptions& options)
             folder.remove_unless_written(file);
     }
     folder.publish();
-    print_result(
-        options.common, summary,
-        post_text(summary) + "written to " + printable(folder.path().string()) + "\n");
+    print_result(options.common, summary,
+                 post_text(summary, posted, options) + "written to " +
+                     printable(folder.path().string()) + "\n");
     return ExitCode::Yes;
 }
 
@@ -231,6 +255,9 @@ void add_post_command(CLI::App& program, Action& action)
         "results/u/toolpath.csv is results-u). Cutter, tolerance and feed default to\n"
         "those of the path, then of the summary.json beside it. Coordinates are tips.\n"
         "The options are in mm and mm/min for --units inch too.\n\n"
+        "With --approach-distance no stock may be higher than this distance above the\n"
+        "path; otherwise rapids run into it, which verify reports as collisions.\n"
+        "Descents without a cut after them (drilling) do not change.\n\n"
         "Example:\n"
         "  endmill plan datasets/surfaces/saddle.json --cutter ball:20 -o saddle\n"
         "  endmill post saddle/u/toolpath.csv --control fanuc --feed 800 --spindle-rpm "

@@ -77,7 +77,7 @@ void add_machine_options(CLI::App& command, PostOptions& options)
                options.safe_height);
     add_whole_number(
         command,
-        {"--tool-number", "G-code: number of the tool (default: the path's own, or 1)", 0,
+        {"--tool-number", "G-code: number of the tool (default: the path's own, or 1)", 1,
          greatest_tool},
         [&options](int number) { options.tool = number; })
         ->type_name("N");
@@ -93,6 +93,11 @@ void add_motion_options(CLI::App& command, PostOptions& options)
         {"--ramp-angle-deg", "DEG", "--lead-in ramp: angle of the slope over the path",
          NumberDomain::above_zero_to(steepest_ramp_deg)},
         options.ramp_angle_deg);
+    add_number(command,
+               {"--approach-distance", "MM",
+                "G-code: descents to a cut are rapid down to this height above their end "
+                "(default: all at plunge feed or on the slope)"},
+               options.approach_distance);
     command.add_flag("--arcs", options.arcs,
                      "G-code: fit arcs (G2, G3 in G17, G18, G19) to the cuts");
     add_number(
@@ -181,8 +186,9 @@ void refuse_idle_post_options(const PostOptions& options)
         refuse_idle_options(
             options.common,
             std::array{"--control", "--coolant", "--dwell-s", "--safe-height",
-                       "--tool-number", "--lead-in", "--ramp-angle-deg", "--arcs",
-                       "--arc-fit-tolerance", "--units", "--line-numbers", "--comments"},
+                       "--tool-number", "--lead-in", "--ramp-angle-deg",
+                       "--approach-distance", "--arcs", "--arc-fit-tolerance", "--units",
+                       "--line-numbers", "--comments"},
             found, "--format gcode");
     if (options.lead_in == LeadIn::Straight)
         refuse_idle_options(options.common, std::array{"--ramp-angle-deg"},
@@ -190,6 +196,27 @@ void refuse_idle_post_options(const PostOptions& options)
     if (!options.arcs)
         refuse_idle_options(options.common, std::array{"--arc-fit-tolerance"},
                             "no --arcs", "--arcs");
+}
+
+void require_possible(const PostOptions& options, const Control& control)
+{
+    const auto require_words = [&](bool has_words, const std::string& option,
+                                   const std::string& what) {
+        if (!has_words)
+            throw DomainError{option + ": the control " + control.name + " has no " +
+                              what + "; expected a control that has it, or no " + option};
+    };
+    const bool wants_dwell = options.dwell_s.value_or(0) > 0;
+    require_words(!wants_dwell || control.dwell, "--dwell-s", "dwell");
+    require_words(!options.arcs || control.arcs != ArcForm::None, "--arcs", "arcs");
+    require_words(options.coolant != Coolant::Flood || control.flood, "--coolant flood",
+                  "flood coolant");
+    require_words(options.coolant != Coolant::Mist || control.mist, "--coolant mist",
+                  "mist coolant");
+    if (!control.tool_change && !control.tool_length)
+        refuse_idle_options(options.common, std::array{"--tool-number"},
+                            "the control " + control.name,
+                            "a control with a tool change");
 }
 
 }  // namespace endmill

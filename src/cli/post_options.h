@@ -7,6 +7,7 @@
 
 #include "cli/path_options.h"
 #include "endmill/post/control.h"
+#include "endmill/post/program.h"
 
 namespace endmill {
 
@@ -32,6 +33,8 @@ struct PostOptions {
     Coolant coolant = Coolant::Off;
     LeadIn lead_in = LeadIn::Straight;
     double ramp_angle_deg = 3;
+    /// mm, height above the end of a descent down to which it is a rapid; none: not at all.
+    std::optional<double> approach_distance;
     ProgramUnit unit = ProgramUnit::Mm;
     bool arcs = false;
     std::optional<double>
@@ -49,6 +52,10 @@ std::string word_of(PostFormat format);
 
 /// The word of a coolant on the command line.
 std::string word_of(Coolant coolant);
+
+/// Refuses options that need what the control does not have.
+/// \throws DomainError naming the option and the control.
+void require_possible(const PostOptions& options, const Control& control);
 
 /// The control that `--control` names: a built-in one, or that of a file.
 /// \throws DomainError if there is neither a control of this name nor such a file; as

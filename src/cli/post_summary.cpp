@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/post_summary.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "build_facts.h"
@@ -30,9 +33,6 @@ void add_range(Json& summary, const std::string& key, const MinMax& range)
     summary["max_" + key] = *range.greatest;
 }
 
-constexpr double bytes_per_kib = 1024;
-constexpr double mm_per_m = 1000;
-
 // The one number under `key`, or its range; empty if it is unknown.
 std::string range_text(const Json& s, const std::string& key)
 {
@@ -57,19 +57,22 @@ std::string conditions_text(const Json& s)
     return text + (speed.empty() ? "; spindle speed not known" : "; " + speed + " rpm");
 }
 
-// Lengths and time, a line; empty if the summary has none.
-std::string length_text(const Json& s)
+// A line about descents that take more than half of the time or are longer than the cuts;
+// empty if an option made them rapid, or if there are none.
+std::string descents_text(const PostedPath& posted, const PostOptions& options)
 {
-    if (!s.contains("cut_mm"))
+    const PathTotals& totals = posted.written.totals;
+    constexpr double large_share = 0.5;
+    const bool is_slow =
+        totals.plunge_mm > totals.cut_mm ||
+        totals.plunge_time_min > large_share * totals.time_min.value_or(HUGE_VAL);
+    if (!posted.control || options.approach_distance || !is_slow)
         return "";
-    std::string text = fmt::format("  length    {} m cutting, {} m links, {} m rapid",
-                                   shown(s["cut_mm"].get<double>() / mm_per_m),
-                                   shown(s["link_mm"].get<double>() / mm_per_m),
-                                   shown(s["rapid_mm"].get<double>() / mm_per_m));
-    if (!s["time_min"].is_null())
-        text += fmt::format("; {} min without rapids",
-                            shown_time(s["time_min"].get<double>()));
-    return text + "\n";
+    return fmt::format(
+        "  descents    {} of {} min; --approach-distance MM makes them "
+        "rapid down to MM above the cut\n",
+        shown_time(totals.plunge_time_min),
+        shown_time(totals.time_min.value_or(totals.plunge_time_min)));
 }
 
 // Adds the keys that only G-code has.
@@ -80,6 +83,8 @@ void add_gcode_keys(Json& summary, const PostedPath& posted, const PostOptions& 
     summary["control"] = posted.control->name;
     summary["program_unit"] = options.unit == ProgramUnit::Inch ? "inch" : "mm";
     summary["coolant"] = word_of(options.coolant);
+    summary["approach_distance_mm"] =
+        options.approach_distance ? Json(*options.approach_distance) : Json(nullptr);
     summary["ramps"] = written.ramps;
     summary["straight_descents"] = written.straight_descents;
     summary["arcs"] = written.arcs;
@@ -107,7 +112,7 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
                  {"max_rounding_error_mm", written.max_rounding_error_mm},
                  {"position_error_mm", posted.read.position_error_mm}};
     add_interpreter(summary, options.path);
-    add_path_totals(summary, posted.read.path);
+    add_path_totals(summary, written.totals);
     identify_path(summary, posted.read.path.points.size(), written.text);
     add_range(summary, "feed_mm_per_min", written.feed_mm_per_min);
     add_range(summary, "plunge_feed_mm_per_min", written.plunge_feed_mm_per_min);
@@ -127,25 +132,22 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
     return summary;
 }
 
-std::string post_text(const Json& s)
+std::string post_text(const Json& s, const PostedPath& posted, const PostOptions& options)
 {
-    const std::string control = s.contains("control")
-                                    ? "G-code for " + s["control"].get<std::string>()
-                                    : "APT CL data";
-    std::string text = fmt::format(
-        "{}: {}, {}, {} lines, {} KiB\n{}"
-        "  feed      {}\n"
-        "  accuracy  coordinates rounded by at most {} mm",
-        s["name"].get<std::string>(), s["file"].get<std::string>(), control,
-        s["lines"].get<std::size_t>(),
-        shown(static_cast<double>(s["bytes"].get<std::size_t>()) / bytes_per_kib),
-        length_text(s), conditions_text(s),
-        shown_bound(s["max_rounding_error_mm"].get<double>()));
-    if (s.contains("arcs") && s["arcs"].get<std::size_t>() > 0)
-        text += fmt::format("; {} arcs within {} mm of the path",
-                            s["arcs"].get<std::size_t>(),
-                            shown_bound(s["max_arc_error_mm"].get<double>()));
-    return text + "\n";
+    const std::string language =
+        posted.control ? "G-code for " + posted.control->name : "APT CL data";
+    const std::size_t arcs = posted.written.arcs;
+    return fmt::format(
+        "{}: {}, {}, {}{}, within {} mm of the path\n"
+        "{}"
+        "  feed        {}\n"
+        "{}",
+        s["name"].get<std::string>(), s["file"].get<std::string>(), language,
+        counted(posted.written.lines, "line"),
+        arcs > 0 ? ", " + counted(arcs, "arc") : "",
+        shown_bound(std::max(posted.written.max_rounding_error_mm,
+                             posted.written.max_arc_error_mm)),
+        path_totals_text(s), conditions_text(s), descents_text(posted, options));
 }
 
 }  // namespace endmill

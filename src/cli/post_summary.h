@@ -25,6 +25,8 @@ struct PostedPath {
 Json post_summary(const PostedPath& posted, const PostOptions& options);
 
 /// The report on the terminal: at most four lines.
-std::string post_text(const Json& summary);
+/// \param summary of `posted`.
+std::string post_text(const Json& summary, const PostedPath& posted,
+                      const PostOptions& options);
 
 }  // namespace endmill

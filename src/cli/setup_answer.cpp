@@ -44,15 +44,16 @@ PartVisibility computed(const SetupInput& input, const StoredVisibility& file,
 
 // Progress of the search over whole cones, in the unit of its objective.
 std::string set_progress_text(const WholeConeSearchProgress& now,
-                              SetupObjective objective)
+                              const SetupCommandOptions& options)
 {
-    const bool is_area = objective == SetupObjective::FlooredArea;
+    const bool is_area = options.objective == SetupObjective::FlooredArea;
     const auto shown = [&](double value) {
         const double in_deg = Angle::radians(value).degrees();
         return is_area ? Angle::radians(in_deg).degrees() : in_deg;
     };
-    std::string text = fmt::format("{} nodes, bound {:.6g} {}", now.nodes,
-                                   shown(now.lower_bound), is_area ? "deg^2" : "deg");
+    std::string text =
+        fmt::format("{} of at most {} nodes, bound {:.6g} {}", now.nodes,
+                    options.max_nodes, shown(now.lower_bound), is_area ? "deg^2" : "deg");
     if (now.objective)
         text += fmt::format(", best {:.6g}", shown(*now.objective));
     if (now.objective && now.lower_bound > 0)
@@ -82,7 +83,9 @@ MachineSetup setup_on(const SearchedMachine& machine, const SetupInput& input,
                          .progress =
                              [&](const WholeConeSearchProgress& now) {
                                  progress.begin("searching over whole cones");
-                                 progress.show(set_progress_text(now, options.objective));
+                                 progress.show(
+                                     set_progress_text(now, options),
+                                     static_cast<double>(now.nodes) / options.max_nodes);
                              }},
          .cell_progress =
              [&](std::size_t done) {

@@ -40,6 +40,12 @@ TriangleMesh with_degenerate(const TriangleMesh& mesh,
     return {{mesh.points().begin(), mesh.points().end()}, std::move(triangles)};
 }
 
+// "1 edge belongs", "2 edges belong".
+std::string belonging(std::size_t edges)
+{
+    return counted(edges, "edge") + (edges == 1 ? " belongs" : " belong");
+}
+
 void take_mesh(SetupInput& input, TriangleMesh mesh,
                std::span<const std::size_t> degenerate = {})
 {
@@ -47,17 +53,18 @@ void take_mesh(SetupInput& input, TriangleMesh mesh,
     const CleanedMesh cleaned = without_degenerate_or_duplicate(mesh);
     const MeshReport checks = mesh_report(cleaned.mesh);
     if (checks.boundary_edges > 0)
-        input.remarks.push_back(fmt::format(
-            "{} edges belong to one triangle: the part is open, so all triangles block "
-            "from both sides",
-            checks.boundary_edges));
+        input.remarks.push_back(
+            fmt::format("{} to one triangle: the part is open, so all triangles block "
+                        "from both sides",
+                        belonging(checks.boundary_edges)));
     if (checks.non_manifold_edges > 0)
-        input.remarks.push_back(fmt::format("{} edges belong to more than two triangles",
-                                            checks.non_manifold_edges));
+        input.remarks.push_back(fmt::format("{} to more than two triangles",
+                                            belonging(checks.non_manifold_edges)));
     if (cleaned.duplicate_triangles > 0)
-        input.remarks.push_back(fmt::format(
-            "{} triangles repeat an earlier triangle; such triangles block each other",
-            cleaned.duplicate_triangles));
+        input.remarks.push_back(
+            fmt::format("{} an earlier triangle; such triangles block each other",
+                        counted(cleaned.duplicate_triangles, "triangle") +
+                            (cleaned.duplicate_triangles == 1 ? " repeats" : " repeat")));
     input.mesh = degenerate.empty() ? std::move(mesh) : with_degenerate(mesh, degenerate);
 }
 

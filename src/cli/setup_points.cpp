@@ -2,11 +2,16 @@
 #include "cli/setup_points.h"
 
 #include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "cli/answer.h"
 #include "cli/setup_machine.h"
 #include "cli/setup_summary.h"
+#include "cli/shown_numbers.h"
 #include "endmill/core/error.h"
+#include "endmill/core/text.h"
 #include "endmill/files/input_csv.h"
 #include "endmill/setup/pose_search.h"
 
@@ -67,6 +72,30 @@ Json points_summary(const SearchedMachine& machine, const PoseSearchResult& sear
     return summary;
 }
 
+// One line for the answer, one for the reason or the pose, one for the azimuth.
+std::string points_text(const Json& s, const std::string& file)
+{
+    const bool is_machinable = s["machinable"].get<bool>();
+    const Json& machine = s["configuration"].is_null() ? s["type"] : s["configuration"];
+    std::string text =
+        fmt::format("{}: {} {} in one setup on {}, mode {}\n", printable(file),
+                    counted(s["points"].get<std::size_t>(), "direction"),
+                    is_machinable ? "can be reached" : "cannot be reached",
+                    machine.get<std::string>(), s["mode"].get<std::string>());
+    if (!s["reason"].is_null())
+        text += "  reason       " + s["reason"].get<std::string>() + "\n";
+    else if (s["area_deg2"].is_null())
+        text += "  reason       the directions fit in no open hemisphere\n";
+    text += setup_pose_text(s, is_machinable);
+    for (const auto& [key, name] :
+         {std::pair{"r1_azimuth_deg", "R1"}, {"r2_azimuth_deg", "R2"}})
+        if (s.contains(key) && !s[key].is_null())
+            text += fmt::format(
+                "  azimuth      {} degrees: {}, the rotary axis across the tool\n",
+                shown_degrees(s[key].get<double>()), name);
+    return text;
+}
+
 }  // namespace
 
 ExitCode run_setup_points(const SetupCommandOptions& options)
@@ -83,7 +112,8 @@ ExitCode run_setup_points(const SetupCommandOptions& options)
                            .limits = machine.machine.rotary,
                            .order = rotary_order(configuration)});
     const Json summary = points_summary(machine, search, options, directions.size());
-    give_answer(options.common, {options.points, machine.file}, summary);
+    give_answer(options.common, {options.points, machine.file}, summary,
+                points_text(summary, options.points));
     return search.feasible ? ExitCode::Yes : ExitCode::No;
 }
 

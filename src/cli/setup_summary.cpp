@@ -162,25 +162,27 @@ void add_setups(Json& summary, const SetupAnswer& answer,
         summary["setups_lower_bound"] = needs_two ? 2 : 1;
 }
 
-Json machinable_json(const PartSetup& best)
+// Adds whether the rotary axes suffice, and whether the machine does.
+void add_verdict(Json& keys, const MachineSetup& setup)
 {
-    if (best.machinable == Answer::Undecided)
-        return nullptr;
-    return best.machinable == Answer::Yes;
+    const bool is_open = setup.best.machinable == Answer::Undecided;
+    keys["rotary_ok"] = is_open ? Json{} : Json(setup.best.machinable == Answer::Yes);
+    keys["machinable"] = is_open ? Json{} : Json(setup.is_machinable());
 }
 
 Json ranking(std::span<const SetupAnswer> answers, const SetupCommandOptions& options)
 {
     Json list = Json::array();
     for (const SetupAnswer& answer : answers) {
-        list.push_back(
-            {{"machine", printable(answer.machine->file.empty() ? answer.machine->name
-                                                                : answer.machine->file)},
-             {"configuration", answer.machine->machine.configuration.word},
-             {"machinable", machinable_json(answer.setup.best)},
-             {"travel_ok", travel_json(answer.setup)},
-             {"floored_area_deg2",
-              optional_json(floored_area_deg2(answer.setup, options.floor_deg))}});
+        Json one{
+            {"machine", printable(answer.machine->file.empty() ? answer.machine->name
+                                                               : answer.machine->file)},
+            {"configuration", answer.machine->machine.configuration.word}};
+        add_verdict(one, answer.setup);
+        one["travel_ok"] = travel_json(answer.setup);
+        one["floored_area_deg2"] =
+            optional_json(floored_area_deg2(answer.setup, options.floor_deg));
+        list.push_back(std::move(one));
     }
     return list;
 }
@@ -202,7 +204,7 @@ void add_search(Json& summary, const SetupAnswer& answer,
                 const SetupCommandOptions& options)
 {
     const PartSetup& best = answer.setup.best;
-    summary["machinable"] = machinable_json(best);
+    add_verdict(summary, answer.setup);
     summary["proved"] = best.is_proved;
     // The status describes a pose, except that no open hemisphere rules out any pose.
     const bool has_status =
@@ -250,6 +252,17 @@ std::string hidden_text(const Json& hidden, const Json& tool)
     return text;
 }
 
+// What a setup of this type can turn: the ground on which facets are missed.
+std::string reach_text(const Json& s)
+{
+    const std::string type = s["type"].get<std::string>();
+    if (type == "3-axis")
+        return "a 3-axis machine cuts from one direction, and the best one misses ";
+    if (type == "4-axis")
+        return "one rotary axis turns within its limits, and the best setup misses ";
+    return "the best single setup within the limits misses ";
+}
+
 // Why the part is not machinable: the facets that one setup misses, and what hides them.
 std::string missed_text(const Json& s)
 {
@@ -260,18 +273,22 @@ std::string missed_text(const Json& s)
         return "  reason       this mode finds no pose within the limits, though one "
                "exists; try --mode set\n";
     const Json& empty = s["empty_cones"];
-    std::string text;
+    std::string text = "  reason       ";
     if (!empty.empty())
-        text = fmt::format("  unreachable  {} from every direction:{}{}\n",
-                           counted(empty.size(), "facet"), facet_numbers(empty),
-                           hidden_text(s["hidden_facets"], s["tool"]));
+        text +=
+            fmt::format("no direction reaches {}:{}{}", counted(empty.size(), "facet"),
+                        facet_numbers(empty), hidden_text(s["hidden_facets"], s["tool"]));
     if (missed.size() > empty.size() || empty.empty())
-        text += fmt::format(
-            "  missed       {} by the best single setup within the limits:{}\n",
-            counted(missed.size(), "facet"), facet_numbers(missed));
+        text += fmt::format("{}{}{}:{}", empty.empty() ? "" : "; ", reach_text(s),
+                            counted(missed.size(), "facet"), facet_numbers(missed));
     const double percent = 100 * s["missed_area_share"].get<double>();
-    text.pop_back();
     return text + fmt::format(" ({} % of the area)\n", shown(percent));
+}
+
+std::string axis_text(const Json& axis)
+{
+    return fmt::format("({:.4f}, {:.4f}, {:.4f})", axis[0].get<double>(),
+                       axis[1].get<double>(), axis[2].get<double>());
 }
 
 std::string clamp_text(const Json& clamp)
@@ -302,16 +319,15 @@ std::string travel_search_text(const Json& found)
     const std::string slack = slack_text(found["slack_mm"]);
     if (found["fits"].get<bool>())
         return fmt::format(
-            "  travel       the linear axes reach all facets with {}\n"
-            "               slack {} mm; {} tried\n",
+            "  travel       the linear axes reach all facets with {}, slack {} mm; {} "
+            "tried\n",
             clamp_text(found["clamp_mm"]), slack, poses);
     const Json& axis = found["pose"]["tool_axis"];
     return fmt::format(
         "  travel       none of {} fits the linear axes; the nearest has the tool axis "
-        "({:.4f}, {:.4f}, {:.4f})\n"
-        "               and with {} the slack {} mm\n",
-        poses, axis[0].get<double>(), axis[1].get<double>(), axis[2].get<double>(),
-        clamp_text(found["clamp_mm"]), slack);
+        "{} "
+        "and with {} the slack {} mm\n",
+        poses, axis_text(axis), clamp_text(found["clamp_mm"]), slack);
 }
 
 // Whether the linear axes reach all facets, and a clamping position that may help.
@@ -350,12 +366,11 @@ std::string better_mode_text(const Json& s)
 
 std::string machinable_text(const Json& s)
 {
-    const Json& machinable = s["machinable"];
-    if (machinable.is_null())
+    if (s["machinable"].is_null())
         return "undecided whether one setup suffices";
-    if (!machinable.get<bool>())
+    if (!s["rotary_ok"].get<bool>())
         return "not machinable in one setup";
-    if (s["travel_ok"].is_null() || s["travel_ok"].get<bool>())
+    if (s["machinable"].get<bool>())
         return "machinable in one setup";
     return s.contains("within_travel")
                ? "not machinable within the travel of the linear axes"
@@ -382,6 +397,23 @@ std::string range_text(const Json& range)
         return "none";
     return shown_degrees(range[0].get<double>()) + " to " +
            shown_degrees(range[1].get<double>());
+}
+
+// The ranges of the pose, or else, where the limits forbid them, those that it needs.
+std::string ranges_text(const Json& s, bool is_within)
+{
+    std::string text = fmt::format(
+        "  {}phi {}, theta {} degrees", is_within ? "ranges       " : "needed       ",
+        range_text(s["phi_range_deg"]), range_text(s["theta_range_deg"]));
+    if (!is_within)
+        text += fmt::format(" (limits {} and {})", range_text(s["limits_phi_deg"]),
+                            range_text(s["limits_theta_deg"]));
+    if (s.contains("empty_cones") && !s["empty_cones"].empty())
+        text += " for the other facets";
+    text += fmt::format("; area {} deg^2", shown(s["area_deg2"].get<double>()));
+    if (s["rigid"] == false)
+        text += "; within the limits only as a mirror image";
+    return text;
 }
 
 }  // namespace
@@ -436,6 +468,15 @@ Json pose_json(const std::optional<FittedPose>& fit)
             {"r2_axis", vector_json(fit->pose.r2_axis)}};
 }
 
+std::string setup_pose_text(const Json& s, bool is_within)
+{
+    const std::string text = s["area_deg2"].is_null() ? "" : ranges_text(s, is_within);
+    if (s["tool_axis"].is_null())
+        return text.empty() ? text : text + "\n";
+    return text + (text.empty() ? "  tool axis    " : "; tool axis ") +
+           axis_text(s["tool_axis"]) + " of the part\n";
+}
+
 Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,
                    std::span<const SetupAnswer> answers,
                    const SetupCommandOptions& options)
@@ -477,27 +518,17 @@ Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,
 std::string setup_text(const Json& s)
 {
     std::string text =
-        fmt::format("{}: {} on {}{}; {} facets, {} directions\n",
-                    s["name"].get<std::string>(), machinable_text(s),
+        fmt::format("{}: {} on {}{}; {}, {} directions\n", s["name"].get<std::string>(),
+                    machinable_text(s),
                     s["configuration"].is_null() ? s["type"].get<std::string>()
                                                  : s["configuration"].get<std::string>(),
                     s["mode"].is_null() ? "" : ", mode " + s["mode"].get<std::string>(),
                     s["facets"].get<std::size_t>(), s["cells"].get<std::size_t>());
     if (!s["reason"].is_null())
         text += "  reason       " + s["reason"].get<std::string>() + "\n";
-    text += undecided_text(s) + missed_text(s);
-    if (!s["area_deg2"].is_null())
-        text +=
-            fmt::format("  ranges       phi {}, theta {} degrees{}; area {} deg^2\n",
-                        range_text(s["phi_range_deg"]), range_text(s["theta_range_deg"]),
-                        s["empty_cones"].empty() ? "" : " for the other facets",
-                        shown(s["area_deg2"].get<double>()));
-    if (!s["tool_axis"].is_null())
-        text += fmt::format(
-            "  tool axis    ({:.4f}, {:.4f}, {:.4f}) in coordinates of the part\n",
-            s["tool_axis"][0].get<double>(), s["tool_axis"][1].get<double>(),
-            s["tool_axis"][2].get<double>());
-    return text + travel_text(s) + better_mode_text(s);
+    return text + undecided_text(s) + missed_text(s) +
+           setup_pose_text(s, s["rotary_ok"] == true) + travel_text(s) +
+           better_mode_text(s);
 }
 
 }  // namespace endmill

@@ -8,6 +8,11 @@
 
 namespace endmill {
 
+/// The line of a report on the pose: ranges of the rotary axes, area, tool axis. Empty
+/// without a pose.
+/// \param is_within whether the ranges are within the limits, which are named otherwise.
+std::string setup_pose_text(const Json& summary, bool is_within);
+
 /// summary.json of `setup`. It describes the first, best answer, and ranks all answers
 /// if there are several.
 Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,

@@ -101,6 +101,7 @@ void add_tool_path(const CutPart& part, const TrimOptions& options, TrimResult& 
     link.order = options.order;
     link.safe_height = safe_height(part, options);
     result.path = link_sections(thin, part.planes, *options.cutter, link);
+    number_points(result.path);
 }
 
 // Measures the clearance of trimmed offsets from the profiles of a file.

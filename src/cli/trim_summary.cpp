@@ -7,8 +7,10 @@
 
 #include "build_facts.h"
 #include "cli/console.h"
+#include "cli/path_facts.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
+#include "endmill/files/path_file.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/planning/path_interval.h"
 #include "endmill/trimming/trimming.h"
@@ -21,15 +23,14 @@ Json or_null(const std::optional<double>& value)
     return value ? finite_or_null(*value) : Json(nullptr);
 }
 
-// Adds the lengths and heights of the path.
+// Adds the points, the totals and the heights of the path.
 void add_path(Json& summary, const CutPart& part, const TrimOptions& options,
               const TrimResult& result)
 {
-    const PathLengths lengths = path_lengths(result.path);
+    summary["points"] = result.path.points.size();
+    add_path_totals(summary, path_totals(result.path));
     summary["thinned_points"] = result.dropped_points;
     summary["thinned_within_mm"] = result.thin_tolerance;
-    summary["cut_mm"] = lengths.at_feed_mm;
-    summary["rapid_mm"] = lengths.lifted_mm;
     summary["safe_height_mm"] = safe_height(part, options);
     const std::optional<double> pitch = pick_feed(part.planes);
     summary["pitch_mm"] = or_null(pitch);
@@ -42,7 +43,7 @@ void add_path(Json& summary, const CutPart& part, const TrimOptions& options,
     if (const auto* mesh = std::get_if<DroppedPart>(&part.shape)) {
         summary["outer_tolerance_mm"] = options.tolerance;
         summary["added_planes"] = mesh->added_planes;
-        summary["inaccessible"] = "excuse";
+        summary["inaccessible"] = inaccessible_name(InaccessibleStock::Report);
     }
 }
 
@@ -60,7 +61,7 @@ void add_counts(Json& summary, const TrimResult& result)
         loops += plane.size();
     summary["planes"] = result.trimmed.size();
     summary["curves"] = curves;
-    summary["points"] = points;
+    summary["trimmed_points"] = points;
     summary["loops"] = loops;
     summary["unresolved"] = unresolved(result);
 }
@@ -120,20 +121,16 @@ Json trim_summary(const TrimInput& input, const TrimOptions& options,
 
 namespace {
 
-// The line about the path: its points, those that were dropped, and its length.
-std::string path_text(const Json& s)
+// The points of the path, or of curves those that are left.
+std::string points_text(const Json& s)
 {
-    const auto points = s["points"].get<std::size_t>();
     if (!s.contains("cut_mm"))
-        return fmt::format("  points     {}\n", points);
-    const auto dropped = s["thinned_points"].get<std::size_t>();
-    std::string text =
-        fmt::format("  path       {} mm at feed, {}", shown(s["cut_mm"].get<double>()),
-                    counted(points - dropped, "point"));
-    if (dropped > 0)
-        text += fmt::format("; {} within {} mm of a chord left out", dropped,
+        return counted(s["trimmed_points"].get<std::size_t>(), "point");
+    std::string text = "path of " + counted(s["points"].get<std::size_t>(), "point");
+    if (const auto dropped = s["thinned_points"].get<std::size_t>())
+        text += fmt::format(", {} more within {} mm of a chord", dropped,
                             shown_limit(s["thinned_within_mm"].get<double>()));
-    return text + "\n";
+    return text;
 }
 
 // The line about the scallop height; empty if --scallop is not given.
@@ -142,7 +139,7 @@ std::string scallop_text(const Json& s)
     if (!s.contains("scallop_mm"))
         return "";
     std::string text =
-        fmt::format("  scallop    {} mm", shown_limit(s["scallop_mm"].get<double>()));
+        fmt::format("  scallop     {} mm", shown_limit(s["scallop_mm"].get<double>()));
     if (!s.contains("added_planes"))
         return text + " where the part is horizontal\n";
     const auto added = s["added_planes"].get<std::size_t>();
@@ -155,20 +152,21 @@ std::string scallop_text(const Json& s)
 
 std::string trim_text(const Json& s)
 {
-    std::string text = fmt::format("method {}: {} removed from {} in {} ms\n",
-                                   s["method"].get<std::string>(),
-                                   counted(s["loops"].get<std::size_t>(), "loop"),
-                                   counted(s["planes"].get<std::size_t>(), "section"),
-                                   shown_time(s["trim_ms"].get<double>()));
-    text += path_text(s);
+    std::string text = fmt::format(
+        "method {}: {} removed from {} in {} ms; {}\n", s["method"].get<std::string>(),
+        counted(s["loops"].get<std::size_t>(), "loop"),
+        counted(s["planes"].get<std::size_t>(), "section"),
+        shown_time(s["trim_ms"].get<double>()), points_text(s));
+    if (s.contains("cut_mm"))
+        text += path_totals_text(s);
     if (!s["min_clearance_mm"].is_null())
-        text += fmt::format("  clearance  {} mm (limit -{} mm)\n",
+        text += fmt::format("  clearance   {} mm (limit -{} mm)\n",
                             shown_against(s["min_clearance_mm"].get<double>(),
                                           -s["tolerance_mm"].get<double>()),
                             shown_limit(s["tolerance_mm"].get<double>()));
     text += scallop_text(s);
     if (const auto left = s["unresolved"].get<std::size_t>())
-        text += fmt::format("  folds      {} left\n", left);
+        text += fmt::format("  folds       {} left\n", left);
     return text;
 }
 
@@ -180,12 +178,12 @@ std::string methods_text(const Json& methods)
                     "below envelope mm", "clearance mm");
     for (const auto& [name, s] : methods.items()) {
         const Json& clearance = s["min_clearance_mm"];
-        text += fmt::format(row, name, shown_time(s["trim_ms"].get<double>()),
-                            s["loops"].get<std::size_t>(), s["points"].get<std::size_t>(),
-                            s["unresolved"].get<std::size_t>(),
-                            s["wrong_sections"].get<std::size_t>(),
-                            shown(s["max_below_envelope_mm"].get<double>()),
-                            clearance.is_null() ? "" : shown(clearance.get<double>()));
+        text += fmt::format(
+            row, name, shown_time(s["trim_ms"].get<double>()),
+            s["loops"].get<std::size_t>(), s["trimmed_points"].get<std::size_t>(),
+            s["unresolved"].get<std::size_t>(), s["wrong_sections"].get<std::size_t>(),
+            shown(s["max_below_envelope_mm"].get<double>()),
+            clearance.is_null() ? "" : shown(clearance.get<double>()));
     }
     return text +
            "wrong: sections that step back, or lie more than --tolerance below the upper "

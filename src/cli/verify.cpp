@@ -53,7 +53,7 @@ ExitCode run_verify(const VerifyOptions& options)
     }();
     folder.publish();
     print_result(options.common, summary,
-                 verify_text(summary, verification) + "written to " +
+                 verify_text(summary, options, verification) + "written to " +
                      printable(folder.path().string()) + "\n");
     return exit_code(verification.verdict, options);
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/deviation_svg.h"
 #include "endmill/files/mesh_file.h"
@@ -48,6 +49,11 @@ std::vector<std::string> figure_captions(const VerifyResult& result)
     std::vector<std::string> captions{fmt::format(
         "{}; rays {:g} mm apart{}", cutter_words(result.task.cutter, result.input.tools),
         result.options.resolution, between)};
+    if (deviation.inaccessible_area_mm2 > 0)
+        captions.push_back(fmt::format(
+            "not judged: {} mm2 that the cutter cannot touch, with up to {} mm remaining",
+            shown(deviation.inaccessible_area_mm2),
+            shown(deviation.max_inaccessible_mm)));
     for (const std::string& rule : broken_rules(result.verification))
         captions.push_back("verdict " +
                            std::string{verdict_name(result.verification.verdict)} + ": " +

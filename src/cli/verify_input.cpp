@@ -145,9 +145,9 @@ InaccessibleStock inaccessible_of(const VerifyOptions& options, const PathSummar
                                   const std::optional<PartFile>& part)
 {
     const bool is_mesh = part && std::holds_alternative<TriangleMesh>(part->part);
-    if (options.inaccessible == InaccessibleStock::Excuse && part && !is_mesh)
+    if (options.inaccessible == InaccessibleStock::Report && part && !is_mesh)
         throw DomainError{
-            "--inaccessible excuse: the part is a surface; expected a mesh, or "
+            "--inaccessible report: the part is a surface; expected a mesh, or "
             "--inaccessible count"};
     if (!is_mesh)
         return InaccessibleStock::Count;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array inaccessible_words{
     Choice<InaccessibleStock>{inaccessible_names[0], InaccessibleStock::Count},
-    Choice<InaccessibleStock>{inaccessible_names[1], InaccessibleStock::Excuse}};
+    Choice<InaccessibleStock>{inaccessible_names[1], InaccessibleStock::Report}};
 
 // Largest number of halvings. Smaller cells would be below the rounding of any file.
 constexpr int most_refine = 20;
@@ -42,8 +42,8 @@ void add_measure_options(CLI::App& command, VerifyOptions& options)
     add_choice<InaccessibleStock>(
         command, "--inaccessible", options.inaccessible, inaccessible_words,
         "remaining stock where the cutter cannot touch a mesh, as in sharp corners: "
-        "count "
-        "it or excuse it (default: that of the path's summary, or count)");
+        "count it as elsewhere, or only report it (default: that of the path's summary, "
+        "or count)");
     add_whole_number(
         command,
         {"--max-refine",

@@ -175,7 +175,7 @@ std::string extreme_text(const Json& s, const std::string& key, const char* limi
     const Json& greatest = s["max_" + key + "_mm"];
     const double limit = s[limit_key].get<double>();
     return fmt::format(
-        "{}, {} {} + {} mm{}; {}\n",
+        "{}, {} {} + {} mm{}; {}",
         greatest.is_null() ? "unknown" : value_text(greatest.get<double>(), limit),
         key == "gouge" ? "tolerance" : "limit", shown_limit(limit),
         to_text(verdict_slack), place_text(s["max_" + key + "_at"]),
@@ -185,31 +185,38 @@ std::string extreme_text(const Json& s, const std::string& key, const char* limi
 // The stock that the cutter cannot reach; empty without any.
 std::string inaccessible_text(const Json& s)
 {
-    if (!(s["inaccessible_area_mm2"].get<double>() > 0))
+    const Json& area = s["inaccessible_area_mm2"];
+    if (area.is_null() || !(area.get<double>() > 0))
         return "";
     const Json& cutter = s["cutter"];  // null for several tools
     return fmt::format(
-        "  excused     {} mm2 that {} touch, with up to {} remaining\n",
-        shown(s["inaccessible_area_mm2"].get<double>()),
+        "; not judged: {} mm2 that {} touch, with up to {} remaining",
+        shown(area.get<double>()),
         cutter.is_null() ? "no tool can" : cutter.get<std::string>() + " cannot",
         length_text(s["max_inaccessible_mm"]));
 }
 
+// Gouges of earlier runs at the heights of the stock, and a bound between the heights;
+// empty if the history of the stock is known.
+std::string earlier_text(const Json& s)
+{
+    if (s["earlier_gouge_mm"].is_null())
+        return "";
+    return fmt::format(
+        "; stock gouged {} deep by earlier runs, at most {} deeper between its heights",
+        length_text(s["earlier_gouge_mm"]), bound_length(s["earlier_gouge_bound_mm"]));
+}
+
 std::string deviation_text(const Json& s)
 {
-    const auto area = [&](const char* key) {
-        return shown(s[key].get<double>()) + " mm2";
-    };
+    const auto area = [&](const char* key) { return shown(s[key].get<double>()); };
     return fmt::format(
-               "  gouge       {}"
-               "  remaining   {}"
-               "  area        {} judged, {} gouged, {} uncut; "
-               "remaining on average {}, on 99 % below {}\n",
-               extreme_text(s, "gouge", "tolerance_mm"),
-               extreme_text(s, "scallop", "scallop_limit_mm"), area("judged_area_mm2"),
-               area("gouge_area_mm2"), area("uncut_area_mm2"),
-               length_text(s["mean_scallop_mm"]), length_text(s["p99_scallop_mm"])) +
-           inaccessible_text(s);
+        "  gouge       {}; {} of {} mm2 gouged{}\n"
+        "  remaining   {}; {} mm2 uncut; on average {}\n",
+        extreme_text(s, "gouge", "tolerance_mm"), area("gouge_area_mm2"),
+        area("judged_area_mm2"), earlier_text(s),
+        extreme_text(s, "scallop", "scallop_limit_mm"), area("uncut_area_mm2"),
+        length_text(s["mean_scallop_mm"]));
 }
 
 // Number and cutter of each tool; null without --tools.
@@ -221,57 +228,73 @@ Json cutters_json(const std::vector<NumberedTool>& tools)
     return list;
 }
 
+// "ball:6", or "T1 flat:10, T2 ball:6".
+std::string used_cutters(const Json& s)
+{
+    if (s["cutters"].is_null())
+        return s["cutter"].get<std::string>();
+    std::string text;
+    for (const Json& tool : s["cutters"])
+        text += fmt::format("{}T{} {}", text.empty() ? "" : ", ", tool["tool"].get<int>(),
+                            tool["cutter"].get<std::string>());
+    return text;
+}
+
 // The width of contacts of rapids, shank and holder that the resolution may miss.
 std::string contacts_text(const StockContacts& contacts)
 {
     if (!(contacts.width_mm > 0))
         return "";
     return fmt::format(
-        "  contacts    of rapids, shank and holder may be missed if narrower than {} mm "
-        "seen from above\n",
+        "; contacts of rapids, shank and holder narrower than {} mm may be missed",
         shown(contacts.width_mm));
 }
 
-// Gouges of earlier runs at the heights of the stock, and a bound between the heights.
-std::string earlier_text(const Json& s)
+// What an undecided verdict needs.
+std::string undecided_text(const Json& s)
 {
-    return fmt::format(
-        "  stock       gouged {} deep by earlier runs; at most {} deeper between its "
-        "heights\n",
-        length_text(s["earlier_gouge_mm"]), bound_length(s["earlier_gouge_bound_mm"]));
+    if (!s["earlier_gouge_mm"].is_null())
+        return "a limit may be broken between the rays, or between the heights of the "
+               "stock: use a finer --resolution, and a stock.vti that keeps its moves";
+    return "a limit may be broken between the rays: use a finer --resolution";
 }
 
-// A hint for a verdict that is undecided or without material removal.
-std::string hint_text(const Json& s)
+// The verdict and its grounds, apart from the limits of the deviation.
+std::string verdict_text(const Json& s, const VerifyOptions& options,
+                         const Verification& verification)
 {
-    if (s["verdict"] == verdict_name(Verdict::Undecided) &&
-        !s["earlier_gouge_mm"].is_null())
-        return "  undecided   a limit may be broken between the rays, or between the "
-               "heights of the stock: use a finer --resolution, and a stock.vti that "
-               "keeps its moves\n";
-    if (s["verdict"] == verdict_name(Verdict::Undecided))
-        return "  undecided   a limit may be broken between the rays: use a finer "
-               "--resolution\n";
-    if (s["part"].is_null() && s["removed_mm3"] == 0)
-        return "  hint        the stock lies below the path: --stock sets where the "
-               "material is\n";
-    return "";
+    std::string text =
+        s["name"].get<std::string>() + ": " + s["verdict"].get<std::string>();
+    std::vector<std::string> grounds = broken_rules(verification);
+    if (verification.verdict == Verdict::Undecided)
+        grounds.push_back(undecided_text(s));
+    if (verification.verdict == Verdict::NotJudged)
+        grounds.emplace_back(options.part.path == no_part
+                                 ? "no part is compared (--part none)"
+                                 : "no part to compare with; --part FILE names one");
+    if (verification.verdict == Verdict::NotJudged && s["removed_mm3"] == 0)
+        grounds.emplace_back(
+            "the stock lies below the path: --stock sets where the material is");
+    for (const std::string& ground : grounds)
+        text += (&ground == grounds.data() ? ": " : "; ") + ground;
+    return text + inaccessible_text(s) + "\n";
 }
 
-std::string removal_text(const Json& s)
+std::string removal_text(const Json& s, const StockContacts& contacts)
 {
     const auto moves = s["points"].get<std::size_t>() - 1;
     const auto air = s["air_moves"].get<std::size_t>();
     std::string text =
-        fmt::format("  removed     {} mm3 in {} of {}; deepest cut {}",
-                    shown(s["removed_mm3"].get<double>()), moves - std::min(air, moves),
-                    counted(moves, "move"), length_text(s["deepest_cut_mm"]));
+        fmt::format("  removed     {} mm3 by {} in {} of {}; deepest cut {}",
+                    shown(s["removed_mm3"].get<double>()), used_cutters(s),
+                    moves - std::min(air, moves), counted(moves, "move"),
+                    length_text(s["deepest_cut_mm"]));
     const Json& greatest = s["max_rate_mm3_per_min"];
     const Json& mean = s["mean_rate_mm3_per_min"];
-    if (greatest.is_null() || mean.is_null())
-        return text + "\n";
-    return text + fmt::format("; at most {} mm3/min, on average {} mm3/min\n",
-                              shown(greatest.get<double>()), shown(mean.get<double>()));
+    if (!greatest.is_null() && !mean.is_null())
+        text += fmt::format("; at most {} mm3/min, on average {} mm3/min",
+                            shown(greatest.get<double>()), shown(mean.get<double>()));
+    return text + contacts_text(contacts) + "\n";
 }
 
 }  // namespace
@@ -282,9 +305,9 @@ std::vector<std::string> broken_rules(const Verification& verification)
     std::vector<std::string> rules;
     const auto& [rapids, first_rapid, depth] = removal.rapid_cuts;
     if (rapids > 0)
-        rules.push_back(fmt::format("{} cut, up to {} mm deep, the first to point {}",
-                                    counted(rapids, "rapid"), shown(depth),
-                                    first_rapid.value_or(0)));
+        rules.push_back(fmt::format(
+            "{} {}, up to {} mm deep, the first to point {}", counted(rapids, "rapid"),
+            rapids == 1 ? "cuts" : "cut", shown(depth), first_rapid.value_or(0)));
     const auto& [hits, first_hit, inside] = removal.collisions;
     if (hits > 0)
         rules.push_back(fmt::format(
@@ -347,7 +370,7 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
                       refined_bounds(on_part->deviation, context.limits), *charts);
     else
         add_no_deviation(summary);
-    add_path_totals(summary, context.program.path);
+    add_path_totals(summary, path_totals(context.program.path));
     add_removal(summary, verification.removal, context.program.path);
     summary["contact_width_bound_mm"] = verification.contacts.width_mm;
     add_earlier(summary, verification);
@@ -363,20 +386,14 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
     return summary;
 }
 
-std::string verify_text(const Json& s, const Verification& verification)
+std::string verify_text(const Json& s, const VerifyOptions& options,
+                        const Verification& verification)
 {
-    std::string text = fmt::format("{}: {}\n", s["name"].get<std::string>(),
-                                   s["verdict"].get<std::string>());
-    if (s["part"].is_null())
-        text += "  part        none to compare with; --part FILE names one\n";
-    else
-        text += deviation_text(s);
-    if (verification.on_part && verification.on_part->earlier_gouge)
-        text += earlier_text(s);
-    for (const std::string& rule : broken_rules(verification))
-        text += "  collision   " + rule + "\n";
-    return text + contacts_text(verification.contacts) + removal_text(s) +
-           path_totals_text(s) + hint_text(s);
+    const bool is_compared = !s["part"].is_null();
+    return verdict_text(s, options, verification) +
+           (is_compared ? deviation_text(s) : "") +
+           removal_text(s, verification.contacts) + path_totals_text(s) +
+           (is_compared ? "" : "  extent      " + extent_text(s) + "\n");
 }
 
 }  // namespace endmill

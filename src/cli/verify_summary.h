@@ -35,7 +35,9 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
 /// material or part.
 std::vector<std::string> broken_rules(const Verification& verification);
 
-/// The report on the terminal.
-std::string verify_text(const Json& summary, const Verification& verification);
+/// The report on the terminal: the verdict with its grounds, gouge, remaining stock,
+/// removal and path.
+std::string verify_text(const Json& summary, const VerifyOptions& options,
+                        const Verification& verification);
 
 }  // namespace endmill

@@ -49,7 +49,7 @@ class Info(ProgramTest):
         self.assertAlmostEqual(facts["worst_break_deg"], 2 * math.degrees(math.atan2(30, 30)), delta=1e-9)
         self.assertEqual(facts["worst_break_at"]["u"], 1)
         done = endmill("info", self.folder / "surface.json")
-        self.assertIn("continuity    G0, largest break 90 degrees at u = 1, v = 0 (30, 0, 30 mm)\n", done.stdout)
+        self.assertIn(", continuity G0, largest break 90 degrees at u = 1, v = 0 (30, 0, 30 mm)\n", done.stdout)
         self.assertEqual(done.stderr, "")  # the report has it
 
     def test_surface_without_a_break_has_no_place_of_a_break(self):
@@ -57,7 +57,9 @@ class Info(ProgramTest):
             path = self.file(plane(patches, patches))
             facts = self.summary("info", path)
             self.assertEqual((facts["worst_break_deg"], facts["worst_break_at"]), (0, None))
-            self.assertIn("continuity    G1\n", endmill("info", path).stdout)
+            done = endmill("info", path)
+            self.assertIn(", continuity G1\n", done.stdout)
+            self.assertEqual(len(done.stdout.splitlines()), 5)
 
     def test_zero_is_printed_without_a_sign(self):
         surface = plane(2, 2)
@@ -89,7 +91,8 @@ class InfoPath(ProgramTest):
 
     def test_program_has_lengths_time_tools_and_extent(self):
         facts = self.summary("info", self.file(self.PROGRAM, "p.ngc"))
-        self.assertEqual([facts[key] for key in ("cut_mm", "link_mm", "rapid_mm", "tools")], [25, 0, 20, [3]])
+        self.assertEqual([facts[key] for key in ("cut_mm", "plunge_mm", "link_mm", "rapid_mm", "tools")],
+                         [5, 20, 0, 20, [3]])
         self.assertAlmostEqual(facts["time_min"], 0.5 + 0.05, delta=1e-12)
         self.assertEqual((facts["min_mm"], facts["max_mm"]), ([0, 0, 0], [3, 4, 20]))
         self.assertEqual((facts["min_feed_mm_per_min"], facts["max_feed_mm_per_min"]), (40, 100))

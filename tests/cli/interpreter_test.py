@@ -50,7 +50,8 @@ class LinuxCnc(ProgramTest):
         self.assert_refused(endmill("info", self.file(HEAD + LOOP, "p.ngc")), 3, "p.ngc:2")
         facts = self.info(HEAD + LOOP)
         self.assertEqual((facts["min_mm"], facts["max_mm"]), ([0, 0, -1], [25, 0, 5]))
-        self.assertAlmostEqual(facts["cut_mm"], 3 * (6 + 5), delta=1e-9)
+        self.assertAlmostEqual(facts["cut_mm"], 3 * 5, delta=1e-9)
+        self.assertAlmostEqual(facts["plunge_mm"], 3 * 6, delta=1e-9)
         self.assertAlmostEqual(facts["time_min"], 3 * 11 / 100, delta=1e-9)
         self.assertEqual(facts["interpreter"], "linuxcnc")
         self.assert_nothing_left("p.ngc")
@@ -59,7 +60,8 @@ class LinuxCnc(ProgramTest):
         facts = self.info(HEAD + "o<arc> sub\nG2 X#1 Y0 R#1\no<arc> endsub\nG0 X0 Y0 Z0\no<arc> call [10]\n"
                           "G0 Z9\nG81 X20 Y0 Z-3 R1\nG80\nM2\n", "--arc-tolerance", "0.0001")
         # A chord of 10 on a radius of 10 spans 60 degrees; the cycle drills 4 mm deep.
-        self.assertAlmostEqual(facts["cut_mm"], 10 * math.pi / 3 + 4, delta=1e-3)
+        self.assertAlmostEqual(facts["cut_mm"], 10 * math.pi / 3, delta=1e-3)
+        self.assertAlmostEqual(facts["plunge_mm"], 4, delta=1e-9)
 
     def test_every_command_that_reads_paths_has_the_option(self):
         self.file(HEAD + LOOP, "p.ngc")
@@ -70,7 +72,7 @@ class LinuxCnc(ProgramTest):
         self.assertAlmostEqual(facts["removed_mm3"], 3 * slot, delta=0.3)
         self.summary("post", *run, "-o", "posted")
         posted = self.summary("info", "posted/p.ngc")
-        self.assertAlmostEqual(posted["cut_mm"], 33, delta=6)
+        self.assertAlmostEqual(posted["cut_mm"] + posted["plunge_mm"], 33, delta=6)
 
     def test_same_program_gives_the_same_bytes(self):
         self.file(HEAD + LOOP, "p.ngc")

@@ -112,13 +112,17 @@ class MeshPart(ProgramTest):
         part = self.file(odd, "odd.obj")
         facts = self.summary("info", part)
         self.assertEqual((facts["boundary_edges"], facts["non_manifold_edges"], facts["duplicates"]), (5, 1, 1))
+        report = endmill("info", part, cwd=self.folder).stdout
+        self.assertIn("  edges         5 boundary edges in ", report)
+        self.assertIn("; 1 edge of more than two triangles, ", report)
+        self.assertEqual(len(report.splitlines()), 5)
         trimmed = self.summary("trim", part, "--cutter", "ball:1", "--planes", "2", "--grid", "9", "-o", "trim")
         remarks = " ".join(trimmed["remarks"])
         self.assertIn("edges of one triangle only: 5;", remarks)
         self.assertIn("edges of more than two triangles: 1,", remarks)
         done = endmill("setup", part, "--family", "AB", "--sphere", "hex:2", "--json", "-o", "setup", cwd=self.folder)
         self.assertIn("5 edges belong to one triangle", done.stdout)
-        self.assertIn("1 edges belong to more than two triangles", done.stdout)
+        self.assertIn("1 edge belongs to more than two triangles", done.stdout)
 
     def test_bad_meshes_are_refused_with_their_place(self):
         for text, words in ((BOX.replace("f 1 4 3 2", "f 1 4 3 9"), ("box.obj:9", "9")),

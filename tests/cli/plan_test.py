@@ -223,9 +223,9 @@ class OneSidedTolerance(ProgramTest):
         self.assertEqual(seen["verdict"], "clean")
 
     def test_mode_paper_names_the_curvature_across_the_feed(self):
-        for options, words in (((), "curvature exact, from the second fundamental form"),
+        for options, words in (((), "exact curvature across the feed"),
                                (("--cross-curvature", "chord", "--cross-step", "0.25"),
-                                "curvature by eq. (8) of the paper, chord 0.25 mm")):
+                                "curvature across the feed by eq. (8) of the paper with chord 0.25 mm")):
             done = endmill("plan", self.file(plane()), *BALL, "--direction", "u", *options, "-o", "out", "--force",
                            cwd=self.folder)
             self.assertIn(words, done.stdout)
@@ -322,6 +322,7 @@ class PlanOnTheExample(ProgramTest):
                      "recommended", "net_rot24_7D-plan"):
             self.assertIn(word, done.stdout)
         self.assertNotIn("chord error", done.stdout)
+        self.assertEqual(len(done.stdout.splitlines()), 5, "part, u, v, comparison and folder")
         self.assert_nothing_left("net_rot24_7D-plan")
         facts = json.loads((self.folder / "net_rot24_7D-plan/summary.json").read_text())
         for direction in "uv":
@@ -332,8 +333,8 @@ class PlanOnTheExample(ProgramTest):
         done = endmill("plan", NET, *COARSE, "--direction", "v", cwd=self.folder)
         for number in re.findall(r"-?\d+\.\d+", done.stdout):
             self.assertLessEqual(len(number.replace(".", "").lstrip("-0")), 6, number)
-        self.assertRegex(done.stdout, r"  along v       \d+ passes, \d+ points, travel \S+ mm, links \S+ mm\n"
-                         r" {16}gouge \S+ mm \(limit \S+\), remaining \S+ mm \(limit \S+\)\n")
+        self.assertRegex(done.stdout, r"  along v       \d+ passes, \d+ points, contact travel \S+ mm; "
+                         r"cuts \S+ mm, links \S+ mm; gouge \S+ mm \(limit \S+\), remaining \S+ mm \(limit \S+\)\n")
         self.assertLessEqual(len(done.stdout.splitlines()), 5)
         self.assertRegex((self.folder / "net_rot24_7D-plan/summary.json").read_text(), r"\d\.\d{12}")
 
@@ -386,6 +387,11 @@ class PlanOnTheExample(ProgramTest):
             places = [tuple(float(p[f"{kind}_{axis}_mm"]) for axis in "xyz") for p in points]
             travel = sum(math.dist(a, b) for a, b in zip(places, places[1:]))
             self.assertAlmostEqual(travel, facts[key], delta=1e-6)
+        # The last travel is that of the tips.
+        self.assertAlmostEqual(sum(facts["path"][f"{kind}_mm"] for kind in ("cut", "plunge", "link", "rapid")), travel,
+                               delta=1e-6)
+        self.assertEqual(facts["path"]["points"], len(points))
+        self.assertEqual([int(row["point"]) for row in points], list(range(len(points))))
 
 
 BYTES_PER_POINT = 900  # stated in src/endmill/planning/planned_path.h

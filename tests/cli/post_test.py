@@ -236,7 +236,7 @@ class Controls(ProgramTest):
         lines = self.posted("fanuc", "p.nc", "--coolant", "flood")
         self.assertEqual(lines[:10],
                          ["%", "O0001 (ENDMILL: P, TIPS)", "G21 G90 G94 G17 G40 G49 G80 G54", "T1 M6", "S6000 M3",
-                          "G4 P2000", "M8", "G0 G43 H1 Z5.000", "X0.000 Y0.000", "G1 Z-1.000 F150.25"])
+                          "G4 P2000", "M8", "G0 X0.000 Y0.000", "G43 H1 Z5.000", "G1 Z-1.000 F150.25"])
         self.assertEqual(lines[-5:], ["G0 Z5.000", "M9", "M5", "M30", "%"])
         for line in lines[7:-4]:  # every length and feed has a point
             self.assertIsNone(re.search(r"[XYZF]-?\d+(?![\d.])", line), line)
@@ -309,13 +309,18 @@ class Controls(ProgramTest):
         self.assertEqual(lines[at + 6:at + 8], ["G1 Z0.0000 F30", "Y9.0000 F90"])
         done = endmill("post", path, "--feed", "90", "--control", "grbl", cwd=self.folder)
         self.assert_refused(done, 2, "from tool 1 to tool 2 at point 2", "grbl has no tool change")
+        # Points of slopes and of rapid descents do not count.
+        done = endmill("post", path, "--feed", "90", "--control", "grbl", "--lead-in", "ramp", "--approach-distance",
+                       "1", cwd=self.folder)
+        self.assert_refused(done, 2, "from tool 1 to tool 2 at point 2")
 
     def test_wrong_controls_are_refused(self):
         def refuse(status, *words, options):
             self.assert_refused(endmill("post", self.path, *options, cwd=self.folder), status, *words)
 
         refuse(2, '--control: found "fanux", which is no file', 'did you mean "fanuc"?', options=("--control", "fanux"))
-        refuse(2, "grbl has no mist coolant", options=("--control", "grbl", "--coolant", "mist"))
+        refuse(2, "--coolant mist: the control grbl has no mist coolant",
+               options=("--control", "grbl", "--coolant", "mist"))
         tight = self.file({**PLAIN, "longest_line": 40}, "tight.json")
         refuse(2, "expected at most 40 for this control", options=("--control", tight, "--decimals", "9"))
         bad = self.file({**PLAIN, "tool_chnage": "M6"}, "bad.json")
@@ -323,6 +328,17 @@ class Controls(ProgramTest):
         bad = self.file({**PLAIN, "end": ["M30; rm -rf /"]}, "bad.json")
         refuse(3, "bad.json:/end/0", options=("--control", bad))
         none = self.file(PLAIN, "none.json")
+        bad = self.file({**PLAIN, "start": ["G21 G90"]}, "bad.json")
+        refuse(3, "bad.json:/start/0: G21", "--units writes G20 or G21", options=("--control", bad))
+        for end in ([], ["M5"]):
+            bad = self.file({**PLAIN, "end": end}, "bad.json")
+            refuse(3, "bad.json:/end", "no block with M2 or M30", options=("--control", bad))
+        refuse(2, "--tool-number: has no effect with the control grbl",
+               options=("--control", "grbl", "--tool-number", "2"))
+        refuse(2, "--tool-number: found", options=("--tool-number", "0"))
+        refuse(2, "--approach-distance: found", options=("--approach-distance", "0"))
+        refuse(2, "--approach-distance: has no effect", options=("--approach-distance", "1", "--format", "apt"))
+        refuse(2, "--safe-height: found 1, and the path reaches 5 mm", options=("--safe-height", "1"))
         refuse(2, "none has no dwell", options=("--control", none, "--dwell-s", "1"))
         refuse(2, "none has no arcs", options=("--control", none, "--arcs"))
         for option in (("--coolant", "air"), ("--dwell-s", "-1"), ("--dwell-s", "601"), ("--units", "cm"),
@@ -388,6 +404,57 @@ class Motion(ProgramTest):
             if after[0] == "G1" and after[1][2] < before[1][2]:
                 self.assertNotEqual(after[1][:2], before[1][:2])
 
+    def test_rapid_approach_leaves_the_same_material_of_a_stock_near_the_part(self):
+        part = self.file(plane(size=(60, 30), slope=0.2))
+        done = endmill("plan", part, "--cutter", "ball:10", "--chord-tolerance", "0.05", "--scallop", "0.3",
+                       "--direction", "u", "--order", "one-way", "-o", "plan", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        # The stock that the same path leaves 0.8 mm higher: nothing of it is higher above the path.
+        with (self.folder / "plan/toolpath.csv").open(encoding="utf-8") as file:
+            rows = [(row["tip_x_mm"], row["tip_y_mm"], float(row["tip_z_mm"]) + 0.8, row["move"])
+                    for row in csv.DictReader(file)]
+        self.file("tip_x_mm,tip_y_mm,tip_z_mm,move\n" + "".join("%s,%s,%.17g,%s\n" % row for row in rows), "rough.csv")
+        self.summary("verify", "rough.csv", "--cutter", "ball:10", "--part", "none", "--stock", "-6,-6,-2,66,36,13",
+                     "--resolution", "0.3", "--write-stock", "-o", "rough")
+        found = []
+        for name, options in (("slow", []), ("fast", ["--approach-distance", "1"]),
+                              ("ramp", ["--approach-distance", "1", "--lead-in", "ramp"])):
+            facts = self.summary("post", "plan/toolpath.csv", "--feed", "900", *options, "-o", name)
+            verdict = self.summary("verify", f"{name}/toolpath.ngc", "--part", part, "--stock", "rough/stock.vti", "-o",
+                                   f"{name}-verified")
+            found.append((facts, verdict))
+            self.assertEqual((verdict["verdict"], verdict["rapid_cuts"], facts["slanted_rapids"]), ("clean", 0, 0))
+            for key in ("max_gouge_mm", "max_scallop_mm"):
+                self.assertEqual(verdict[key], found[0][1][key])
+            self.assertAlmostEqual(verdict["removed_mm3"], found[0][1]["removed_mm3"], delta=1e-6)
+        descents = round(found[1][0]["plunge_mm"])  # 1 mm each
+        self.assertGreater(descents, 5)
+        self.assertAlmostEqual(found[1][0]["plunge_mm"], descents, delta=1e-6)
+        self.assertGreater(found[0][0]["plunge_mm"], 5 * descents)
+        self.assertEqual(found[2][0]["ramps"], descents)
+        # In a block the same descents are rapids into material.
+        verdict = self.summary("verify", "fast/toolpath.ngc", "--part", part, "--stock", "-6,-6,-2,66,36,13", "-o",
+                               "block", status=1)
+        self.assertGreater(verdict["rapid_cuts"], 0)
+
+    def test_summary_has_the_totals_of_the_written_program(self):
+        path = self.file("tip_x_mm,tip_y_mm,tip_z_mm,move,tool\n0,0,0,plunge,1\n40,0,0,cut,1\n40,30,0,cut,2\n"
+                         "40,30,9,retract,2\n0,30,9,rapid,2\n0,30,-1,plunge,2\n0,60,-1,cut,2\n", "p.csv")
+        keys = ("cut_mm", "plunge_mm", "link_mm", "rapid_mm", "time_min", "tools", "min_mm", "max_mm")
+        for options in ([], ["--approach-distance", "2"], ["--control", "fanuc"],
+                        ["--units", "inch", "--decimals", "6"]):
+            posted = self.summary("post", path, "--feed", "300", "--safe-height", "12", *options, "-o", "out",
+                                  "--force")
+            read = self.summary("info", self.folder / "out" / posted["file"])
+            for key in keys:
+                for value, expected in zip(*(found[key] if isinstance(found[key], list) else [found[key]]
+                                             for found in (posted, read))):
+                    self.assertAlmostEqual(value, expected, delta=1e-4)
+        ramped = self.summary("post", path, "--feed", "300", "--lead-in", "ramp", "-o", "ramped")
+        read = self.summary("info", "ramped/p.ngc")
+        for total in (("cut_mm", "plunge_mm", "link_mm"), ("rapid_mm",), ("time_min",)):
+            self.assertAlmostEqual(sum(ramped[key] for key in total), sum(read[key] for key in total), delta=1e-3)
+
     def test_arcs_have_the_verdict_of_the_path(self):
         part = SURFACES / "cylinder.json"
         done = endmill("plan", part, "--cutter", "ball:10", "--chord-tolerance", "0.02", "--scallop", "0.05",
@@ -436,9 +503,23 @@ class Motion(ProgramTest):
         done = endmill("post", path, "--feed", "90", "--spindle-rpm", "6000", "-o", "out", cwd=self.folder)
         lines = done.stdout.splitlines()
         self.assertLessEqual(len(lines), 5)
-        self.assertRegex(lines[0], r"^p: p\.ngc, G-code for LinuxCNC, 16 lines, 0\.\d+ KiB$")
-        self.assertIn("  feed      cut 90, plunge 30 mm/min; 6000 rpm", lines)
-        self.assertIn("  accuracy  coordinates rounded by at most 0.00001 mm", lines)
+        self.assertEqual(lines[0], "p: p.ngc, G-code for LinuxCNC, 16 lines, within 0.00001 mm of the path")
+        self.assertRegex(lines[1], r"^  path        cuts 3\d\.\d+ mm, plunges 8 mm, links 0 mm, rapids 5 mm; 0\.\d")
+        self.assertIn("  feed        cut 90, plunge 30 mm/min; 6000 rpm", lines)
+
+    def test_long_descents_name_the_option_that_shortens_them(self):
+        path = self.file("tip_x_mm,tip_y_mm,tip_z_mm,move\n0,0,0,plunge\n0,9,0,cut\n", "p.csv")
+        run = ("post", path, "--feed", "90", "--force", "-o", "out")
+        # 20 mm down at 30 mm/min, 9 mm at 90 mm/min.
+        lines = endmill(*run, "--safe-height", "20", cwd=self.folder).stdout.splitlines()
+        self.assertEqual(len(lines), 5)
+        self.assertIn("  descents    0.667 of 0.767 min; --approach-distance MM makes them rapid down to MM above "
+                      "the cut", lines)
+        for options in (["--safe-height", "20", "--approach-distance", "19"], ["--safe-height", "2"],
+                        ["--format", "apt"]):
+            done = endmill(*run, *options, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotIn("descents", done.stdout)
 
 
 class BadInput(ProgramTest):
@@ -495,13 +576,25 @@ class BadInput(ProgramTest):
         for options in (("--decimals", "10"), ("--decimals", "-1"), ("--format", "iso"), ("--comments", "maybe"),
                         ("--tool-number", "1.5"), ("--spindle-rpm", "-1"), ("--cutter", "ball"), ("--unknown",)):
             self.refuse(TIPS, 2, options[0], options=("--feed", "1", *options))
-        self.refuse(TIPS, 2, "safe height 2.9 mm lies below the path, which reaches 3 mm",
+        self.refuse(TIPS, 2, "--safe-height: found 2.9, and the path reaches 3 mm; expected no less",
                     options=("--feed", "1", "--safe-height", "2.9"))
 
     def test_cutter_out_of_range_is_refused_with_the_range(self):
         self.refuse(TIPS, 2, 'found "ball:0"; expected a diameter above 0 mm', options=("--cutter", "ball:0"))
         self.refuse(TIPS, 2, 'found "bull:10:6"; expected a corner radius from 0 to 5 mm',
                     options=("--cutter", "bull:10:6"))
+
+    def test_program_with_the_spindle_reversed_is_refused(self):
+        head = "G21 G90 G94\nS900 M4\nG0 X0 Y0 Z5\n"
+        for options in ([], ["--format", "apt"]):
+            self.refuse(head + "G1 Z0 F60\nM2\n", 3, "p.ngc: the spindle turns counterclockwise (M4) on the move to "
+                        "point 1", "M3", name="p.ngc", options=options)
+        self.file(head + "M3\nG1 Z0 F60\nM2\n", "q.ngc")
+        self.summary("post", "q.ngc", "-o", "out")
+
+    def test_tool_zero_is_refused(self):
+        self.refuse("tip_x_mm,tip_y_mm,tip_z_mm,tool\n0,0,0,0\n9,0,0,0\n", 2, "point 0 of the path has tool 0",
+                    "--tool-number")
 
     def test_tilted_axis_is_refused(self):
         header = "axis_x,axis_y,axis_z," + TIPS.splitlines()[0]

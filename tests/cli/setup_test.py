@@ -196,7 +196,7 @@ class Setup(ProgramTest):
             self.assertLessEqual(low, high)
         far = self.found(cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
                          status=1)
-        self.assertEqual((far["machinable"], far["travel_ok"]), (True, False))
+        self.assertEqual((far["machinable"], far["rotary_ok"], far["travel_ok"]), (False, True, False))
         printed = endmill("setup", cube, "--machine", machine(x_mm=[-5, 5]), "--incidence-deg", 80, "--clamp", "100,0,0",
                        "-o", "out-2", cwd=self.folder).stdout
         self.assertIn("beyond the limits of the linear axes", printed)
@@ -232,7 +232,8 @@ class Setup(ProgramTest):
         self.assertEqual(again["tool_axis"], found["tool_axis"])
 
         none = self.found(part, "--machine", machine([0, 30], [0, 30], [0, 30]), *cone, "--within-travel", status=1)
-        self.assertEqual((none["machinable"], none["travel_ok"], none["within_travel"]["fits"]), (True, False, False))
+        self.assertEqual((none["machinable"], none["rotary_ok"], none["travel_ok"], none["within_travel"]["fits"]),
+                         (False, True, False, False))
         self.assertLess(min(none["within_travel"]["slack_mm"].values()), 0)
         self.assertGreater(none["within_travel"]["poses"], 36)
         done = endmill("setup", part, "--machine", machine([0, 30], [0, 30], [0, 30]), *cone, "--within-travel",
@@ -263,7 +264,7 @@ class Setup(ProgramTest):
         ranking = found["ranking"]
         self.assertEqual(len(ranking), len(list(MACHINES.glob("*.json"))))
         self.assertEqual(found["configuration"], ranking[0]["configuration"])
-        order = [(not one["machinable"], one["floored_area_deg2"] if one["floored_area_deg2"] is not None else math.inf,
+        order = [(not one["rotary_ok"], one["floored_area_deg2"] if one["floored_area_deg2"] is not None else math.inf,
                   one["configuration"]) for one in ranking]
         self.assertEqual(order, sorted(order))
 
@@ -320,10 +321,23 @@ class Setup(ProgramTest):
         self.assertAlmostEqual(found["missed_area_share"], 0.4, delta=1e-12)
         done = endmill("setup", cube, "--machine", "W/xyBz/T", "--incidence-deg", 80, "-o", "text", cwd=self.folder)
         numbers = " ".join(map(str, found["missed_facets"]))
-        self.assertIn("  missed       4 facets by the best single setup within the limits: "
+        self.assertIn("  reason       a 3-axis machine cuts from one direction, and the best one misses 4 facets: "
                       f"{numbers} (40 % of the area)\n", done.stdout)
         good = self.found(cube, "--family", "AB", "--incidence-deg", 80)
         self.assertEqual((good["missed_facets"], good["missed_area_share"]), (None, None))
+
+    def test_points_are_reported_in_sentences(self):
+        """Three directions on a circle of 30 degrees: a pose of C,A tilts by 30 to both sides and turns C by 60."""
+        points = self.file(HEADER + "0,30\n120,30\n240,30\n", "points.csv")
+        done = endmill("setup", "--points", points, "--machine", "W/caxyBz/T", cwd=self.folder)
+        first, ranges, azimuth = done.stdout.splitlines()
+        self.assertEqual(first, f"{points}: 3 directions can be reached in one setup on W/caxyBz/T, mode paper")
+        self.assertIn("ranges       phi -30 to 30, theta -60 to 60 degrees; area 7200 deg^2", ranges)
+        self.assertIn("30 degrees: R2", azimuth)
+        done = endmill("setup", "--points", points, "--family", "CA", "--limits", "phi=0:10", cwd=self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("needed       phi -30 to 30, theta -60 to 60 degrees (limits 0 to 10 and -180 to 180)",
+                      done.stdout)
 
     def test_sampled_surface_gives_no_warning(self):
         done = endmill("setup", SURFACES / "saddle.json", "--machine", "W/caxyBz/T", "--sphere", "hex:3", "-o", "out",
@@ -458,7 +472,7 @@ class Setup(ProgramTest):
         done = endmill("setup", self.file(odd, "odd.off"), "--family", "AB", "--sphere", "hex:2", "-o", "out", "--json",
                        cwd=self.folder)
         remarks = " ".join(json.loads(done.stdout)["remarks"])
-        for said in ("the part is open", "more than two triangles", "repeat an earlier triangle"):
+        for said in ("the part is open", "more than two triangles", "1 triangle repeats an earlier triangle"):
             self.assertIn(said, remarks)
             self.assertIn(said, done.stderr)
 

@@ -61,7 +61,7 @@ def distance(point, first, last):
 class Trim(ProgramTest):
     def test_loop_of_a_curve_is_removed(self):
         facts = self.summary("trim", "--polyline", self.file(LOOP, "t1.csv"), "-o", "out", "--explain")
-        self.assertEqual((facts["planes"], facts["curves"], facts["points"], facts["loops"]), (1, 1, 3, 1))
+        self.assertEqual((facts["planes"], facts["curves"], facts["trimmed_points"], facts["loops"]), (1, 1, 3, 1))
         self.assertIsNone(facts["min_clearance_mm"])
         self.assertIsNone(facts["max_gouge_mm"])
         out = self.folder / "out"
@@ -113,11 +113,20 @@ class Trim(ProgramTest):
         self.assertLess(facts["max_gouge_mm"], 0.05)
         out = self.folder / "out"
         points = [(row["move"], [float(row[f"tip_{axis}_mm"]) for axis in "xyz"]) for row in table(out / "toolpath.csv")]
-        lengths = {"cut": 0.0, "lifted": 0.0}
+        lengths = dict.fromkeys(("cut", "plunge", "link", "retract", "rapid"), 0.0)
         for (_, before), (move, behind) in zip(points, points[1:]):
-            lengths["cut" if move == "cut" else "lifted"] += math.dist(before, behind)
+            lengths[move] += math.dist(before, behind)
         self.assertAlmostEqual(facts["cut_mm"], lengths["cut"], delta=1e-6)
-        self.assertAlmostEqual(facts["rapid_mm"], lengths["lifted"], delta=1e-6)
+        self.assertAlmostEqual(facts["plunge_mm"], lengths["plunge"], delta=1e-6)
+        self.assertAlmostEqual(facts["link_mm"], lengths["link"] + lengths["retract"], delta=1e-6)
+        self.assertAlmostEqual(facts["rapid_mm"], lengths["rapid"], delta=1e-6)
+        self.assertEqual(facts["points"], len(points))
+        # Points are numbered through the path, as the messages of verify count them.
+        numbers = [int(row["point"]) for row in table(out / "toolpath.csv")]
+        self.assertEqual(numbers, list(range(len(points))))
+        seen = self.summary("info", out / "toolpath.csv", "-o", "seen")
+        for key in ("points", "cut_mm", "plunge_mm", "link_mm", "rapid_mm", "time_min", "min_mm", "max_mm"):
+            self.assertEqual(facts[key], seen[key], key)
         self.assertEqual(facts["safe_height_mm"], max(tip[2] for _, tip in points))
         self.assertAlmostEqual(facts["pitch_mm"], 100 / 12, delta=1e-9)
         # The scallop between two circles of radius 10 mm at the pitch of the planes.
@@ -204,14 +213,14 @@ class Trim(ProgramTest):
 
     def test_mesh_path_is_accepted_by_verify_with_the_limits_of_its_summary(self):
         # The cutter cannot touch the inner corners of pocket and groove and the foot of the dome. The roof has none.
-        for name, excused in (("prism.obj", False), ("v-groove.stl", True), ("pocket.stl", True)):
+        for name, is_reported in (("prism.obj", False), ("v-groove.stl", True), ("pocket.stl", True)):
             facts = self.summary("trim", MESHES / name, "--cutter", "ball:6", "--scallop", "0.2", "-o", "path", "--force")
             self.assertEqual((facts["scallop_mm"], facts["inner_tolerance_mm"], facts["outer_tolerance_mm"]),
                              (0.2, 0.01, 0.01), name)
             judged = self.summary("verify", "path/toolpath.csv", "--resolution", "0.5", "-o", "judged", "--force")
             self.assertEqual(judged["verdict"], "clean", name)
             self.assertAlmostEqual(judged["scallop_limit_mm"], 0.21, delta=1e-12)
-            self.assertEqual(judged["inaccessible_area_mm2"] > 0, excused, name)
+            self.assertEqual(judged["inaccessible_area_mm2"] > 0, is_reported, name)
             self.summary("post", "path/toolpath.csv", "--feed", "500", "--decimals", "6", "-o", "posted", "--force")
             judged = self.summary("verify", "posted/toolpath.ngc", "--resolution", "0.5", "-o", "judged", "--force")
             self.assertEqual(judged["verdict"], "clean", name)
@@ -222,11 +231,11 @@ class Trim(ProgramTest):
         # In a corner of three faces a ball of radius R leaves R (1 - 1 / sqrt 3) along the normal of each.
         self.assertAlmostEqual(counted["max_scallop_mm"], 3 * (1 - 3 ** -0.5), delta=0.12)
 
-    def test_excuse_needs_a_mesh(self):
+    def test_report_of_inaccessible_stock_needs_a_mesh(self):
         self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "40", "--planes", "5", "--tolerance", "1", "-o",
                      "path")
-        done = endmill("verify", "path/toolpath.csv", "--inaccessible", "excuse", cwd=self.folder)
-        self.assert_refused(done, 2, "--inaccessible excuse", "expected a mesh")
+        done = endmill("verify", "path/toolpath.csv", "--inaccessible", "report", cwd=self.folder)
+        self.assert_refused(done, 2, "--inaccessible report", "expected a mesh")
 
     def test_planes_are_added_on_slopes_across_the_feed_only(self):
         words = ("trim", MESHES / "prism.obj", "--cutter", "ball:6", "--scallop", "0.1")
@@ -274,7 +283,7 @@ class Trim(ProgramTest):
             done = endmill("trim", *words, "-o", "out", "--force", cwd=self.folder)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertLessEqual(len(done.stdout.splitlines()), 5, done.stdout)
-            self.assertRegex(done.stdout, r"path +[\d.]+ mm at feed, \d+ points; \d+ within .* mm of a chord left out")
+            self.assertRegex(done.stdout, r"; path of \d+ points, \d+ more within .* mm of a chord\n  path +cuts [\d.]+ mm, ")
 
     def test_path_that_fails_says_where_and_what_cures_it(self):
         words = ("trim", VALLEY, "--cutter", "ball:20", "--grid", "30", "--planes", "12", "--tolerance", "0.001")

@@ -204,8 +204,8 @@ class Verdicts(VerifyTest):
         done = endmill("verify", path, "--part", self.file(plane()), "--cutter", "ball:10", "--scallop", "0.0255",
                        "--resolution", "2", "--max-refine", "0", cwd=self.folder)
         self.assertEqual(done.returncode, 1)
-        self.assertIn("p: undecided\n", done.stdout)
-        self.assertIn("use a finer --resolution", done.stdout)
+        self.assertRegex(done.stdout, r"^p: undecided: .*use a finer --resolution\n")
+        self.assertEqual(len(done.stdout.splitlines()), 6, "five lines and the folder")
 
     def test_rapid_that_cuts_is_a_gouge(self):
         text = "move," + COLUMNS + "cut,0,10,0\ncut,60,10,0\nrapid,60,20,0\nrapid,60,20,30\nrapid,0,0,30\n"
@@ -237,7 +237,7 @@ class Verdicts(VerifyTest):
         self.assert_refused(done, 3, "its summary names the part ", "--part FILE")
         self.assertFalse((self.folder / "out").exists())
         done = endmill("verify", path, "--part", "none", "--resolution", "1", "-o", "out", cwd=self.folder)
-        self.assertIn("none to compare with", done.stdout)
+        self.assertIn("no part is compared (--part none)", done.stdout)
 
     def test_program_is_judged_by_the_part_of_its_path(self):
         path = self.planned("--mode", "verified")
@@ -261,17 +261,24 @@ class Volumes(VerifyTest):
             done = endmill("verify", path, "--cutter", "ball:10", *BLOCK, *options, "-o", "said", "--force",
                            cwd=self.folder)
             self.assertEqual(done.returncode, status, done.stderr)
-            self.assertTrue(done.stdout.startswith("p: not judged\n"), done.stdout)
+            self.assertTrue(done.stdout.startswith("p: not judged: no part "), done.stdout)
+            self.assertEqual("--part FILE" in done.stdout, not options, "a hint only where nothing was asked for")
         rapid = self.file("move," + COLUMNS + "cut,-30,0,-1\nrapid,30,0,-1\n", "r.csv")
         facts = self.verify(rapid, "--cutter", "ball:10", *BLOCK, "--part", "none", status=1)
-        self.assertEqual(facts["verdict"], "gouged")
+        self.assertEqual(facts["verdict"], "collides")
+        done = endmill("verify", rapid, "--cutter", "ball:10", *BLOCK, "-o", "hit", cwd=self.folder)
+        self.assertRegex(done.stdout, r"^r: collides: 1 rapid cuts, up to 1 mm deep, the first to point 1\n")
+        self.assertNotIn("--part", done.stdout)
+        # The extent is that of the two points.
+        self.assertIn("extent      x -30.000 to 30.000, y 0.000 to 0.000, z -1.000 to -1.000 mm\n", done.stdout)
 
     def test_summary_has_the_totals_of_the_path(self):
         rows = ("rapid,0,0,20,,\nplunge,0,0,-1,100,1\ncut,3,4,-1,50,1\nlink,3,5,-1,50,1\nretract,3,5,20,210,1\n"
                 "rapid,15,5,20,,1\n")
         header = "move," + COLUMNS.strip() + ",feed_mm_per_min,tool\n"
         facts = self.cut("--cutter", "ball:10", *BLOCK, tips=header + rows)
-        self.assertEqual([facts[key] for key in ("cut_mm", "link_mm", "rapid_mm", "tools")], [21 + 5, 1 + 21, 12, [1]])
+        self.assertEqual([facts[key] for key in ("cut_mm", "plunge_mm", "link_mm", "rapid_mm", "tools")],
+                         [5, 21, 1 + 21, 12, [1]])
         self.assertAlmostEqual(facts["time_min"], 0.21 + 0.1 + 0.02 + 0.1, delta=1e-12)
         self.assertEqual((facts["min_mm"], facts["max_mm"]), ([0, 0, -1], [15, 5, 20]))
         self.assertIsNone(self.cut("--cutter", "ball:10", *BLOCK)["time_min"])
@@ -463,7 +470,7 @@ class SeveralTools(VerifyTest):
         table["tools"][0]["tool"]["holder"] = [{"diameter_mm": 20, "from_mm": 3, "to_mm": 30}]
         facts = self.verify(self.file(self.SLOTS, "p.csv"), *self.OPTIONS, "--tools", self.file(table, "t.json"),
                             status=1)
-        self.assertEqual((facts["verdict"], facts["first_of_collisions"]), ("gouged", 6))
+        self.assertEqual((facts["verdict"], facts["first_of_collisions"]), ("collides", 6))
 
     def test_cut_before_the_first_tool_is_refused(self):
         path = self.file(self.SLOTS.replace(",1\n", ",\n"), "p.csv")
@@ -496,7 +503,7 @@ class SeveralTools(VerifyTest):
             table = self.file({"format": "endmill-tools/1", "tools": [{"number": 1, "tool": "flat:10"},
                                                                       {"number": 2, "tool": second}]}, "t.json")
             options = ("--tools", table, "--part", self.file(stl, "part.stl"), "--units", "mm", "--inaccessible",
-                       "excuse", "--resolution", "0.5", "--stock", "-20,-20,-9,20,20,1")
+                       "report", "--resolution", "0.5", "--stock", "-20,-20,-9,20,20,1")
             facts = self.verify(path, *options, status=int(verdict == "uncut"))
             self.assertEqual(facts["verdict"], verdict)
             if verdict == "clean":

@@ -85,6 +85,49 @@ TEST(ScallopPasses, AddNoneForASlopeAlongTheFeed)
     EXPECT_EQ(mesh_passes(drop_cutter, planes_of(mesh), limit).added_planes, 0U);
 }
 
+// A valley along the feed. Its sides rise by `degrees` from the line y = `corner`.
+TriangleMesh valley(double degrees, double corner)
+{
+    const double rise = std::tan(degrees * std::acos(-1.0) / 180);
+    return test::grid_mesh(3, 2, [&](double i, double j) {
+        const double y = j < 1 ? 0 : j < 2 ? corner : 30;
+        return Vec3{10 * i, y, rise * std::abs(y - corner)};
+    });
+}
+
+// The ball in the valley touches both sides at R tan a from the corner. Over every place farther
+// up a pass must cut the point at the scallop height. Its centre is R / cos a above the sides.
+TEST(ScallopPasses, HoldTheHeightBesideInnerCorners)
+{
+    for (const double degrees : {3.0, 6.0, 12.0, 25.0, 40.0})
+        for (const double corner : {14.0, 14.3, 14.7, 15.1}) {
+            const TriangleMesh mesh = valley(degrees, corner);
+            const DropCutter drop_cutter{mesh, Cutter::ball(radius)};
+            const MeshPasses passes = mesh_passes(drop_cutter, planes_of(mesh), limit);
+            const double angle = degrees * std::acos(-1.0) / 180;
+            const auto height_of_sides = [&](double y) {
+                return std::tan(angle) * std::abs(y - corner);
+            };
+            double least_uncut = 0;
+            for (const double side : {-1.0, 1.0})
+                for (double away = radius * std::sin(angle); away < 5; away += 0.01) {
+                    const double y = corner + side * away;
+                    const Eigen::Vector2d above{
+                        y - side * height * std::sin(angle),
+                        height_of_sides(y) + height * std::cos(angle)};
+                    double nearest = 100;
+                    for (const double t : passes.planes.positions) {
+                        const Eigen::Vector2d centre{
+                            t, height_of_sides(t) + radius / std::cos(angle)};
+                        nearest = std::min(nearest, (centre - above).norm());
+                    }
+                    least_uncut = std::max(least_uncut, nearest - radius);
+                }
+            EXPECT_LE(least_uncut, 1e-6) << degrees << " degrees, corner at " << corner;
+            EXPECT_LE(passes.added_planes, 4U + (degrees > 20 ? 25U : 0U));
+        }
+}
+
 // A block in the middle of a plate, with walls along the feed. The cutter follows the plate
 // up to one radius from the wall; a pass must come within the height of this place.
 TEST(ScallopPasses, ComeNearToWallsAlongTheFeed)

@@ -162,6 +162,19 @@ TEST(DeviationMap, IsNoWiderThanThePart)
         EXPECT_TRUE(holds(texts_of(svg), label)) << label;
 }
 
+TEST(DeviationMap, ExplainsTheAreaThatIsNotJudged)
+{
+    const Part part = std::vector<Surface>{test::plane(4, 2)};
+    const PartCharts charts = part_charts(part);
+    Deviation deviation = made_deviation(charts, 1, [](const Vec3&) { return 0.0; });
+    for (const double area : {0.0, 3.5}) {
+        deviation.inaccessible_area_mm2 = area;
+        EXPECT_EQ(holds(texts_of(deviation_svg(charts, deviation, {.limits = limits})),
+                        "not judged: the cutter"),
+                  area > 0);
+    }
+}
+
 TEST(DeviationMap, HasEveryColourOnItsScaleInOrder)
 {
     const Part part = std::vector<Surface>{test::plane(4, 2)};

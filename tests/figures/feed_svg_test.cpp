@@ -27,7 +27,7 @@ TEST(FeedSvg, HasAPanelForEachOfTheFigures)
     const std::string text =
         feed_svg(cuts, std::vector{row(100), row(200)}, {"Stroke A"});
     for (const char* label :
-         {"Stroke A", "across the feed (mu)", "of the feed (lambda)", "between centres",
+         {"Stroke A", "across the feed", "along the feed", "between centres",
           "horizontal", "stock over the tip", "feed, mm/min", "spindle, rpm",
           "length of cut, mm", "the feed is limited by", "tool life (economic speed)"})
         EXPECT_THAT(text, testing::HasSubstr(label));

@@ -18,7 +18,7 @@ const std::string whole = R"({"format": "endmill-control/1", "name": "a mill",
  "source": "a test", "extension": ".tap", "percent": false, "program_number": 12,
  "comments": "semicolon", "capital_comments": true, "start": ["G90", "G17 G40"],
  "end": ["M5", "M2"], "path_control": "exact", "tool_change": "M06",
- "tool_length": "G43", "dwell": "ms", "flood": "M8", "mist": "M7", "coolant_off": "M09",
+ "tool_length": "G43", "first_axes": "xy", "dwell": "ms", "flood": "M8", "mist": "M7", "coolant_off": "M09",
  "arcs": "radius", "decimals_mm": 3, "decimals_inch": 4, "speed_decimals": 0,
  "always_point": true, "line_end": "crlf", "longest_line": 80,
  "largest_line_number": 9999})";
@@ -38,6 +38,7 @@ TEST(ControlFile, HoldsAControl)
     EXPECT_EQ(control.path_control, PathControl::Exact);
     EXPECT_EQ(control.tool_change, "M06");
     EXPECT_EQ(control.tool_length, "G43");
+    EXPECT_EQ(control.first_axes, FirstAxes::Xy);
     EXPECT_EQ(control.dwell, DwellUnit::Milliseconds);
     EXPECT_EQ(control.flood, "M8");
     EXPECT_EQ(control.mist, "M7");
@@ -56,7 +57,7 @@ TEST(ControlFile, HoldsAControl)
 TEST(ControlFile, NeedsFewKeys)
 {
     const Control control = parse_control(
-        R"({"format": "endmill-control/1", "extension": ".nc", "start": [], "end": []})",
+        R"({"format": "endmill-control/1", "extension": ".nc", "start": [], "end": ["M2"]})",
         "folder/old.json");
     EXPECT_EQ(control.name, "old");
     EXPECT_TRUE(control.percent);
@@ -65,6 +66,7 @@ TEST(ControlFile, NeedsFewKeys)
                  control.speed_decimals || control.longest_line);
     EXPECT_EQ(control.arcs, ArcForm::None);
     EXPECT_EQ(control.path_control, PathControl::None);
+    EXPECT_EQ(control.first_axes, FirstAxes::Z);
     EXPECT_EQ(control.decimals_mm, 4);
     EXPECT_EQ(control.decimals_inch, 5);
 }
@@ -117,6 +119,13 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"\"semicolon\"", "\"semicolons\"", "did you mean \"semicolon\"?"},
         Fault{"G17 G40", "G17 G1",
               "E_CONTROL c.json:/start/1: G1 in a block at the start"},
+        Fault{"G17 G40", "G21",
+              "E_CONTROL c.json:/start/1: G21 in a block at the start; expected no unit: "
+              "--units writes G20 or G21"},
+        Fault{", \"M2\"", "",
+              "E_CONTROL c.json:/end: no block with M2 or M30; expected one that ends"},
+        Fault{"[\"M5\", \"M2\"]", "[]", "E_CONTROL c.json:/end"},
+        Fault{"\"xy\"", "\"yx\"", "c.json:/first_axes: \"yx\"; expected"},
         Fault{"G17 G40", "X0", "E_CONTROL c.json:/start/1: X0 in a block at the start"},
         Fault{"G17 G40", "(G17)", "E_CONTROL c.json:/start/1"},
         Fault{"G17 G40", "G17\\nG0 Z-9", "E_CONTROL c.json:/start/1"},

@@ -26,7 +26,7 @@ TEST(PathSummary, IsReadFromTheFileBesideThePath)
                R"({"name": "net", "cutter": "bull:10:2", "chord_tolerance_mm": 0.5,
                    "inner_tolerance_mm": 0.02, "outer_tolerance_mm": 0.1, "scallop_mm": 1,
                    "feed_mm_per_min": 800, "spindle_rpm": 5000, "axis": [0, 0, 1],
-                   "inaccessible": "excuse"})");
+                   "inaccessible": "report"})");
     const auto summary = read_path_summary(folder.path() / "toolpath.csv");
     ASSERT_TRUE(summary);
     EXPECT_EQ(summary->name, "net");
@@ -35,7 +35,7 @@ TEST(PathSummary, IsReadFromTheFileBesideThePath)
     EXPECT_EQ(summary->scallop_mm, 1);
     EXPECT_EQ(summary->feed_mm_per_min, 800);
     EXPECT_EQ(summary->spindle_rpm, 5000);
-    EXPECT_EQ(summary->inaccessible, InaccessibleStock::Excuse);
+    EXPECT_EQ(summary->inaccessible, InaccessibleStock::Report);
 }
 
 TEST(PathSummary, MayBeMissingOrEmpty)
@@ -49,7 +49,7 @@ TEST(PathSummary, MayBeMissingOrEmpty)
     EXPECT_FALSE(summary->tolerance_mm());
     EXPECT_FALSE(summary->inaccessible);
     EXPECT_THAT(path_file_summary_complaint(R"({"inaccessible": "all"})"),
-                HasSubstr("one of count, excuse"));
+                HasSubstr("one of count, report"));
 }
 
 TEST(PathSummary, MayHaveAToleranceOfZeroOnOneSide)

@@ -122,8 +122,7 @@ TEST(ToolPathReader, IgnoresColumnsThatAPathCannotHoldWithARemark)
     EXPECT_FALSE(read.path.points[0].contact());
     EXPECT_THAT(test::conditions_of(read.path),
                 ElementsAre(CuttingConditions{100, {}, {}}, CuttingConditions{}));
-    EXPECT_THAT(read.remarks, ElementsAre(HasSubstr("contacts are ignored"),
-                                          HasSubstr("limit is ignored")));
+    EXPECT_THAT(read.remarks, ElementsAre(HasSubstr("contacts are ignored")));
 }
 
 TEST(ToolPathReader, ScalesAnAxisOfFourDecimals)

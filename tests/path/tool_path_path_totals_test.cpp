@@ -21,10 +21,12 @@ TEST(PathTotals, CountEveryMoveOnce)
          point(Move::Cut, {103, 10, 12}, 130), point(Move::Retract, {103, 10, 20}, 80),
          point(Move::Rapid, {106, 14, 20})}};
     const PathTotals totals = path_totals(path);
-    EXPECT_DOUBLE_EQ(totals.cut_mm, 20 + 5 + 13);
+    EXPECT_DOUBLE_EQ(totals.cut_mm, 5 + 13);
+    EXPECT_DOUBLE_EQ(totals.plunge_mm, 20);
     EXPECT_DOUBLE_EQ(totals.link_mm, 1 + 8);
     EXPECT_DOUBLE_EQ(totals.rapid_mm, 5);
     EXPECT_DOUBLE_EQ(totals.time_min.value(), 0.5 + 0.05 + 0.01 + 0.1 + 0.1);
+    EXPECT_DOUBLE_EQ(totals.plunge_time_min, 0.5);
     EXPECT_EQ(totals.extent->low, Vec3(100, 0, 0));
     EXPECT_EQ(totals.extent->high, Vec3(106, 14, 20));
 }
@@ -56,7 +58,7 @@ TEST(PathTotals, NameEachToolOnce)
 TEST(PathTotals, OfAnEmptyPathAreZero)
 {
     const PathTotals totals = path_totals({});
-    EXPECT_EQ(totals.cut_mm + totals.link_mm + totals.rapid_mm, 0);
+    EXPECT_EQ(totals.cut_mm + totals.plunge_mm + totals.link_mm + totals.rapid_mm, 0);
     EXPECT_FALSE(totals.extent);
     EXPECT_FALSE(totals.time_min);
     EXPECT_TRUE(totals.tools.empty());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/post/detail/block_writer.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
@@ -43,6 +45,17 @@ TEST(BlockWriter, WritesAllWordsAfterThePositionIsForgotten)
     blocks.add_rise(3);
     blocks.add_move(Motion::Rapid, {1, 2, 3}, {});
     EXPECT_EQ(blocks.text(), "G0 X1 Y2 Z3\nG0 Z3\nX1 Y2\n");
+}
+
+TEST(BlockWriter, KnowsEachAxisByItself)
+{
+    BlockWriter blocks{{1, false}};
+    blocks.add_level_rapid({1, 2, 3});
+    EXPECT_TRUE(std::isnan(blocks.tip().z()));
+    blocks.add_rise(9);
+    EXPECT_EQ(blocks.tip(), Vec3(1, 2, 9));
+    blocks.add_level_rapid({1, 2, 3});
+    EXPECT_EQ(blocks.text(), "G0 X1.0 Y2.0\nZ9.0\nX1.0 Y2.0\n");
 }
 
 TEST(BlockWriter, StartsTheSpindleWithTheSpeedOnlyIfItChanges)

@@ -94,10 +94,14 @@ TEST(Control, IsSoundByDefaultAndRefusedOtherwise)
     refused([](Control& control) { control.longest_line = 1'000'001; });
 }
 
-TEST(Control, HasUnitsOfLength)
+TEST(Control, EndsItsPrograms)
 {
-    EXPECT_EQ(millimetres_per(ProgramUnit::Mm), 1);
-    EXPECT_EQ(millimetres_per(ProgramUnit::Inch), 25.4);
+    for (const char* words : {"M30", "M2", "M02", "M5 M30", "M2 M9"})
+        EXPECT_TRUE(ends_program(words)) << words;
+    for (const char* words : {"M5", "M20", "M3", "G30", "M2.1", "G91 G28 Z0"})
+        EXPECT_FALSE(ends_program(words)) << words;
+    EXPECT_THROW(require_sound({.end = {}}), DomainError);
+    EXPECT_THROW(require_sound({.end = {"M5"}}), DomainError);
 }
 
 }  // namespace

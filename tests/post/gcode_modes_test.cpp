@@ -59,7 +59,7 @@ TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
         "G91.1 G94 G49 G61.1 G59.3\nG59.3");
     EXPECT_EQ(later.motion, GcodeMotion::None);
     EXPECT_EQ(later.plane, ArcPlane::Xy);
-    EXPECT_EQ(later.unit, GcodeUnit::Millimetre);
+    EXPECT_EQ(later.unit, ProgramUnit::Mm);
     EXPECT_EQ(later.distance, DistanceMode::Absolute);
     EXPECT_EQ(later.centres, DistanceMode::Incremental);
     EXPECT_EQ(later.feed, FeedRateMode::PerMinute);

@@ -12,6 +12,7 @@
 #include "endmill/post/gcode_reader.h"
 #include "endmill/post/gcode_writer.h"
 #include "path_conditions.h"
+#include "read_program.h"
 
 namespace endmill {
 namespace {
@@ -248,7 +249,8 @@ TEST(GcodeControl, CutsTheCommentToTheLine)
 
 TEST(GcodeControl, RefusesWhatTheControlCannotDo)
 {
-    const auto refusal = [](GcodeOptions options, const ToolPath& path) -> std::string {
+    const auto refusal = [](const GcodeOptions& options,
+                            const ToolPath& path) -> std::string {
         try {
             gcode(path, options);
             return "accepted";
@@ -285,6 +287,75 @@ TEST(GcodeControl, RefusesWhatTheControlCannotDo)
                                      .longest_line = 40}},
                         one_cut()),
                 HasSubstr("expected at most 40 for this control"));
+}
+
+TEST(GcodeControl, MovesXAndYFirstWhereToolsAreChangedAtTheTop)
+{
+    Control control = with_length_and_dwell();
+    control.first_axes = FirstAxes::Xy;
+    ToolPath path = path_of(
+        {{Move::Plunge, {1, 2, 0}}, {Move::Cut, {5, 2, 0}}, {Move::Cut, {9, 2, 0}}});
+    path = test::with_conditions(path, {{100, 1, 1}, {100, 1, 1}, {100, 1, 2}});
+    EXPECT_THAT(gcode(path, {.decimals = 0, .control = control}).text,
+                HasSubstr("T1 M6\nS1 M3\nG0 X1. Y2.\nG43 H1 Z5.\nG1 Z0. F100.\nX5.\n"
+                          "G0 Z5.\nT2 M6\nM3\nG0 X5. Y2.\nG43 H2 Z5.\nG1 Z0.\nX9.\n"));
+}
+
+// The new tool comes back to a cut like any other descent.
+TEST(GcodeControl, ApproachesEveryCutOfEveryToolAtRapid)
+{
+    ToolPath path = path_of({{Move::Plunge, {1, 2, 0}},
+                             {Move::Cut, {5, 2, 0}},
+                             {Move::Cut, {9, 2, 0}},
+                             {Move::Retract, {9, 2, 7}},
+                             {Move::Plunge, {9, 2, -1}},
+                             {Move::Cut, {9, 9, -1}}});
+    path = test::with_conditions(
+        path,
+        {{50, 1, 1}, {100, 1, 1}, {100, 1, 2}, {100, 1, 2}, {50, 1, 3}, {100, 1, 3}});
+    const WrittenProgram program =
+        gcode(path, {.safe_height = 9, .decimals = 0, .approach_distance = 2});
+    EXPECT_THAT(program.text,
+                HasSubstr("G0 Z9\nX1 Y2\nZ2\nG1 Z0 F50\nX5 F100\n"
+                          "G0 Z9\nT2 M6\nM3\nG0 Z9\nX5 Y2\nZ2\nG1 Z0\nX9\nZ7\n"
+                          "G0 Z9\nT3 M6\nM3\nG0 Z9\nX9 Y2\nZ1\nG1 Z-1 F50\nY9 F100\n"
+                          "G0 Z9\nM5\n"));
+    EXPECT_EQ(program.slanted_rapids, 0U);
+    // By hand: 2 mm down three times, 4 + 4 + 7 mm of cuts, 7 mm up.
+    EXPECT_EQ(program.totals.plunge_mm, 6);
+    EXPECT_EQ(program.totals.cut_mm, 15);
+    EXPECT_EQ(program.totals.link_mm, 7);
+    EXPECT_EQ(program.totals.rapid_mm, 7 + 9 + 7 + 2 + 8 + 10);
+    EXPECT_EQ(program.totals.tools, (std::vector{1, 2, 3}));
+}
+
+TEST(GcodeControl, HasNoToolZeroWhereToolsHaveWords)
+{
+    const ToolPath path = test::with_conditions(
+        path_of({{Move::Plunge, {0, 0, 0}}, {Move::Cut, {9, 0, 0}}}),
+        {{100, 1, 3}, {100, 1, 0}});
+    EXPECT_THAT(refusal_of([&] { gcode(path); }),
+                HasSubstr("point 1 of the path has tool 0"));
+    Control bare;
+    bare.tool_change.reset();
+    EXPECT_NO_THROW(gcode(one_cut(), {.tool = 0, .control = bare}));
+}
+
+// Points of slopes and rapid descents do not count.
+TEST(GcodeControl, NamesThePointsOfTheGivenPath)
+{
+    const ToolPath path = test::with_conditions(
+        path_of(
+            {{Move::Plunge, {0, 0, 0}}, {Move::Cut, {9, 0, 0}}, {Move::Cut, {9, 9, 0}}}),
+        {{100, 1, 1}, {100, 1, 1}, {100, 1, 2}});
+    Control bare;
+    bare.tool_change.reset();
+    EXPECT_THAT(
+        refusal_of([&] {
+            gcode(path,
+                  {.control = bare, .approach_distance = 1, .ramp = Angle::degrees(3)});
+        }),
+        HasSubstr("from tool 1 to tool 2 at point 2"));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // of the library, and by a few lines here that know only modal words.
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
 #include <sstream>
 
 #include <gtest/gtest.h>
@@ -130,6 +131,69 @@ TEST_P(GcodeRoundTrip, KeepsItsStartHeightThroughApt)
 }
 
 INSTANTIATE_TEST_SUITE_P(Decimals, GcodeRoundTrip, testing::Values(1, 3, 4, 9));
+
+// The reader knows neither ramps nor links: to it, all slanted moves at feed are cuts.
+void expect_totals_read_back(const WrittenProgram& program)
+{
+    const PathTotals found = path_totals(parse_gcode(program.text, "f.ngc").path);
+    const PathTotals& written = program.totals;
+    const double tolerance = 2e-4 * written.cut_mm;  // rounding, and chords of arcs
+    EXPECT_NEAR(written.cut_mm + written.plunge_mm + written.link_mm,
+                found.cut_mm + found.plunge_mm + found.link_mm, tolerance);
+    EXPECT_NEAR(written.rapid_mm, found.rapid_mm, 1e-6 * written.rapid_mm);
+    ASSERT_TRUE(written.time_min && found.time_min);
+    EXPECT_NEAR(*written.time_min, *found.time_min, 2e-4 * *written.time_min);
+    EXPECT_EQ(written.tools, found.tools);
+    EXPECT_LE((written.extent->low - found.extent->low).norm(), 0.01);
+    EXPECT_LE((written.extent->high - found.extent->high).norm(), 0.01);
+    if (program.ramps == 0) {
+        EXPECT_NEAR(written.plunge_mm, found.plunge_mm, 1e-6);
+    }
+}
+
+TEST(WrittenTotals, AreThoseOfTheProgramThatIsReadBack)
+{
+    const ToolPath path = test::random_path(5, 500);
+    for (const auto& approach : {std::optional<double>{}, std::optional{3.0}})
+        for (const auto& ramp :
+             {std::optional<Angle>{}, std::optional{Angle::degrees(5)}})
+            for (const FirstAxes first_axes : {FirstAxes::Z, FirstAxes::Xy})
+                expect_totals_read_back(
+                    gcode(path, {.control = {.first_axes = first_axes},
+                                 .approach_distance = approach,
+                                 .ramp = ramp}));
+}
+
+// Two half circles of radius 10 about the origin in chords of one degree.
+TEST(WrittenTotals, CountArcsWithTheirLength)
+{
+    ToolPath path;
+    for (int degree = 0; degree <= 360; ++degree) {
+        const double angle = Angle::degrees(degree).radians();
+        path.points.push_back(
+            {.pass = 0,
+             .point = degree,
+             .move = degree == 0 ? Move::Plunge : Move::Cut,
+             .location = {{10 * std::cos(angle), 10 * std::sin(angle), 0}, Vec3::UnitZ()},
+             .conditions = {100, 1000, 1}});
+    }
+    const WrittenProgram program = gcode(path, {.arc_tolerance = 0.01});
+    ASSERT_GT(program.arcs, 1U);
+    EXPECT_NEAR(program.totals.cut_mm, 20 * std::numbers::pi, 1e-3);
+    EXPECT_NEAR(program.totals.extent->low.x(), -10, 1e-4);
+    expect_totals_read_back(program);
+}
+
+TEST(WrittenTotals, OfAptAreThoseOfThePath)
+{
+    const ToolPath path = test::random_path(6, 300);
+    const PathTotals given = path_totals(path);
+    const PathTotals written = apt(path).totals;
+    EXPECT_NEAR(written.cut_mm, given.cut_mm, 300 * 2e-4);
+    EXPECT_NEAR(written.rapid_mm, given.rapid_mm, 300 * 2e-4);
+    EXPECT_NEAR(*written.time_min, *given.time_min, 1e-5 * *given.time_min);
+    EXPECT_EQ(written.tools, given.tools);
+}
 
 }  // namespace
 }  // namespace endmill

@@ -124,11 +124,28 @@ TEST_F(ProgramBuilderTest, TurnsTheSpindleBetweenStartAndStop)
     step();
     builder.set_spindle_speed(5000);
     step();
-    builder.start_spindle();
+    builder.start_spindle(SpindleSense::Clockwise);
     step();
     builder.set_spindle_speed(0);
     step();
     EXPECT_THAT(speeds(builder.take()), ElementsAre(-1, 3000, -1, -1, 5000, -1));
+}
+
+// Rapids do not count: the tool cuts nothing on them.
+TEST_F(ProgramBuilderTest, KnowsTheFirstMoveAtFeedWithTheSpindleReversed)
+{
+    const auto built = [&](SpindleSense later) {
+        ProgramBuilder builder{lines, options};
+        builder.start_spindle(SpindleSense::Counterclockwise);
+        builder.go_to({0, 0, 0}, std::nullopt);
+        builder.go_to({1, 0, 0}, std::nullopt);
+        builder.start_spindle(later);
+        builder.go_to({2, 0, 0}, MoveFeed{100});
+        builder.go_to({3, 0, 0}, MoveFeed{100});
+        return builder.take().counterclockwise_from;
+    };
+    EXPECT_EQ(built(SpindleSense::Counterclockwise), 2U);
+    EXPECT_FALSE(built(SpindleSense::Clockwise));
 }
 
 TEST_F(ProgramBuilderTest, ChangesToTheToolSelectedLast)
@@ -160,7 +177,7 @@ TEST_F(ProgramBuilderTest, TreatsASelectionAsAChangeIfThereIsNoChange)
     step();
     const Program program = builder.take();
     EXPECT_THAT(tools(program), ElementsAre(-1, 1, 2, 2));
-    EXPECT_THAT(program.remarks, ElementsAre("several tools cut: T1, T2"));
+    EXPECT_THAT(program.remarks, testing::IsEmpty());  // the path states its tools
 }
 
 TEST_F(ProgramBuilderTest, HasNoConditionsIfTheProgramStatesNone)

@@ -54,7 +54,7 @@ ToolPath with_feeds(const Feeds& feeds)
     return path;
 }
 
-Feeds set(const Feeds& own, const MoveFeeds& feeds)
+Feeds set(const Feeds& own, const FeedSettings& feeds)
 {
     ToolPath path = with_feeds(own);
     set_feeds(path, feeds);
@@ -67,7 +67,7 @@ Feeds set(const Feeds& own, const MoveFeeds& feeds)
 const Feeds none{{}, {}, {}, {}, {}};
 const Feeds own{500, 600, {}, 50, 700};
 
-TEST(MoveFeeds, FillMovesWithoutAFeedAndDescentsWithAShare)
+TEST(FeedSettings, FillMovesWithoutAFeedAndDescentsWithAShare)
 {
     EXPECT_EQ(set(none, {}), none);
     EXPECT_EQ(set(none, {.cutting_mm_per_min = 800}), (Feeds{800, 800, {}, 800, 800}));
@@ -78,16 +78,17 @@ TEST(MoveFeeds, FillMovesWithoutAFeedAndDescentsWithAShare)
         (Feeds{200, 600, {}, 200, 800}));
 }
 
-TEST(MoveFeeds, KeepThoseOfThePathUnlessReplaced)
+TEST(FeedSettings, KeepThoseOfThePathUnlessReplaced)
 {
     EXPECT_EQ(set(own, {.cutting_mm_per_min = 800, .plunge_share = 0.25}), own);
-    EXPECT_EQ(
-        set(own, {.cutting_mm_per_min = 800, .replace = true, .plunge_share = 0.25}),
-        (Feeds{200, 800, {}, 200, 800}));
+    EXPECT_EQ(set(own, {.cutting_mm_per_min = 800,
+                        .choice = FeedChoice::OfSettings,
+                        .plunge_share = 0.25}),
+              (Feeds{200, 800, {}, 200, 800}));
     EXPECT_EQ(set(own, {.plunge_mm_per_min = 70}), (Feeds{70, 600, {}, 70, 700}));
 }
 
-TEST(MoveFeeds, RefuseAPlungeFeedAboveTheCuttingFeed)
+TEST(FeedSettings, RefuseAPlungeFeedAboveTheCuttingFeed)
 {
     EXPECT_EQ(set(own, {.plunge_mm_per_min = 700}), (Feeds{700, 600, {}, 700, 700}));
     EXPECT_THROW(set(own, {.plunge_mm_per_min = 701}), DomainError);
@@ -95,7 +96,7 @@ TEST(MoveFeeds, RefuseAPlungeFeedAboveTheCuttingFeed)
                  DomainError);
 }
 
-TEST(MoveFeeds, RefuseNumbersOutsideTheirDomain)
+TEST(FeedSettings, RefuseNumbersOutsideTheirDomain)
 {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (const double bad : {0.0, -1.0, nan}) {
@@ -104,6 +105,12 @@ TEST(MoveFeeds, RefuseNumbersOutsideTheirDomain)
         EXPECT_THROW(set(none, {.plunge_share = bad}), DomainError);
     }
     EXPECT_THROW(set(none, {.plunge_share = 1.01}), DomainError);
+}
+
+TEST(ProgramUnit, HasALengthInMm)
+{
+    EXPECT_EQ(millimetres_per(ProgramUnit::Mm), 1);
+    EXPECT_EQ(millimetres_per(ProgramUnit::Inch), 25.4);
 }
 
 }  // namespace

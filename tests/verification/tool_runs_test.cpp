@@ -75,7 +75,7 @@ TEST(ToolRuns, NumberMovesThroughTheWholePath)
     ToolPath path = two_slots();
     path.points[5].move = Move::Rapid;
     const Verification found = verify_path(slots_task(path));
-    EXPECT_EQ(found.verdict, Verdict::Gouged);
+    EXPECT_EQ(found.verdict, Verdict::Collides);
     EXPECT_EQ(found.contacts.rapid_cuts.count, 1U);
     EXPECT_EQ(found.contacts.rapid_cuts.first, 5U);
 }
@@ -86,7 +86,7 @@ TEST(ToolRuns, CollideWithTheHolderOfTheirOwnTool)
     VerificationTask task = slots_task(path);
     task.changes = {{first_of_narrow, narrow, {{20, 3, 30}}}};
     const Verification found = verify_path(task);
-    EXPECT_EQ(found.verdict, Verdict::Gouged);
+    EXPECT_EQ(found.verdict, Verdict::Collides);
     EXPECT_EQ(found.contacts.collisions.first, 4U);
     EXPECT_NEAR(found.contacts.collisions.deepest, 1, 1e-9);
 }

@@ -34,7 +34,8 @@ TEST(VerdictWithContacts, IsNotJudgedWithoutAPart)
     found.on_part.reset();
     EXPECT_EQ(verdict_with_contacts(found), Verdict::NotJudged);
     found.contacts.rapid_cuts.count = 1;
-    EXPECT_EQ(verdict_with_contacts(found), Verdict::Gouged);
+    EXPECT_EQ(verdict_with_contacts(found), Verdict::Collides);
+    EXPECT_EQ(verdict_name(Verdict::Collides), "collides");
 }
 
 TEST(VerdictWithContacts, IsGougedForEveryKindOfContact)

@@ -18,6 +18,8 @@ std::string_view verdict_name(Verdict verdict)
             return "undecided";
         case Verdict::NotJudged:
             return "not judged";
+        case Verdict::Collides:
+            return "collides";
     }
     return {};
 }

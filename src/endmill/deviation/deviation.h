@@ -99,10 +99,12 @@ enum class Verdict {
     Uncut,
     Undecided,  ///< the bounds allow a violation that was not measured
     NotJudged,  ///< there is no part with which the stock could be compared
+    /// There is no part, and a rapid cuts, or shank or holder is in the stock.
+    Collides,
 };
 
-/// Returns the word for a verdict in files: "clean", "gouged", "uncut", "undecided" or
-/// "not judged".
+/// Returns the word for a verdict in files: "clean", "gouged", "uncut", "undecided",
+/// "not judged" or "collides".
 std::string_view verdict_name(Verdict verdict);
 
 /// Returns the verdict on a deviation, with both limits raised by `verdict_slack`. The first

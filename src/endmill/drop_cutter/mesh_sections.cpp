@@ -217,9 +217,9 @@ std::vector<SectionCurve> curves_of(PlaneWalk walk, const PlaneStretches& plane,
 {
     const double whole = along.high - along.low;
     for (Interval stretch : plane.stretches) {
-        if (options.beyond_borders && stretch.low == along.low)
+        if (options.beyond_borders && stretch.low <= along.low)
             stretch.low = walk.end_beyond(along.low, -1);
-        if (options.beyond_borders && stretch.high == along.high)
+        if (options.beyond_borders && stretch.high >= along.high)
             stretch.high = walk.end_beyond(along.high, 1);
         const double share = whole > 0 ? (stretch.high - stretch.low) / whole : 1;
         const double steps = std::ceil((options.samples - 1) * share);

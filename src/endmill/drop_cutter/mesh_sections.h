@@ -73,18 +73,21 @@ struct MeshPasses {
 /// scallop height holds there too. An added plane has curves only where they are needed.
 ///
 /// In the middle of two neighbouring planes the cutter is dropped at samples along s. The
-/// limit holds at a sample under three conditions:
+/// limit holds at a sample under four conditions:
 /// 1. The point at the scallop height above the contact is inside the cutter at a place in
 ///    one of the two planes.
 /// 2. The cutter's places at s in both planes are at most the level interval apart; on a slope
 ///    at most as far as the corner radius allows.
 /// 3. If a wall across the feed is near, the planes are so near to each other that the shank
 ///    leaves the height on it.
+/// 4. If the contact jumps between the planes, because the cutter touches both sides of an inner
+///    corner, condition 1 also holds beside the jump.
 ///
 /// It also holds where the planes are at most the scallop height apart: the lower place of the
 /// cutter, which is open above, leaves at most this distance on any wall between them.
-/// Elsewhere a plane is added in the middle, and both halves are examined again. The strips
-/// between the outermost planes and the borders of the mesh are treated in the same way.
+/// Elsewhere a plane is added in the middle or at the jump, and both parts are examined again.
+/// The strips between the outermost planes and the borders of the mesh are treated in the same
+/// way.
 /// Source: docs/methods/interference.md, section 6 (R3).
 /// \param drop_cutter, planes, options as for mesh_sections; the planes are ascending.
 /// \param limit the scallop height.

@@ -170,7 +170,7 @@ struct Layout {
         };
         map_width = across(raster.high.x() - raster.low.x());
         map_height = across(raster.high.y() - raster.low.y());
-        const int scale = swatch_px * static_cast<int>(colours.size() + 1);
+        const int scale = swatch_px * static_cast<int>(colours.size() + 4);
         height = top + std::max(map_height + static_cast<int>(4.5 * line_px), scale) +
                  margin_px;
         scale_left =
@@ -200,6 +200,7 @@ public:
         add_squares();
         add_frame();
         add_scale();
+        add_unjudged();
         add_marks();
         return picture_.text();
     }
@@ -332,6 +333,25 @@ private:
             picture_.add_text({x + swatch_px + 6 + number_px, middle + caption_px / 3},
                               named.name, {caption_px, "#222222", false, false});
         }
+    }
+
+    // Explains the squares that have no colour because their stock is not judged.
+    void add_unjudged()
+    {
+        if (!(deviation_.inaccessible_area_mm2 > 0))
+            return;
+        const double x = layout_.scale_left;
+        const double y =
+            layout_.top + swatch_px * static_cast<double>(colours.size() + 2);
+        const std::array<PixelPoint, 4> plate{
+            PixelPoint{x, y}, PixelPoint{x + swatch_px, y},
+            PixelPoint{x + swatch_px, y + swatch_px}, PixelPoint{x, y + swatch_px}};
+        picture_.add_polygon(plate, "#ffffff", frame_style);
+        const TextStyle style{caption_px, "#222222", false, false};
+        picture_.add_text({x + swatch_px + 6, y + caption_px}, "not judged: the cutter",
+                          style);
+        picture_.add_text({x + swatch_px + 6, y + 2.3 * caption_px},
+                          "cannot touch the part", style);
     }
 
     // Marks the extreme places. The label of the upper mark is raised and that of the

@@ -28,7 +28,9 @@ std::string_view deviation_colour(double left, const DeviationLimits& limits);
 
 /// A map of the deviation seen along -z, as an SVG file, as wide as the part and with axes
 /// in mm. Each square has the colour of its worst cell: the one with the largest deviation
-/// divided by the limit. It is white where the part is not visible. The deepest gouge and the largest remaining stock are
+/// divided by the limit. It is white where the part is not visible, and where the stock is
+/// not judged because the cutter cannot touch the part; the scale names the latter. The
+/// deepest gouge and the largest remaining stock are
 /// circled and labelled if they exceed a tenth of their limit. Verdict, maxima and a
 /// scale are beside the map.
 /// \param charts those that the deviation was measured on.

@@ -80,9 +80,9 @@ std::string feed_svg(std::span<const SegmentCut> cuts, std::span<const SegmentFe
         places.push_back(along += cut.length_mm);
     const std::vector<ChartPanel> panels{
         {"slope, degrees",
-         {{"across the feed (mu)", first_style,
+         {{"across the feed", first_style,
            values(cuts, [](const SegmentCut& c) { return degrees(c.mu); })},
-          {"of the feed (lambda)", second_style,
+          {"along the feed", second_style,
            values(cuts, [](const SegmentCut& c) { return degrees(c.lambda); })}}},
         {"pick feed, mm",
          {{"between centres", first_style, values(cuts, &SegmentCut::pick_feed_mm)},

@@ -22,31 +22,19 @@ constexpr std::size_t most_blocks = 20;
 constexpr std::size_t longest_block = 200;    // characters
 constexpr std::size_t longest_extension = 8;  // characters, without the point
 
-constexpr std::array<std::string_view, 25> keys{"format",
-                                                "name",
-                                                "source",
-                                                "extension",
-                                                "percent",
-                                                "program_number",
-                                                "comments",
-                                                "capital_comments",
-                                                "start",
-                                                "end",
-                                                "path_control",
-                                                "tool_change",
-                                                "tool_length",
-                                                "dwell",
-                                                "flood",
-                                                "mist",
-                                                "coolant_off",
-                                                "arcs",
-                                                "decimals_mm",
-                                                "decimals_inch",
-                                                "speed_decimals",
-                                                "always_point",
-                                                "line_end",
-                                                "longest_line",
-                                                "largest_line_number"};
+constexpr std::array<std::string_view, 26> keys{"format",        "name",
+                                                "source",        "extension",
+                                                "percent",       "program_number",
+                                                "comments",      "capital_comments",
+                                                "start",         "end",
+                                                "path_control",  "tool_change",
+                                                "tool_length",   "first_axes",
+                                                "dwell",         "flood",
+                                                "mist",          "coolant_off",
+                                                "arcs",          "decimals_mm",
+                                                "decimals_inch", "speed_decimals",
+                                                "always_point",  "line_end",
+                                                "longest_line",  "largest_line_number"};
 
 FormatError control_complaint(const JsonValue& value, const std::string& expected)
 {
@@ -123,10 +111,21 @@ std::vector<std::string> blocks(const JsonValue& root, std::string_view key,
                 item, "words of a capital letter and a number, such as \"G90 G17\"");
         if (const auto unfit = is_start ? unfit_start_word(text) : std::nullopt)
             throw item.complaint(*unfit + " in a block at the start",
-                                 "codes that only set modes, such as G90 or G54",
+                                 *unfit == "G20" || *unfit == "G21"
+                                     ? "no unit: --units writes G20 or G21 before it"
+                                     : "codes that only set modes, such as G90 or G54",
                                  std::string{code});
         result.push_back(std::move(text));
     }
+    return result;
+}
+
+std::vector<std::string> end_blocks(const JsonValue& root)
+{
+    std::vector<std::string> result = blocks(root, "end", false);
+    if (std::ranges::none_of(result, ends_program))
+        throw root.member("end").complaint(
+            "no block with M2 or M30", "one that ends the program", std::string{code});
     return result;
 }
 
@@ -152,7 +151,7 @@ std::string extension(const JsonValue& root)
 void read_words(const JsonValue& root, Control& control)
 {
     control.start = blocks(root, "start", true);
-    control.end = blocks(root, "end", false);
+    control.end = end_blocks(root);
     control.tool_change = auxiliary_word(root, "tool_change");
     control.tool_length = tool_length_word(root);
     control.flood = auxiliary_word(root, "flood");
@@ -177,6 +176,9 @@ void read_forms(const JsonValue& root, Control& control)
     control.arcs = choice(root, "arcs", std::array{"centre"sv, "radius"sv, "none"sv},
                           std::array{ArcForm::Centre, ArcForm::Radius, ArcForm::None})
                        .value_or(ArcForm::None);
+    control.first_axes = choice(root, "first_axes", std::array{"z"sv, "xy"sv},
+                                std::array{FirstAxes::Z, FirstAxes::Xy})
+                             .value_or(control.first_axes);
     control.dwell = choice(root, "dwell", std::array{"s"sv, "ms"sv},
                            std::array{DwellUnit::Seconds, DwellUnit::Milliseconds});
     control.crlf =

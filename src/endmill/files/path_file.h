@@ -104,11 +104,11 @@ struct PartReference {
 /// as in a corner that is sharper than the cutter.
 enum class InaccessibleStock {
     Count,   ///< it is judged as everywhere
-    Excuse,  ///< it is measured and not judged
+    Report,  ///< it is measured and not judged
 };
 
 /// Names in the order of the enumeration.
-inline constexpr std::array<std::string_view, 2> inaccessible_names{"count", "excuse"};
+inline constexpr std::array<std::string_view, 2> inaccessible_names{"count", "report"};
 
 /// The name of `stock` in files.
 inline std::string_view inaccessible_name(InaccessibleStock stock)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/path/tool_path.h"
 
-#include <set>
+#include <algorithm>
 
 namespace endmill {
 
@@ -31,18 +31,6 @@ std::optional<Move> move_from_name(std::string_view name)
     return std::nullopt;
 }
 
-PathLengths path_lengths(const ToolPath& path)
-{
-    PathLengths lengths;
-    for (std::size_t k = 1; k < path.points.size(); ++k) {
-        const PathPoint& point = path.points[k];
-        const bool is_at_feed = point.move == Move::Cut || point.move == Move::Link;
-        (is_at_feed ? lengths.at_feed_mm : lengths.lifted_mm) +=
-            (point.location.tip - path.points[k - 1].location.tip).norm();
-    }
-    return lengths;
-}
-
 namespace {
 
 // The length of `totals` to which a move of this kind belongs.
@@ -54,53 +42,68 @@ double& length_of(PathTotals& totals, Move move)
         case Move::Link:
         case Move::Retract:
             return totals.link_mm;
-        case Move::Cut:
         case Move::Plunge:
+            return totals.plunge_mm;
+        case Move::Cut:
             break;
     }
     return totals.cut_mm;
 }
 
-// Time in min of the moves that are not rapids; nothing if one of them has no feed, or if
-// there are none.
-std::optional<double> time_at_feed(const ToolPath& path)
+}  // namespace
+
+void PathTotalsSum::start(const Vec3& tip, std::optional<int> tool)
 {
-    double minutes = 0;
-    for (std::size_t k = 1; k < path.points.size(); ++k) {
-        const PathPoint& point = path.points[k];
-        const double length =
-            (point.location.tip - path.points[k - 1].location.tip).norm();
-        if (point.move == Move::Rapid || length == 0)
-            continue;
-        if (!point.conditions.feed_mm_per_min)
-            return std::nullopt;
-        minutes += length / *point.conditions.feed_mm_per_min;
-    }
-    return minutes > 0 ? std::optional{minutes} : std::nullopt;
+    if (!sum_.extent)
+        sum_.extent = TipBox{tip, tip};
+    sum_.extent->low = sum_.extent->low.cwiseMin(tip);
+    sum_.extent->high = sum_.extent->high.cwiseMax(tip);
+    std::vector<int>& tools = sum_.tools;
+    if (!tool || (!tools.empty() && tools.back() == *tool))
+        return;
+    const auto place = std::ranges::lower_bound(tools, *tool);
+    if (place == tools.end() || *place != *tool)
+        tools.insert(place, *tool);
 }
 
-}  // namespace
+void PathTotalsSum::add(Move move, const Vec3& tip, const CuttingConditions& conditions,
+                        double length_mm)
+{
+    start(tip, conditions.tool);
+    length_of(sum_, move) += length_mm;
+    if (move == Move::Rapid || length_mm == 0)
+        return;
+    if (!conditions.feed_mm_per_min) {
+        is_timed_ = false;
+        return;
+    }
+    const double minutes = length_mm / *conditions.feed_mm_per_min;
+    minutes_ += minutes;
+    if (move == Move::Plunge)
+        sum_.plunge_time_min += minutes;
+}
+
+PathTotals PathTotalsSum::totals() const
+{
+    PathTotals totals = sum_;
+    if (is_timed_ && minutes_ > 0)
+        totals.time_min = minutes_;
+    return totals;
+}
 
 PathTotals path_totals(const ToolPath& path)
 {
-    PathTotals totals;
-    std::set<int> tools;
+    PathTotalsSum sum;
     for (std::size_t k = 0; k < path.points.size(); ++k) {
         const PathPoint& point = path.points[k];
         const Vec3& tip = point.location.tip;
         if (k == 0)
-            totals.extent = TipBox{tip, tip};
+            sum.start(tip, point.conditions.tool);
         else
-            length_of(totals, point.move) +=
-                (tip - path.points[k - 1].location.tip).norm();
-        totals.extent->low = totals.extent->low.cwiseMin(tip);
-        totals.extent->high = totals.extent->high.cwiseMax(tip);
-        if (point.conditions.tool)
-            tools.insert(*point.conditions.tool);
+            sum.add(point.move, tip, point.conditions,
+                    (tip - path.points[k - 1].location.tip).norm());
     }
-    totals.time_min = time_at_feed(path);
-    totals.tools.assign(tools.begin(), tools.end());
-    return totals;
+    return sum.totals();
 }
 
 std::optional<double> entry_height(const ToolPath& path)

@@ -82,32 +82,45 @@ struct ToolPath {
     std::vector<PathPoint> points;  ///< in order
 };
 
-/// Lengths of a path, measured along the tip.
-struct PathLengths {
-    double at_feed_mm = 0;  ///< mm, of cuts and links
-    double lifted_mm = 0;   ///< mm, of rapids, retracts and plunges
-};
-
-/// The lengths of the moves of `path`. No move leads to its first point.
-PathLengths path_lengths(const ToolPath& path);
-
 /// A box along the coordinate axes that holds all tips of a path.
 struct TipBox {
     Vec3 low;   ///< mm
     Vec3 high;  ///< mm
 };
 
-/// Lengths, time, tools and extent of a path, measured along the tip. The three lengths
+/// Lengths, time, tools and extent of a path, measured along the tip. The four lengths
 /// add up to the length of the path.
 struct PathTotals {
-    double cut_mm = 0;    ///< mm, of cuts and plunges
-    double link_mm = 0;   ///< mm, of links and retracts
-    double rapid_mm = 0;  ///< mm, of rapids
+    double cut_mm = 0;     ///< mm, of cuts
+    double plunge_mm = 0;  ///< mm, of plunges
+    double link_mm = 0;    ///< mm, of links and retracts
+    double rapid_mm = 0;   ///< mm, of rapids
     /// min, of all moves but the rapids, whose rate is not part of a path. Nothing if one
     /// of these moves has no feed, or if there are none.
     std::optional<double> time_min = {};
+    double plunge_time_min = 0;         ///< min, of the plunges that have a feed
     std::vector<int> tools = {};        ///< numbers of the tools, ascending, each once
     std::optional<TipBox> extent = {};  ///< nothing for a path without points
+};
+
+/// Adds up the totals of a path move by move.
+class PathTotalsSum {
+public:
+    /// Adds the start of the path, to which no move leads.
+    void start(const Vec3& tip, std::optional<int> tool);
+
+    /// Adds a move to `tip` whose length along the tip is `length_mm`. A move of length 0
+    /// needs no feed.
+    void add(Move move, const Vec3& tip, const CuttingConditions& conditions,
+             double length_mm);
+
+    /// The totals so far.
+    PathTotals totals() const;
+
+private:
+    PathTotals sum_;
+    double minutes_ = 0;
+    bool is_timed_ = true;  // whether every move that needs a feed has one
 };
 
 /// The totals of `path`. No move leads to its first point, which counts for the tools and

@@ -54,7 +54,12 @@ public:
             add_changed("FEDRAT/", *conditions.feed_mm_per_min, ",MMPM", feed_);
         if (point.move == Move::Rapid)
             add("RAPID");
-        add_goto(point.location);
+        const Vec3 tip = add_goto(point.location);
+        if (tip_)
+            totals_.add(point.move, tip, conditions, (tip - *tip_).norm());
+        else
+            totals_.start(tip, conditions.tool);
+        tip_ = tip;
     }
 
     void add(std::string_view statement)
@@ -64,7 +69,11 @@ public:
         ++program_.lines;
     }
 
-    WrittenProgram take() { return std::move(program_); }
+    WrittenProgram take()
+    {
+        program_.totals = totals_.totals();
+        return std::move(program_);
+    }
 
 private:
     // Adds a modal statement unless the same one is in force.
@@ -80,16 +89,17 @@ private:
     }
 
     // The tip is rounded to the decimals. The axis is written exactly, because rounding
-    // it would tilt the tool.
-    void add_goto(const CutterLocation& location)
+    // it would tilt the tool. Returns the rounded tip.
+    Vec3 add_goto(const CutterLocation& location)
     {
         std::string& text = program_.text;
         text += "GOTO/";
+        Vec3 tip;
         for (int c = 0; c < 3; ++c) {
             text += c == 0 ? "" : ",";
-            const double rounded = append_fixed(text, location.tip[c], options_.decimals);
-            program_.max_rounding_error_mm = std::max(
-                program_.max_rounding_error_mm, std::abs(rounded - location.tip[c]));
+            tip[c] = append_fixed(text, location.tip[c], options_.decimals);
+            program_.max_rounding_error_mm = std::max(program_.max_rounding_error_mm,
+                                                      std::abs(tip[c] - location.tip[c]));
         }
         if (options_.multax || location.axis != Vec3::UnitZ())
             for (const double component : location.axis) {
@@ -98,10 +108,13 @@ private:
             }
         text += '\n';
         ++program_.lines;
+        return tip;
     }
 
     const AptOptions& options_;
     WrittenProgram program_;
+    PathTotalsSum totals_;
+    std::optional<Vec3> tip_;  // mm, of the point before
     std::optional<int> tool_;
     std::string speed_;  // the statements in force
     std::string feed_;

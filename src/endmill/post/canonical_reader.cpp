@@ -107,8 +107,8 @@ private:
             {"SET_XY_ROTATION", &CanonicalReader::set_xy_rotation},
             {"USE_TOOL_LENGTH_OFFSET", &CanonicalReader::use_tool_length_offset},
             {"SET_SPINDLE_SPEED", &CanonicalReader::set_spindle_speed},
-            {"START_SPINDLE_CLOCKWISE", &CanonicalReader::start_spindle},
-            {"START_SPINDLE_COUNTERCLOCKWISE", &CanonicalReader::start_spindle},
+            {"START_SPINDLE_CLOCKWISE", &CanonicalReader::start_clockwise},
+            {"START_SPINDLE_COUNTERCLOCKWISE", &CanonicalReader::start_counterclockwise},
             {"STOP_SPINDLE_TURNING", &CanonicalReader::stop_spindle},
             {"SET_SPINDLE_MODE", &CanonicalReader::set_spindle_mode},
             {"SELECT_TOOL", &CanonicalReader::select_tool},
@@ -409,7 +409,11 @@ private:
         builder_.set_spindle_speed(has_surface_speed_ ? 0 : std::abs(speed));
     }
 
-    void start_spindle() { builder_.start_spindle(); }
+    void start_clockwise() { builder_.start_spindle(SpindleSense::Clockwise); }
+    void start_counterclockwise()
+    {
+        builder_.start_spindle(SpindleSense::Counterclockwise);
+    }
     void stop_spindle() { builder_.stop_spindle(); }
 
     // Arguments: spindle and highest speed, without a comma. 0 means constant spindle

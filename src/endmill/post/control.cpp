@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 
-#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/post/program.h"
 
@@ -141,11 +140,6 @@ void require_numbers(const Control& control)
 
 }  // namespace
 
-double millimetres_per(ProgramUnit unit)
-{
-    return unit == ProgramUnit::Inch ? mm_per_inch : 1;
-}
-
 bool is_words(std::string_view text)
 {
     return all_pieces(text, is_any_word);
@@ -171,6 +165,14 @@ bool is_tool_length_word(std::string_view text)
     return is_word(text, 'G') && code_in_tenths(text) == 430;
 }
 
+bool ends_program(std::string_view words)
+{
+    constexpr std::array end_codes{20, 300};
+    return !all_pieces(words, [&](std::string_view word) {
+        return word.front() != 'M' || !holds(end_codes, code_in_tenths(word));
+    });
+}
+
 std::optional<std::string> unfit_start_word(std::string_view words)
 {
     bool takes_p_and_q = false;
@@ -191,6 +193,8 @@ void require_sound(const Control& control)
 {
     require_words(control.start);
     require_words(control.end);
+    require(std::ranges::any_of(control.end, ends_program),
+            "control: need M2 or M30 in a block at the end");
     for (const std::string& block : control.start)
         require(!unfit_start_word(block), "control: a start block must only set modes");
     for (const auto& word : {control.tool_change, control.flood, control.mist,

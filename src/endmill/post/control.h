@@ -30,17 +30,17 @@ enum class CommentStyle {
     None,         ///< the control has no comments
 };
 
+/// The axes that move first on the way over the path, after the tool was changed.
+enum class FirstAxes {
+    Z,   ///< the tool first moves to the safe height: it may be at any height
+    Xy,  ///< X and Y first: the control changes tools at the top of Z
+};
+
 /// Unit of the time P of `G4`.
 enum class DwellUnit { Seconds, Milliseconds };
 
 /// Coolant during the program.
 enum class Coolant { Off, Flood, Mist };
-
-/// Unit of the lengths in a program.
-enum class ProgramUnit { Mm, Inch };
-
-/// Length of one `unit` in mm: 1 or 25.4.
-double millimetres_per(ProgramUnit unit);
 
 /// Largest number of a program, after O.
 inline constexpr int largest_program_number = 99'999'999;
@@ -65,12 +65,13 @@ struct Control {
     bool capital_comments = false;  ///< whether comments are in capital letters
     /// Blocks at the start. The unit of length, G20 or G21, precedes the first one.
     std::vector<std::string> start = {"G90 G94 G17 G40 G49 G80 G54"};
-    /// Blocks after the last retract. They are written unchanged and may move the axes,
-    /// such as G91 G28 Z0: only their form is checked.
+    /// Blocks after the last retract; one of them ends the program with M2 or M30. They are
+    /// written unchanged and may move the axes, such as G91 G28 Z0.
     std::vector<std::string> end = {"M5", "M30"};
     PathControl path_control = PathControl::Tolerance;  ///< accuracy at corners
     std::optional<std::string> tool_change = "M6";      ///< after T; none: one tool only
     std::optional<std::string> tool_length = {};        ///< before H: G43
+    FirstAxes first_axes = FirstAxes::Z;                ///< after the tool change
     std::optional<DwellUnit> dwell = DwellUnit::Seconds;  ///< unit of G4 P; none: no G4
     std::optional<std::string> flood = "M8";              ///< flood coolant on
     std::optional<std::string> mist = "M7";               ///< mist coolant on
@@ -100,6 +101,10 @@ bool is_auxiliary_word(std::string_view text);
 /// Whether `text` is the word that takes the tool length from a table: G43.
 bool is_tool_length_word(std::string_view text);
 
+/// Whether `words` have M2 or M30, the end of a program.
+/// \pre is_words(words)
+bool ends_program(std::string_view words);
+
 /// The first word of `words` that a start block must not have. A start block may only set
 /// modes: G5.1, G8, G15, G17, G40, G49, G50, G50.1, G54 to G59.3, G54.1, G61, G61.1, G64,
 /// G67, G69, G80, G90, G91.1, G94, G97 to G99, G187, M48, and P and Q beside G5.1, G54.1,
@@ -110,7 +115,7 @@ std::optional<std::string> unfit_start_word(std::string_view words);
 
 /// Checks a control.
 /// \throws DomainError for text that is not made of words, for start blocks with unfit
-///         words, for words of tool change, coolant and tool length that do something
+///         words, if no block at the end ends the program, for words of tool change, coolant and tool length that do something
 ///         else, and for numbers out of their ranges.
 void require_sound(const Control& control);
 

@@ -293,7 +293,7 @@ private:
     void set_feed(GcodeLine& line, const GcodeModes& modes, double feed, const Run& run)
     {
         const bool is_inverse = modes.feed == FeedRateMode::InverseTime;
-        const bool is_fine = is_inverse || modes.unit == GcodeUnit::Inch;
+        const bool is_fine = is_inverse || modes.unit == ProgramUnit::Inch;
         const std::string text =
             number_text(feed / (is_inverse ? length(run) : modes.mm_per_unit()),
                         is_fine ? fine_feed_decimals : feed_decimals);
@@ -309,7 +309,7 @@ private:
     std::string text_;
     std::string feed_;   // F in force, as written; empty if unknown
     std::string speed_;  // S in force, as written; empty if unknown
-    GcodeUnit unit_ = GcodeUnit::Unstated;
+    std::optional<ProgramUnit> unit_;
     FeedRateMode feed_mode_ = FeedRateMode::PerMinute;
 };
 

@@ -10,15 +10,16 @@
 #include "endmill/post/detail/arc_fitting.h"
 #include "endmill/post/detail/block_writer.h"
 #include "endmill/post/detail/comment_text.h"
-#include "endmill/post/detail/lead_in.h"
 #include "endmill/post/detail/move_conditions.h"
 #include "endmill/post/detail/plain_number.h"
+#include "endmill/post/detail/ramp_entry.h"
+#include "endmill/post/detail/rapid_approach.h"
 
 // A program is written in three parts: start (%, comment, modes, path control), one block
 // per move or arc, and end (retract, M5, M30, %). BlockWriter omits words that repeat the
 // value in force. A change of tool, including the first one, adds T and M6, the start of
-// the spindle and the way over the next point. Slopes are points of the path before the
-// writer sees it.
+// the spindle and the way over the next point. The ends of rapid descents and the points
+// of slopes are points of the path before the writer sees it.
 
 namespace endmill {
 namespace {
@@ -217,6 +218,34 @@ MoveConditions conditions_of(const ToolPath& path, const GcodeOptions& options)
              millimetres_per(options.unit)}};
 }
 
+// Checks what only the points of the path as it is given can name.
+void require_possible_moves(const ToolPath& path, const GcodeOptions& options)
+{
+    const Control& control = options.control;
+    const bool names_tool = control.tool_change || control.tool_length;
+    MoveConditions conditions = conditions_of(path, options);
+    std::optional<int> tool;
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const std::optional<int> before = std::exchange(tool, conditions.at(i).tool);
+        if (names_tool && tool == 0)
+            throw DomainError{"point " + std::to_string(i) +
+                              " of the path has tool 0, which is no tool in a program; "
+                              "expected a number from 1 (--tool-number)"};
+        if (!control.tool_change && before && before != tool)
+            throw DomainError{"the path changes from tool " + std::to_string(*before) +
+                              " to tool " + std::to_string(*tool) + " at point " +
+                              std::to_string(i) + ", and the control " + control.name +
+                              " has no tool change; expected one tool"};
+    }
+}
+
+// Length of an arc in mm. Its plane holds the whole arc.
+double arc_length(const Arc& arc)
+{
+    const ArcRadii radii = arc_radii(arc);
+    return arc_angle(arc) * (radii.start + radii.end) / 2;
+}
+
 // Writes the blocks of a program.
 class ProgramWriter {
 public:
@@ -243,6 +272,7 @@ public:
         program_.feed_mm_per_min = conditions_.feeds();
         program_.plunge_feed_mm_per_min = conditions_.plunge_feeds();
         program_.spindle_rpm = conditions_.speeds();
+        program_.totals = totals_.totals();
         if (options_.ramp)
             program_.straight_descents = returns_;
         program_.text = std::move(blocks_.text());
@@ -289,15 +319,41 @@ private:
             if (conditions.tool != tool_)
                 change_tool(i, conditions, first);
             else if (const auto arc = arc_to(i, conditions)) {
-                blocks_.add_arc(arc->arc, arc->radius, conditions.feed_mm_per_min);
-                ++program_.arcs;
-                program_.max_arc_error_mm =
-                    std::max(program_.max_arc_error_mm, arc->error_mm);
+                add_arc(*arc, i, conditions);
                 i = arc->last;
                 continue;
             }
-            add_point(path_.points[i], conditions);
+            add_point(i, conditions);
         }
+    }
+
+    // \param point index of the first point that the arc replaces.
+    void add_arc(const FittedArc& arc, std::size_t point,
+                 const CuttingConditions& conditions)
+    {
+        blocks_.add_arc(arc.arc, arc.radius, conditions.feed_mm_per_min);
+        ++program_.arcs;
+        program_.max_arc_error_mm = std::max(program_.max_arc_error_mm, arc.error_mm);
+        for (; point < arc.last; ++point)
+            totals_.add(Move::Cut, path_.points[point].location.tip, {}, 0);
+        count(Move::Cut, conditions, arc_length(arc.arc));
+    }
+
+    // Adds the block before to the totals. Before all axes have a position, the length
+    // of a move is unknown.
+    // \param length mm; none: a straight move.
+    void count(Move move, const CuttingConditions& conditions,
+               std::optional<double> length = {})
+    {
+        const Vec3 tip = blocks_.tip();
+        CuttingConditions named = conditions;
+        if (!options_.control.tool_change)
+            named.tool.reset();
+        if (position_)
+            totals_.add(move, tip, named, length.value_or((tip - *position_).norm()));
+        else
+            totals_.start(tip, named.tool);
+        position_ = tip;
     }
 
     // The arc from the point before `point`, if one is wanted and possible.
@@ -322,8 +378,9 @@ private:
                conditions_.at(point) == conditions;
     }
 
-    void add_point(const PathPoint& point, const CuttingConditions& conditions)
+    void add_point(std::size_t index, const CuttingConditions& conditions)
     {
+        const PathPoint& point = path_.points[index];
         const Motion motion = point.move == Move::Rapid ? Motion::Rapid : Motion::Feed;
         if (conditions.spindle_rpm)
             blocks_.set_speed(*conditions.spindle_rpm);
@@ -332,6 +389,7 @@ private:
             ++program_.repeated_points;
         else if (motion == Motion::Rapid && is_slanted(from, blocks_.tip()))
             ++program_.slanted_rapids;
+        count(is_descent(path_, index) ? Move::Plunge : point.move, conditions);
     }
 
     static bool is_slanted(const Vec3& from, const Vec3& to)
@@ -347,7 +405,7 @@ private:
         const std::optional<Vec3> back =
             tool_ ? std::optional{blocks_.tip()} : std::nullopt;
         if (back)
-            leave_tool(point, conditions);
+            leave_tool();
         tool_ = conditions.tool;
         if (options_.control.tool_change)
             blocks_.add_block('T' + std::to_string(*tool_) + ' ' +
@@ -360,9 +418,26 @@ private:
         if (coolant_)
             blocks_.add_block(*coolant_);
         go_over(back.value_or(first));
-        if (back && path_.points[point].move != Move::Rapid &&
-            blocks_.add_move(Motion::Feed, *back, descent_feed(point, conditions)))
-            ++returns_;
+        count(Move::Rapid, conditions);
+        if (back && path_.points[point].move != Move::Rapid)
+            return_to(*back, point, conditions);
+    }
+
+    // Descends to the point `back`, from which the path goes on with the next tool.
+    void return_to(const Vec3& back, std::size_t point, CuttingConditions conditions)
+    {
+        if (options_.approach_distance && path_.points[point].move == Move::Cut) {
+            const double height = back.z() + *options_.approach_distance;
+            if (height < program_.safe_height_mm &&
+                blocks_.add_move(Motion::Rapid, {back.x(), back.y(), height},
+                                 std::nullopt))
+                count(Move::Rapid, conditions);
+        }
+        conditions.feed_mm_per_min = descent_feed(point, conditions);
+        if (!blocks_.add_move(Motion::Feed, back, conditions.feed_mm_per_min))
+            return;
+        ++returns_;
+        count(Move::Plunge, conditions);
     }
 
     // Feed of the descent before the move to `point`.
@@ -374,30 +449,27 @@ private:
         return options_.feeds.plunge(*conditions.feed_mm_per_min);
     }
 
-    void leave_tool(std::size_t point, const CuttingConditions& conditions)
+    void leave_tool()
     {
-        if (!options_.control.tool_change)
-            throw DomainError{"the path changes from tool " + std::to_string(*tool_) +
-                              " to tool " + std::to_string(*conditions.tool) +
-                              " at point " + std::to_string(point) +
-                              ", and the control " + options_.control.name +
-                              " has no tool change; expected one tool"};
         retract();
         if (coolant_)
             blocks_.add_block(options_.control.coolant_off);
     }
 
-    // Rises vertically first, because the position of the tool is unknown, then moves
-    // level. The tool length is set in the block of the rise: some controls move at once
-    // where it stands alone.
+    // Moves one axis after the other, because the position of the tool is unknown. The
+    // tool length is set in the block of Z: some controls move at once where it stands
+    // alone.
     void go_over(const Vec3& place)
     {
         const auto& length = options_.control.tool_length;
+        const bool is_level_first = options_.control.first_axes == FirstAxes::Xy;
         blocks_.forget_position();
+        if (is_level_first)
+            blocks_.add_level_rapid(place);
         blocks_.add_rise(program_.safe_height_mm,
                          length ? *length + " H" + std::to_string(*tool_) : "");
-        blocks_.add_move(Motion::Rapid, {place.x(), place.y(), program_.safe_height_mm},
-                         std::nullopt);
+        if (!is_level_first)
+            blocks_.add_level_rapid(place);
     }
 
     void retract()
@@ -405,6 +477,7 @@ private:
         const Vec3 tip = blocks_.tip();
         blocks_.add_move(Motion::Rapid, {tip.x(), tip.y(), program_.safe_height_mm},
                          std::nullopt);
+        count(Move::Rapid, {{}, {}, tool_});
     }
 
     const ToolPath& path_;
@@ -413,6 +486,8 @@ private:
     MoveConditions conditions_;
     BlockWriter blocks_;
     WrittenProgram program_;
+    PathTotalsSum totals_;
+    std::optional<Vec3> position_;  // mm, of the tip; none before all axes have one
     std::optional<int> tool_;
     std::size_t returns_ = 0;  // vertical descents after changes of the tool
     std::size_t run_end_ = 0;  // one past the cuts with the conditions of the last one
@@ -426,15 +501,20 @@ WrittenProgram gcode(const ToolPath& path, const GcodeOptions& options)
     require_possible(options);
     require_upright(path);
     const double height = safe_height(path, options);
+    require_possible_moves(path, options);
     const Vec3& first = path.points.front().location.tip;
+    const auto written = [&](const ToolPath& moves) {
+        return ProgramWriter{moves, options, height}.write(first);
+    };
+    ToolPath approached;
+    if (options.approach_distance)
+        approached = with_rapid_approach(path, height, *options.approach_distance);
+    const ToolPath& moves = options.approach_distance ? approached : path;
     if (!options.ramp)
-        return ProgramWriter{path, options, height}.write(first);
-    // Errors name the points of the path as it was given.
-    MoveConditions given = conditions_of(path, options);
-    for (std::size_t i = 0; i < path.points.size(); ++i)
-        given.at(i);
-    const RampedPath ramped = with_ramps(path, height, std::tan(options.ramp->radians()));
-    WrittenProgram program = ProgramWriter{ramped.path, options, height}.write(first);
+        return written(moves);
+    const RampedPath ramped =
+        with_ramps(moves, height, std::tan(options.ramp->radians()));
+    WrittenProgram program = written(ramped.path);
     program.ramps = ramped.ramps;
     program.straight_descents += ramped.straight;
     return program;

@@ -36,7 +36,10 @@ struct GcodeOptions {
     double dwell_s = 0;                  ///< s, wait after each start of the spindle
     /// Feeds of the descents that the path does not have: back to the path after a tool
     /// change. The feeds of its own moves are those of the path.
-    MoveFeeds feeds = {};
+    FeedSettings feeds = {};
+    /// mm, above 0: descents to a cut are rapids down to this height above the point at
+    /// which they end. The stock must not be higher there. None: no such rapids.
+    std::optional<double> approach_distance = {};
     /// Slope of the descents of the path; none: straight down. The descent after a tool
     /// change stays vertical.
     std::optional<Angle> ramp = {};
@@ -53,7 +56,7 @@ struct GcodeOptions {
 /// Before the first point, the tool rises to the safe height and moves to the place above
 /// the point. After the last point it rises again. At a tool change it rises, the tool is
 /// changed, and the new tool returns to the place above the last point and descends to
-/// it.
+/// it. The control states whether X and Y or Z move first after a change of the tool.
 ///
 /// With PathControl::Tolerance the path control is `G64 P` with half the tolerance, so
 /// that the rounding of corners by the control leaves the other half. P is rounded to the
@@ -64,15 +67,15 @@ struct GcodeOptions {
 ///
 /// Arcs: the program differs from the path by at most `arc_tolerance`, rounding included;
 /// `max_arc_error_mm` is the bound reached. Ramps: the path of `with_ramps`, which removes
-/// the same material.
+/// the same material. With an `approach_distance` slopes begin at the end of the rapid.
 ///
 /// \param path the path.
 /// \param options format and missing data.
 /// \throws DomainError for a path without points; for decimals outside 0 to 9; if a move
 ///         at feed has no feed; for a feed or spindle speed that is not above 0 after
-///         rounding; for a negative tool number; if the safe height lies below the path;
-///         if the tolerance or the dwell is below 0; for an arc tolerance that is not above
-///         0; for a ramp that is not between 0 and 90 degrees; for a number that is not
+///         rounding; for a negative tool number, or 0 where the control has words for
+///         the tool; if the safe height lies below the path; if the tolerance or the dwell
+///         is below 0; for an arc tolerance or an approach distance that is not above 0; for a ramp that is not between 0 and 90 degrees; for a number that is not
 ///         finite; for an unsound control; if the control has no words for a second tool,
 ///         the coolant, the dwell or arcs, or takes shorter lines only.
 /// \throws GeometryError unless the axis of every point is +z: three axes cannot turn the

@@ -37,13 +37,18 @@ void require_sound(const GcodeReadOptions& options)
             "GcodeReadOptions: need at most 2^31 - 1 points");
 }
 
+double millimetres_per(ProgramUnit unit)
+{
+    return unit == ProgramUnit::Inch ? mm_per_inch : 1;
+}
+
 bool is_descent(const ToolPath& path, std::size_t point)
 {
     const Move move = path.points[point].move;
     return move == Move::Plunge || (point == 0 && move != Move::Rapid);
 }
 
-void set_feeds(ToolPath& path, const MoveFeeds& feeds)
+void set_feeds(ToolPath& path, const FeedSettings& feeds)
 {
     require(feeds.cutting_mm_per_min.value_or(1) > 0 &&
                 feeds.plunge_mm_per_min.value_or(1) > 0,
@@ -56,7 +61,7 @@ void set_feeds(ToolPath& path, const MoveFeeds& feeds)
         if (path.points[i].move == Move::Rapid)
             continue;
         const bool descends = is_descent(path, i);
-        if (feeds.cutting_mm_per_min && (feeds.replace || !feed))
+        if (feeds.cutting_mm_per_min && (feeds.choice == FeedChoice::OfSettings || !feed))
             feed = descends ? feeds.plunge(*feeds.cutting_mm_per_min)
                             : *feeds.cutting_mm_per_min;
         if (descends && feeds.plunge_mm_per_min)

@@ -23,6 +23,9 @@ struct Program {
     std::optional<Cutter> cutter;  ///< the cutter, if the program names one (APT does)
     std::vector<std::string> remarks;  ///< for a person: assumed units, motion left out
     double position_error_mm = 0;      ///< mm, rounding error of a coordinate in the text
+    /// Index of the first point that a move at feed reaches while the spindle turns
+    /// counterclockwise (M4); a path has no place for it.
+    std::optional<std::size_t> counterclockwise_from = {};
 };
 
 /// Options for reading a G-code program or canonical output, and limits of what is
@@ -54,6 +57,15 @@ void require_sound(const GcodeReadOptions& options);
 /// Length of punched tape for one character, in m: tape has ten characters per inch.
 inline constexpr double tape_metres_per_character = 0.00254;
 
+/// Unit of the lengths in a program.
+enum class ProgramUnit {
+    Mm,    ///< G21
+    Inch,  ///< G20
+};
+
+/// Length of one `unit` in mm: 1 or 25.4.
+double millimetres_per(ProgramUnit unit);
+
 /// Largest number of digits after the decimal point in a written program. Nine digits
 /// keep all that a double stores of a coordinate up to 1e6 mm.
 inline constexpr int most_decimals = 9;
@@ -76,11 +88,17 @@ struct MinMax {
 /// the first point, which the tool reaches from above.
 bool is_descent(const ToolPath& path, std::size_t point);
 
-/// Feeds for the moves of a path.
-struct MoveFeeds {
+/// Which feed a move gets if both the path and the settings have one.
+enum class FeedChoice {
+    OfPath,      ///< that of the path
+    OfSettings,  ///< that of the settings
+};
+
+/// Feeds that are set for the moves of a path.
+struct FeedSettings {
     std::optional<double> cutting_mm_per_min = {};  ///< mm/min, of all moves but rapids
-    bool replace = false;  ///< whether feeds of the path are replaced too
-    std::optional<double> plunge_mm_per_min = {};  ///< mm/min, of all descents
+    FeedChoice choice = FeedChoice::OfPath;         ///< for moves that have a feed
+    std::optional<double> plunge_mm_per_min = {};   ///< mm/min, of all descents
     /// Feed of descents as a share of the cutting feed; above 0, at most 1.
     double plunge_share = 1;
 
@@ -91,11 +109,11 @@ struct MoveFeeds {
     }
 };
 
-/// Sets the feeds of `path`. Without `replace` a move keeps its own feed, but a descent
+/// Sets the feeds of `path`. With FeedChoice::OfPath a move keeps its own feed, but a descent
 /// gets a given `plunge_mm_per_min` in any case.
 /// \throws DomainError if `plunge_mm_per_min` is above the largest feed of the other moves
 ///         of the changed path; unless all numbers are above 0 and the share at most 1.
-void set_feeds(ToolPath& path, const MoveFeeds& feeds);
+void set_feeds(ToolPath& path, const FeedSettings& feeds);
 
 /// The text of a program, and a record of the changes that writing made.
 struct WrittenProgram {
@@ -113,6 +131,9 @@ struct WrittenProgram {
     /// Descents that stay vertical although slopes are wanted, because no cut follows
     /// them, the cuts are too short for a slope, or the tool was changed.
     std::size_t straight_descents = 0;
+    /// Of the moves that the program describes, from the point at which all axes have a
+    /// position; arcs with their own length. Tools as the program names them.
+    PathTotals totals;
     MinMax feed_mm_per_min;  ///< mm/min, range of the cutting feeds before rounding
     MinMax plunge_feed_mm_per_min;  ///< mm/min, range of the feeds of descents
     MinMax spindle_rpm;             ///< rpm, range of the spindle speeds before rounding

@@ -116,8 +116,8 @@ std::optional<StockHistory> history_of_rest(const VerificationTask& task);
 ///
 /// A path may change its tool. The moves from a change on are those of the new tool.
 ///
-/// The verdict is `Gouged` if a rapid cuts, or if shank or holder is in the stock or in
-/// the part. It is `Undecided` if shank or holder may be in the part.
+/// The verdict is `Gouged`, or without a part `Collides`, if a rapid cuts, or if shank or
+/// holder is in the stock or in the part. It is `Undecided` if shank or holder may be in the part.
 /// Source: docs/methods/removal.md, section 3.
 /// \throws GeometryError if the path cuts nothing over the part, with the gap between
 ///         cutter and part, or if an axis is not +z.

@@ -26,7 +26,7 @@ Verdict verdict_with_contacts(const Verification& found)
     const auto& on_part = found.on_part;
     if (found.contacts.rapid_cuts.count > 0 || found.contacts.collisions.count > 0 ||
         (on_part && on_part->collisions.moves.count > 0))
-        return Verdict::Gouged;
+        return on_part ? Verdict::Gouged : Verdict::Collides;
     if (!on_part)
         return Verdict::NotJudged;
     const Verdict of_rest = verdict(on_part->deviation, on_part->limits);

@@ -82,7 +82,8 @@ struct Verification {
 
 /// Returns the verdict on the deviation and all contacts. The first rule that applies
 /// decides:
-/// 1. `Gouged` if a rapid cuts, or shank or holder is in the stock or in the part.
+/// 1. `Gouged` if a rapid cuts, or shank or holder is in the stock or in the part; without
+///    a part `Collides`.
 /// 2. `Undecided` if a bound allows shank or holder to be in the part, or an earlier
 ///    gouge beyond the tolerance, and the verdict on the deviation is not `Gouged`.
 /// 3. Otherwise the verdict on the deviation; `NotJudged` without a part.

@@ -14,8 +14,9 @@
 #include "endmill/core/parallel.h"
 
 // The gaps between neighbouring planes are filled independently of each other. A gap is
-// halved where the scallop height does not hold, and its halves are examined at those samples
-// only. The strips between the outermost planes and the borders of the mesh are gaps with a
+// divided where the scallop height does not hold, and its parts are examined at those samples
+// only. It is divided in the middle, or where the cutter touches both sides of an inner
+// corner. The strips between the outermost planes and the borders of the mesh are gaps with a
 // pass on one side. If the mesh slopes at such a border, passes beyond it are added at the level
 // interval until the contacts have reached the border, and the gaps between them are filled
 // too.
@@ -40,6 +41,25 @@ constexpr double steep_normal = 0.7;
 // Cosine of the angle, 2.6 degrees, up to which the cutter touches a face and not its edge.
 constexpr double same_normal = 0.999;
 
+// A gap is not divided closer to its end than at this share of its width.
+constexpr double least_share = 0.125;
+// The contact moves this many times as far as the cutter, at least, where a corner is sought.
+constexpr double corner_ratio = 1.02;
+// A jump of the contact, as a share of the level interval, that leaves the scallop height.
+constexpr double least_jump_share = 0.1;
+// Beside an inner corner a place is examined if the cutter comes so near to it, as a share of
+// the scallop height: half of a limit that exceeds the height by a fifth.
+constexpr double reach_share = 0.6;
+// Share of the scallop height that passes beside a corner may leave. The rest is for a corner
+// across it. There the places that are examined are at most a = sqrt(reach * r / 2) beside the
+// cutter's contact, which adds a^2 / (2 r) to the scallop, a quarter of the reach or 0.15 of
+// the height. Where more than two faces meet, it is more.
+constexpr double corner_share = 0.7;
+// Number of places that are examined between a pass and a corner.
+constexpr int corner_parts = 5;
+// The position of a jump is found to 1/1024 of the distance of the passes.
+constexpr int jump_halvings = 10;
+
 // The cutter's tips and contacts in one plane, by sample; nothing where the cutter meets no
 // point of the mesh, or where the plane has no pass.
 struct SampledPass {
@@ -48,6 +68,19 @@ struct SampledPass {
 };
 
 using Samples = std::vector<std::size_t>;  // ascending
+
+// Samples of a gap at which the scallop height does not hold, and the plane that divides it.
+struct Opening {
+    Samples samples;
+    double position;  // mm
+};
+
+// The places of the cutter on both sides of the plane where its contact jumps.
+struct ContactJump {
+    double position;  // mm
+    DropContact low;
+    DropContact high;
+};
 
 class GapFilling {
 public:
@@ -63,7 +96,7 @@ public:
           count_{count}
     {
         const double length = along.high - along.low;
-        const double fine = std::min(std::ceil(2 * length / limit.level_interval) + 1,
+        const double fine = std::min(std::ceil(4 * length / limit.level_interval) + 1,
                                      most_refinement * limit.samples);
         samples_ = static_cast<std::size_t>(std::max(double(limit.samples), fine));
         step_ = length / static_cast<double>(samples_ - 1);
@@ -99,17 +132,18 @@ public:
         const double examined = !before ? across.low : !behind ? across.high : middle;
         if (!(across.low < middle && middle < across.high))
             return;
-        const Samples open = open_samples(before, behind, at(examined, samples), samples);
+        const auto [open, position] =
+            opening(before, behind, at(examined, samples), samples, across);
         if (open.empty())
             return;
         if (++count_ > most_passes)
             throw LimitError{
                 "mesh_passes: a scallop height of this mesh takes over a million passes; "
                 "expected a larger one"};
-        const SampledPass added = at(middle, open);
-        passes_.push_back({middle, stretches(open)});
-        fill(before, &added, {across.low, middle}, open);
-        fill(&added, behind, {middle, across.high}, open);
+        const SampledPass added = at(position, open);
+        passes_.push_back({position, stretches(open)});
+        fill(before, &added, {across.low, position}, open);
+        fill(&added, behind, {position, across.high}, open);
     }
 
     // Fills the strip between an outermost plane and the border of the mesh, and adds passes
@@ -176,12 +210,15 @@ private:
         return found;
     }
 
-    // Those of `samples` at which the scallop height does not hold.
-    Samples open_samples(const SampledPass* before, const SampledPass* behind,
-                         const SampledPass& examined, const Samples& samples) const
+    // Those of `samples` at which the scallop height does not hold. Most of them decide whether
+    // the gap is divided at a corner, or in the middle.
+    Opening opening(const SampledPass* before, const SampledPass* behind,
+                    const SampledPass& examined, const Samples& samples,
+                    const Interval& across) const
     {
         const bool is_wide = width(before, behind, examined) > wall_interval_;
         Samples open;
+        std::vector<double> corners;
         for (const std::size_t k : samples)
             if (examined.contacts[k] ? (is_wide && is_beside_wall(examined, k)) ||
                                            are_apart(before, behind, k) ||
@@ -189,7 +226,134 @@ private:
                                      : (before && leaves_wall(*before, k)) ||
                                            (behind && leaves_wall(*behind, k)))
                 open.push_back(k);
-        return open;
+            else if (const auto corner = open_corner(before, behind, examined, k)) {
+                open.push_back(k);
+                corners.push_back(*corner);
+            }
+        const double width = across.high - across.low;
+        double position = across.low + width / 2;
+        if (2 * corners.size() > open.size()) {
+            const auto median =
+                corners.begin() + static_cast<std::ptrdiff_t>(corners.size() / 2);
+            std::ranges::nth_element(corners, median);
+            position = std::clamp(*median, across.low + least_share * width,
+                                  across.high - least_share * width);
+        }
+        return {std::move(open), position};
+    }
+
+    // The plane between two passes where the cutter touches both sides of an inner corner, if
+    // the passes leave more than the scallop height beside it.
+    std::optional<double> open_corner(const SampledPass* before,
+                                      const SampledPass* behind,
+                                      const SampledPass& examined, std::size_t k) const
+    {
+        if (!before || !behind || !before->contacts[k] || !behind->contacts[k])
+            return std::nullopt;
+        const auto jump = contact_jump(*before, *behind, examined, k);
+        if (!jump)
+            return std::nullopt;
+        const auto is_open = [&](const CutterContact& place) {
+            const Vec3 above = above_part(place, corner_share);
+            return !is_cut(above, *before, k) && !is_cut(above, *behind, k);
+        };
+        const CutterContact low = place(jump->low, jump->position, k);
+        const CutterContact high = place(jump->high, jump->position, k);
+        if (is_open(beside(low, high.point)) || is_open(beside(high, low.point)))
+            return jump->position;
+        for (const SampledPass* pass : {before, behind})
+            for (int part = 1; part <= corner_parts; ++part) {
+                const double position =
+                    jump->position +
+                    part * (pass->position - jump->position) / (corner_parts + 1);
+                const auto contact =
+                    drop_cutter_.contact(frame_.point(s_of(k), position, 0).head<2>(),
+                                         pass->contacts[k]->triangle);
+                if (contact && is_open(place(*contact, position, k)))
+                    return jump->position;
+            }
+        return is_open(low) || is_open(high) ? std::optional{jump->position}
+                                             : std::nullopt;
+    }
+
+    // The point and the normal of a contact in a plane at a sample.
+    CutterContact place(const DropContact& contact, double position, std::size_t k) const
+    {
+        const Vec3 tip = frame_.point(s_of(k), position, contact.tip_z);
+        return {contact.point, contact_normal(tip, contact.point)};
+    }
+
+    // The place beside a contact in a corner, on the way to the contact on its other side, to
+    // which the cutter comes within half of the scallop height.
+    CutterContact beside(const CutterContact& contact, const Vec3& other) const
+    {
+        const Vec3 towards = other - contact.point;
+        const double rise = towards.dot(contact.normal);
+        const Vec3 along = towards - rise * contact.normal;
+        const double distance = along.norm();
+        if (!(rise > 0 && distance > 0))
+            return contact;
+        // the tangent of half the angle of the corner is rise / distance
+        const double reach =
+            std::min(distance / 2, reach_share * limit_.height / 2 * distance / rise);
+        return {contact.point + reach / distance * along, contact.normal};
+    }
+
+    // By how much the contact moves farther than the cutter between two of its places, whose
+    // distance in plan is `apart`. Above 0 an inner corner may lie between them.
+    static double excess(const DropContact& one, const DropContact& other, double apart)
+    {
+        const double moved = std::hypot(apart, other.tip_z - one.tip_z);
+        return (other.point - one.point).norm() - corner_ratio * moved;
+    }
+
+    // Whether an inner corner across the feed may lie beside a sample.
+    bool is_beside_corner(const SampledPass& pass, std::size_t k) const
+    {
+        const auto& contacts = pass.contacts;
+        const auto is_corner_between = [&](std::size_t a, std::size_t b) {
+            return contacts[a] && contacts[b] &&
+                   excess(*contacts[a], *contacts[b], step_) > 0;
+        };
+        return (k > 0 && is_corner_between(k - 1, k)) ||
+               (k + 1 < samples_ && is_corner_between(k, k + 1));
+    }
+
+    // The jump of the contact between two passes at a sample; nothing if it moves evenly. In
+    // an inner corner the contact moves farther than the cutter.
+    std::optional<ContactJump> contact_jump(const SampledPass& before,
+                                            const SampledPass& behind,
+                                            const SampledPass& examined,
+                                            std::size_t k) const
+    {
+        Interval across{before.position, behind.position};
+        DropContact low = *before.contacts[k];
+        DropContact high = *behind.contacts[k];
+        DropContact middle = *examined.contacts[k];
+        double apart = (across.high - across.low) / 2;
+        if (excess(low, high, 2 * apart) <= 0 && excess(low, middle, apart) <= 0 &&
+            excess(middle, high, apart) <= 0)
+            return std::nullopt;
+        for (int halving = 1;; ++halving) {
+            if (excess(low, middle, apart) > excess(middle, high, apart)) {
+                across.high -= apart;
+                high = middle;
+            } else {
+                across.low += apart;
+                low = middle;
+            }
+            if ((high.point - low.point).norm() <= least_jump_share * level_interval_)
+                return std::nullopt;
+            apart /= 2;
+            const double position = across.low + apart;
+            if (halving == jump_halvings)
+                return ContactJump{position, low, high};
+            const auto contact = drop_cutter_.contact(
+                frame_.point(s_of(k), position, 0).head<2>(), low.triangle);
+            if (!contact)
+                return std::nullopt;
+            middle = *contact;
+        }
     }
 
     // The distance of the passes between which another one is examined. The border of the
@@ -249,15 +413,18 @@ private:
     bool is_covered(const SampledPass* before, const SampledPass* behind,
                     const SampledPass& examined, std::size_t k) const
     {
-        const DropContact& contact = *examined.contacts[k];
-        const Vec3 tip = frame_.point(s_of(k), examined.position, contact.tip_z);
-        const Vec3 above =
-            contact.point + (limit_.allowance + limit_.height * (1 + rounding_share)) *
-                                contact_normal(tip, contact.point);
-        for (const SampledPass* pass : {before, behind})
-            if (pass && is_cut(above, *pass, k))
-                return true;
-        return false;
+        const Vec3 above = above_part(place(*examined.contacts[k], examined.position, k),
+                                      is_beside_corner(examined, k) ? corner_share : 1);
+        return (before && is_cut(above, *before, k)) ||
+               (behind && is_cut(above, *behind, k));
+    }
+
+    // The point at the scallop height above a place that the cutter touches.
+    Vec3 above_part(const CutterContact& place, double share = 1) const
+    {
+        return place.point +
+               (limit_.allowance + share * limit_.height * (1 + rounding_share)) *
+                   place.normal;
     }
 
     // The normal of the dropped cutter at its contact, into the cutter.
@@ -358,11 +525,13 @@ std::vector<AddedPass> added_passes(const DropCutter& drop_cutter,
     if (positions.empty())
         return {};
     const Interval across = extent_across(drop_cutter.mesh(), planes.frame);
+    const double beyond = limit.beyond_borders ? drop_cutter.cutter().radius() : 0;
+    const Interval examined{along.low - beyond, along.high + beyond};
     std::atomic<std::size_t> count = 0;
     std::vector<std::vector<AddedPass>> added(positions.size() + 1);
     parallel_for(added.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            GapFilling gap{drop_cutter, planes.frame, along, limit, count};
+            GapFilling gap{drop_cutter, planes.frame, examined, limit, count};
             const bool is_first = k == 0;
             const bool is_last = k == positions.size();
             const SampledPass one = gap.whole(positions[is_first ? 0 : k - 1]);

@@ -25,7 +25,7 @@ struct PassLimit {
     double level_interval;  ///< mm, > 0; pitch that leaves this height on level ground
     double allowance = 0;   ///< mm by which the given cutter is larger than the real one
     /// Number of samples over the extent along the feed, at least 2; there are more if their
-    /// distance would exceed half the level interval, up to 20 times as many.
+    /// distance would exceed a quarter of the level interval, up to 20 times as many.
     int samples = 200;
     /// Whether passes are added beyond the extent across the feed, as far as the mesh slopes
     /// there.

@@ -294,8 +294,6 @@ private:
                       "contact "
                       "and normal"
                     : "contacts are ignored: they need u, v, contact and normal");
-        if (columns_.has(Limit))
-            remarks.emplace_back("the column limit is ignored");
     }
 
     const std::string& file_;

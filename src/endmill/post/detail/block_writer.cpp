@@ -89,6 +89,16 @@ void BlockWriter::add_arc(const Arc& arc, std::optional<double> radius,
     end_block();
 }
 
+void BlockWriter::add_level_rapid(const Vec3& place)
+{
+    begin_block();
+    add_motion(Motion::Rapid);
+    motion_ = Motion::Rapid;
+    for (int c = 0; c < 2; ++c)
+        tip_[c] = add_axis("XY"[c], place[c], unknown);
+    end_block();
+}
+
 void BlockWriter::add_rise(double height, std::string_view words)
 {
     begin_block();

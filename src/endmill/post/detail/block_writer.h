@@ -63,6 +63,10 @@ public:
     void add_arc(const Arc& arc, std::optional<double> radius,
                  std::optional<double> feed);
 
+    /// Adds a rapid of X and Y alone to those of `place` (mm), which are written even if
+    /// they are in force.
+    void add_level_rapid(const Vec3& place);
+
     /// Adds a rapid to `height` (mm) along z, which is written even if the height is in
     /// force.
     /// \param words put before the height, such as "G43 H1"; may be empty.
@@ -77,7 +81,7 @@ public:
     /// Makes the next move write its motion and all its axes.
     void forget_position();
 
-    /// The tip in mm, rounded; NaN before the first move.
+    /// The tip in mm, rounded; NaN before the first move of an axis.
     Vec3 tip() const { return tip_ * format_.unit_mm; }
     double max_rounding_error_mm() const { return max_rounding_error_; }  ///< mm
     std::size_t lines() const { return lines_; }  ///< number of lines so far

@@ -162,7 +162,7 @@ private:
         if (block.has('M'))
             check_m_codes(block, lines_);
         check_words(block, modes_, lines_);
-        if (modes_.unit == GcodeUnit::Unstated)
+        if (!modes_.unit)
             remarks_.note_unstated_lengths(block);
         set_feed(block);
         set_spindle_and_tool(block);
@@ -229,8 +229,10 @@ private:
             return;
         if (block.m.contains(6))
             builder_.change_tool();
-        if (block.m.contains(3) || block.m.contains(4))
-            builder_.start_spindle();
+        if (block.m.contains(3))
+            builder_.start_spindle(SpindleSense::Clockwise);
+        if (block.m.contains(4))
+            builder_.start_spindle(SpindleSense::Counterclockwise);
         if (block.m.contains(5))
             builder_.stop_spindle();
     }

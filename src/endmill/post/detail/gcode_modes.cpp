@@ -236,10 +236,10 @@ void set_mode(GcodeModes& modes, int code)
             modes.plane = ArcPlane::Yz;
             break;
         case 200:
-            modes.unit = GcodeUnit::Inch;
+            modes.unit = ProgramUnit::Inch;
             break;
         case 210:
-            modes.unit = GcodeUnit::Millimetre;
+            modes.unit = ProgramUnit::Mm;
             break;
         case 430:
             modes.used_tool_length = true;

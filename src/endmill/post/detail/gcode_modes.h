@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
-#include "endmill/core/detail/units.h"
 #include "endmill/post/detail/arc.h"
 #include "endmill/post/detail/gcode_block.h"
 #include "endmill/post/detail/text_lines.h"
+#include "endmill/post/program.h"
 
 namespace endmill {
 
@@ -27,13 +27,6 @@ enum class RetractLevel {
     Unstated,  ///< before the first code: that of G99
     Initial,   ///< G98: height before the first hole
     R,         ///< G99: height of the word R
-};
-
-/// Unit of the lengths of a program.
-enum class GcodeUnit {
-    Unstated,    ///< before the first code: taken as mm
-    Inch,        ///< G20
-    Millimetre,  ///< G21
 };
 
 /// Meaning of coordinates.
@@ -56,7 +49,8 @@ struct GcodeModes {
     DistanceMode distance = DistanceMode::Absolute;    ///< group 3, ends of moves
     DistanceMode centres = DistanceMode::Incremental;  ///< group 4, words I, J, K
     FeedRateMode feed = FeedRateMode::PerMinute;       ///< group 5
-    GcodeUnit unit = GcodeUnit::Unstated;              ///< group 6
+    /// Group 6; nothing before the first code, which is taken as mm.
+    std::optional<ProgramUnit> unit = {};
     /// Group 12: 540 to 593, in tenths; 0 before the first code and the first position.
     int coordinate_system = 0;
     bool has_stated_system = false;  ///< whether a code of group 12 occurred
@@ -67,7 +61,7 @@ struct GcodeModes {
     bool used_blending = false;      ///< whether a G64 occurred
 
     /// mm per unit of length.
-    double mm_per_unit() const { return unit == GcodeUnit::Inch ? mm_per_inch : 1; }
+    double mm_per_unit() const { return millimetres_per(unit.value_or(ProgramUnit::Mm)); }
 
     /// Notes that a position was stated. Without a code it is in the system G54, with
     /// which controls begin.

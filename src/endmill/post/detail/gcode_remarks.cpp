@@ -31,10 +31,9 @@ void GcodeRemarks::note_modes(const GcodeBlock& block, const GcodeModes& before,
     for (const int code : block.g.all())
         if (is_idle_g_code(code))
             count(idle_codes_, code, lines);
-    if (after.unit != GcodeUnit::Unstated && before.unit == GcodeUnit::Unstated &&
-        has_unstated_lengths_)
+    if (after.unit && !before.unit && has_unstated_lengths_)
         first_unit_line_ = lines.number();
-    has_inches_ = has_inches_ || after.unit == GcodeUnit::Inch;
+    has_inches_ = has_inches_ || after.unit == ProgramUnit::Inch;
     if (after.used_tool_length && !before.used_tool_length)
         builder.remark(
             (block.has('H') ? "G43 H" + brief(block.value('H')) : std::string{"G43"}) +
@@ -74,7 +73,7 @@ void GcodeRemarks::finish(const GcodeModes& modes, bool has_ended,
         builder.remark("no M2, M30 or closing %: the program may be cut short");
     if (has_inches_)
         builder.remark("inches (G20) converted to mm");
-    if (modes.unit == GcodeUnit::Unstated)
+    if (!modes.unit)
         builder.remark("neither G20 nor G21: lengths are taken as mm");
     else if (first_unit_line_ != 0)
         builder.remark("no G20 or G21 before line " + std::to_string(first_unit_line_) +

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "endmill/core/detail/large_pages.h"
@@ -98,6 +97,9 @@ void ProgramBuilder::append(Move move, const Vec3& point)
          .location = {tip, Vec3::UnitZ()},
          .conditions = {.spindle_rpm = is_turning ? speed_rpm_ : std::nullopt,
                         .tool = tool_}});
+    if (move != Move::Rapid && !spindle_stopped_ && !counterclockwise_from_ &&
+        spindle_sense_ == SpindleSense::Counterclockwise)
+        counterclockwise_from_ = path_.points.size() - 1;
     position_ = point;
     highest_mm_ = std::max(highest_mm_, point.z());
     if (move == Move::Cut || move == Move::Plunge)
@@ -128,6 +130,12 @@ void ProgramBuilder::set_feed(const MoveFeed& feed, std::size_t first_point)
 
 // T selects the next tool and M6 changes to it, so that a program may select a tool
 // early. Whether the program has an M6 at all is known only at its end.
+void ProgramBuilder::start_spindle(SpindleSense sense)
+{
+    spindle_stopped_ = false;
+    spindle_sense_ = sense;
+}
+
 void ProgramBuilder::select_tool(int number)
 {
     if (selections_.empty() || selections_.back().tool != number)
@@ -165,24 +173,6 @@ void ProgramBuilder::fill_selected_tools()
     }
 }
 
-// A path has one cutter, so a remark lists the tools if several of them cut.
-void ProgramBuilder::remark_tools()
-{
-    constexpr std::size_t most_named = 10;
-    std::set<int> tools;
-    for (const PathPoint& point : path_.points)
-        if (point.conditions.feed_mm_per_min && point.conditions.tool)
-            tools.insert(*point.conditions.tool);
-    if (tools.size() < 2)
-        return;
-    std::string text = "several tools cut:";
-    std::size_t named = 0;
-    for (const int tool : tools)
-        if (named++ < most_named)
-            text += (named > 1 ? ", T" : " T") + std::to_string(tool);
-    remark(tools.size() > most_named ? text + ", ..." : text);
-}
-
 // The moves after the last cut have begun a pass without cuts; adds them to the pass
 // before.
 void ProgramBuilder::close_last_pass()
@@ -202,10 +192,11 @@ Program ProgramBuilder::take()
 {
     if (!has_changes_)
         fill_selected_tools();
-    remark_tools();
     close_last_pass();
-    Program program{
-        .path = std::move(path_), .cutter = {}, .remarks = std::move(remarks_)};
+    Program program{.path = std::move(path_),
+                    .cutter = {},
+                    .remarks = std::move(remarks_),
+                    .counterclockwise_from = counterclockwise_from_};
     path_ = {};
     remarks_ = {};
     return program;

@@ -20,6 +20,12 @@ struct MoveFeed {
     FeedRateMode mode = FeedRateMode::PerMinute;  ///< meaning of the value
 };
 
+/// How the spindle turns, seen along the tool from the spindle.
+enum class SpindleSense {
+    Clockwise,         ///< M3
+    Counterclockwise,  ///< M4
+};
+
 /// Builds the path of a program move by move, from positions of the programmed point in
 /// mm.
 ///
@@ -82,7 +88,7 @@ public:
     void go_along(const Arc& arc, const MoveFeed& feed);
 
     void set_spindle_speed(double rpm) { speed_rpm_ = rpm; }  ///< S; 0 is a stop
-    void start_spindle() { spindle_stopped_ = false; }        ///< M3, M4
+    void start_spindle(SpindleSense sense);                   ///< M3, M4
     void stop_spindle() { spindle_stopped_ = true; }          ///< M5
 
     void select_tool(int number);  ///< T
@@ -104,7 +110,6 @@ private:
     void append(Move move, const Vec3& point);
     void set_feed(const MoveFeed& feed, std::size_t first_point);
     void fill_selected_tools();
-    void remark_tools();
     void close_last_pass();
 
     const TextLines& lines_;
@@ -117,6 +122,8 @@ private:
     double highest_cut_mm_ = -std::numeric_limits<double>::infinity();
     std::optional<double> speed_rpm_;
     bool spindle_stopped_ = false;
+    SpindleSense spindle_sense_ = SpindleSense::Clockwise;
+    std::optional<std::size_t> counterclockwise_from_;
     bool has_changes_ = false;
     std::optional<int> tool_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/detail/lead_in.h"
+#include "endmill/post/detail/ramp_entry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ std::vector<Vec3> tips_of(const ToolPath& path)
 }
 
 // A slope of 1 in 10 from 2 mm up needs 20 mm: 10 mm forward and 10 mm back.
-TEST(LeadIn, GoesForwardAndBackAlongTheFirstCut)
+TEST(RampEntry, GoesForwardAndBackAlongTheFirstCut)
 {
     const ToolPath path = path_of({{Move::Plunge, {0, 0, 1}}, {Move::Cut, {30, 0, 1}}});
     const RampedPath ramped = with_ramps(path, 3, 0.1);
@@ -44,7 +44,7 @@ TEST(LeadIn, GoesForwardAndBackAlongTheFirstCut)
 }
 
 // Only 4 mm of cut: 20 mm need three ways forward and back of 10/3 mm each.
-TEST(LeadIn, TurnsBackOftenOnAShortCut)
+TEST(RampEntry, TurnsBackOftenOnAShortCut)
 {
     const ToolPath path = path_of(
         {{Move::Plunge, {0, 0, 1}}, {Move::Cut, {0, 4, 1}}, {Move::Retract, {0, 4, 9}}});
@@ -74,7 +74,7 @@ double height_at(const ToolPath& path, const Vec3& place)
     return height;
 }
 
-TEST(LeadIn, StaysAboveThePathAndFallsEvenly)
+TEST(RampEntry, StaysAboveThePathAndFallsEvenly)
 {
     ToolPath path = path_of({{Move::Plunge, {0, 0, -1}}});
     for (int k = 1; k <= 400; ++k)
@@ -105,7 +105,7 @@ TEST(LeadIn, StaysAboveThePathAndFallsEvenly)
 }
 
 // The way down is the same however many points it has.
-TEST(LeadIn, JoinsVerticalPlunges)
+TEST(RampEntry, JoinsVerticalPlunges)
 {
     const ToolPath whole = path_of(
         {{Move::Rapid, {0, 0, 5}}, {Move::Plunge, {0, 0, 1}}, {Move::Cut, {90, 0, 1}}});
@@ -127,7 +127,7 @@ TEST(LeadIn, JoinsVerticalPlunges)
     EXPECT_EQ(straight.straight, 1U);
 }
 
-TEST(LeadIn, LeavesOtherMovesAsTheyAre)
+TEST(RampEntry, LeavesOtherMovesAsTheyAre)
 {
     const ToolPath path = path_of({{Move::Rapid, {0, 0, 5}},
                                    {Move::Cut, {0, 0, 1}},
@@ -146,7 +146,7 @@ TEST(LeadIn, LeavesOtherMovesAsTheyAre)
     EXPECT_EQ(ramped.straight, 3U);
 }
 
-TEST(LeadIn, DoesNotRunIntoTheCutsOfAnotherTool)
+TEST(RampEntry, DoesNotRunIntoTheCutsOfAnotherTool)
 {
     ToolPath path = path_of(
         {{Move::Plunge, {0, 0, 0}}, {Move::Cut, {5, 0, 0}}, {Move::Cut, {50, 0, 0}}});
@@ -157,7 +157,7 @@ TEST(LeadIn, DoesNotRunIntoTheCutsOfAnotherTool)
         EXPECT_LE(tip.x() < 50 ? tip.x() : 0, 5);
 }
 
-TEST(LeadIn, RefusesAnglesOutsideItsDomain)
+TEST(RampEntry, RefusesAnglesOutsideItsDomain)
 {
     const ToolPath path = path_of({{Move::Plunge, {0, 0, 0}}});
     for (const double tangent : {0.0, -1.0, std::nan(""), HUGE_VAL})

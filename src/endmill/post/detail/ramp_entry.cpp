@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/post/detail/lead_in.h"
+#include "endmill/post/detail/ramp_entry.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "endmill/core/error.h"
+#include "endmill/post/detail/descent.h"
 
 namespace endmill {
 namespace {
@@ -123,53 +124,28 @@ private:
     double tangent_;
 };
 
-// The last of the vertical plunges that begin with `first` and have its tool.
-std::size_t last_plunge(const ToolPath& path, std::size_t first)
-{
-    const std::vector<PathPoint>& points = path.points;
-    std::size_t last = first;
-    const auto continues = [&](const PathPoint& next) {
-        const Vec3& tip = points[last].location.tip;
-        return next.move == Move::Plunge && next.location.tip.z() <= tip.z() &&
-               next.location.tip.head<2>() == tip.head<2>() &&
-               next.conditions.tool == points[first].conditions.tool;
-    };
-    while (last + 1 < points.size() && continues(points[last + 1]))
-        ++last;
-    return last;
-}
-
 }  // namespace
 
 RampedPath with_ramps(const ToolPath& path, double start_height, double tangent)
 {
     require(std::isfinite(tangent) && tangent > 0,
-            "lead-in: need an angle between 0 and 90 degrees");
+            "with_ramps: need an angle between 0 and 90 degrees");
     RampedPath result;
     result.path.points.reserve(path.points.size());
     RampWriter writer{result, tangent};
     for (std::size_t k = 0; k < path.points.size(); ++k) {
-        const PathPoint& point = path.points[k];
-        const Vec3& tip = point.location.tip;
-        Vec3 before = k > 0 ? path.points[k - 1].location.tip : tip;
-        if (k == 0)
-            before.z() = start_height;
-        const bool is_plunge =
-            point.move == Move::Plunge || (k == 0 && point.move != Move::Rapid);
-        const bool descends =
-            is_plunge && before.z() > tip.z() && before.head<2>() == tip.head<2>();
-        if (!descends) {
-            result.path.points.push_back(point);
+        const auto descent = descent_at(path, k, start_height);
+        if (!descent) {
+            result.path.points.push_back(path.points[k]);
             continue;
         }
-        const std::size_t last = last_plunge(path, k);
         const bool is_slope =
-            writer.add(path, last, before.z() - path.points[last].location.tip.z());
-        for (k = is_slope ? last : k; k <= last; ++k) {
+            writer.add(path, descent->last, descent->from - descent->to);
+        for (k = is_slope ? descent->last : k; k <= descent->last; ++k) {
             result.path.points.push_back(path.points[k]);
             result.path.points.back().move = Move::Plunge;
         }
-        k = last;
+        k = descent->last;
     }
     return result;
 }
