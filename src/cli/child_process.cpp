@@ -226,11 +226,15 @@ void end_group(pid_t child)
 // suffice: a program that embeds Python ignores it.
 bool has_full_file(const ChildTask& task)
 {
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator{task.folder, ignored})
-        if (entry.is_regular_file(ignored) &&
-            static_cast<double>(entry.file_size(ignored)) >= task.most_file_bytes)
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator{task.folder, error}) {
+        if (!entry.is_regular_file(error))
+            continue;
+        // The child may have renamed the file since; its size is then an error.
+        const auto size = entry.file_size(error);
+        if (!error && static_cast<double>(size) >= task.most_file_bytes)
             return true;
+    }
     return false;
 }
 

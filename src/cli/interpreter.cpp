@@ -18,6 +18,7 @@
 #include "cli/command.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/post/gcode_reader.h"
 #include "endmill/post/program.h"
 
 namespace endmill {
@@ -106,12 +107,38 @@ void refuse_unknown_data(const InterpreterTask& task,
                                       {task.file, std::to_string(k + 1),
                                        found + ' ' + printable(lines[k], 40), expected}};
     };
-    constexpr std::array<std::string_view, 3> of_machine{"g28", "g30", "g53"};
-    refuse_codes(of_machine, "position of the machine", "positions of the part");
     constexpr std::array<std::string_view, 2> compensation{"g41", "g42"};
     if (task.tools.empty())
         refuse_codes(compensation, "cutter compensation without diameters",
                      "--tools FILE with the diameter of each tool, or a path of the tip");
+}
+
+bool has_any(const std::vector<std::string>& lines, std::string_view letters)
+{
+    return std::ranges::any_of(lines, [&](const std::string& line) {
+        return line.find_first_of(letters) != std::string::npos;
+    });
+}
+
+// The interpreter begins at 0, 0, 0, so a height that the program never states would be 0.
+void require_height(const InterpreterTask& task, const std::vector<std::string>& lines)
+{
+    if (has_any(lines, "xy") && !has_any(lines, "z"))
+        throw FormatError{
+            "E_GCODE",
+            {task.file, "", "no absolute Z in " + counted(lines.size(), "line"),
+             "a position of X, Y and Z before the first cut"}};
+}
+
+void require_motion(const std::string& moves, const InterpreterTask& task,
+                    const std::vector<std::string>& lines)
+{
+    for (const char* const name : {"STRAIGHT_TRAVERSE(", "STRAIGHT_FEED(", "ARC_FEED("})
+        if (moves.find(name) != std::string::npos)
+            return;
+    throw FormatError{"E_GCODE",
+                      {task.file, "", "no motion in " + counted(lines.size(), "line"),
+                       "at least one G0, G1, G2 or G3 with coordinates"}};
 }
 
 // Tool numbers above `most_listed_tools` in the program, which is without comments.
@@ -276,7 +303,8 @@ std::string canonical_output(const InterpreterTask& task)
         throw DomainError{
             "--interpreter linuxcnc: the program rs274 is not installed; expected the "
             "Debian package linuxcnc-uspace"};
-    const std::string text = without_comments(task.text);
+    const std::string text =
+        with_far_machine_positions(without_comments(task.text), task.file);
     const std::vector<std::string> lines = squeezed_lines(text);
     refuse_folders(lines, task.file);
     refuse_unknown_data(task, lines);
@@ -284,8 +312,10 @@ std::string canonical_output(const InterpreterTask& task)
     const PrivateFolder folder{task.folder};
     folder.write("program.ngc", text);
     folder.write("tools.tbl", tool_table(task, lines));
+    folder.write("parameters.var", interpreter_parameters());
     ChildTask child{.program = program,
-                    .arguments = {"-g", "-t", "tools.tbl", "program.ngc", "moves.txt"},
+                    .arguments = {"-g", "-t", "tools.tbl", "-v", "parameters.var",
+                                  "program.ngc", "moves.txt"},
                     .folder = folder.path(),
                     .most_seconds = task.most_seconds};
     if (task.block_delete)
@@ -294,7 +324,10 @@ std::string canonical_output(const InterpreterTask& task)
     child.most_file_bytes = one_gib * output_share * task.limits.max_memory_gib;
     const ChildResult result = run_child(child);
     require_accepted(result, task, content_of(folder.path() / "log.txt"), lines);
-    return content_of(folder.path() / "moves.txt");
+    std::string moves = content_of(folder.path() / "moves.txt");
+    require_motion(moves, task, lines);
+    require_height(task, lines);
+    return moves;
 }
 
 }  // namespace endmill

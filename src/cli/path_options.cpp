@@ -13,6 +13,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/read_file.h"
+#include "endmill/post/gcode_reader.h"
 #include "endmill/post/program.h"
 
 namespace endmill {
@@ -229,8 +230,10 @@ Program program_of_text(std::string_view text, const PathOptions& path,
                                                 .most_seconds = path.interpreter_seconds,
                                                 .limits = options.limits,
                                                 .tools = read_tools_for(path, options)});
+    GcodeReadOptions canonical_reading = gcode_reading(reading);
+    canonical_reading.machine_position_mm = least_machine_position_mm;
     return parse_canonical(moves, printable(path.file) + " (output of rs274)",
-                           gcode_reading(reading));
+                           canonical_reading);
 }
 
 Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,

@@ -162,12 +162,46 @@ class LinuxCnc(ProgramTest):
         self.refuse(HEAD + "o<other> call\nM2\n", 3, "seeking o-word: o<other> from line: 2")
 
     def test_data_that_the_interpreter_lacks_are_not_taken_as_zero(self):
-        # rs274 would go to the zero of the part, and around the contour by a diameter of 0.
-        for line, found in (("G28", "position of the machine"), ("g91 g30 z0", "position of the machine"),
-                            ("G53 G0 Z-10", "position of the machine"), ("G41 D1", "cutter compensation")):
-            program = self.file(f"#1=5\nG21 G90 F100\nG0 X0 Y0 Z#1\n{line}\nG1 X9\nM2\n", "p.ngc")
-            done = endmill("info", program, "--interpreter", "linuxcnc", cwd=self.folder)
-            self.assert_refused(done, 3, "p.ngc:4", found)
+        # rs274 would go around the contour by a diameter of 0.
+        self.refuse("#1=5\nG21 G90 F100\nG0 X0 Y0 Z#1\nG41 D1\nG1 X9\nM2\n", 3, "p.ngc:4", "cutter compensation")
+        self.refuse("#1=5\nG21 G90 F100\nG0 X0 Y0 Z#1\nG53 G0 Z[#1]\nM2\n", 3, "p.ngc:4: a position of the machine")
+        self.refuse("#1=5\nG21 G90 F100\nG0 X#1 Y0\nG1 X9\nM2\n", 3, "p.ngc: no absolute Z in 5 lines")
+        self.refuse("#1=5\nG21 G90 F100\nM2\n", 3, "p.ngc: no motion in 3 lines", "G0, G1, G2 or G3")
+
+    def moves(self, text, *options):
+        """Number, move, tip of each point, as `post` writes them without an interpreter."""
+        done = endmill("post", self.file(text, "m.ngc"), "--format", "apt", "-o", "out", "--force", *options,
+                       cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return [line for line in (self.folder / "out/m.apt").read_text().splitlines() if line.startswith("GOTO")]
+
+    def test_positions_of_the_machine_are_lifted_as_by_the_own_reader(self):
+        for unit in ("G21", "G20"):
+            for leave in ("G91 G28 Z0\nG90", "G28 Z4", "G91 G30 Z0\nG28 X0 Y0\nG90", "G53 G0 Z-2", "G0 Z3\nG28",
+                          "G0 Z3\nG53 G0 X0 Y0 Z0"):
+                text = (f"{unit} G91 G28 Z0\nG28 X0 Y0\nG90 G17 G94 F100\nG0 X1 Y2\nZ2\nG1 Z-1\nX5\n{leave}\n"
+                        "G0 X3 Y4\nZ2\nG1 Z-1\nX9\nG0 Z2\nG28\nM2\n")
+                with self.subTest(leave, unit=unit):
+                    self.assertEqual(self.moves(text, "--interpreter", "linuxcnc"), self.moves(text))
+
+    def test_positions_of_the_machine_in_a_loop(self):
+        text = HEAD + ("#1=0\no1 while [#1 lt 3]\nG0 X[#1*10] Y0\nZ2\nG1 Z-1\nX[#1*10+5]\nG91 G28 Z0\nG90\n#1=[#1+1]\n"
+                       "o1 endwhile\nM2\n")
+        written_out = HEAD + "".join(f"G0 X{x} Y0\nZ2\nG1 Z-1\nX{x + 5}\nG91 G28 Z0\nG90\n" for x in (0, 10, 20)) + "M2\n"
+        # The interpreter begins at 0, 0, 0, so the first move of the loop states a height of 0 for it.
+        found, expected = self.moves(text, "--interpreter", "linuxcnc"), self.moves(written_out)
+        self.assertEqual(found[-len(expected):], expected)
+        done = endmill("info", self.file(text, "p.ngc"), "--interpreter", "linuxcnc", cwd=self.folder)
+        self.assertIn("moves to positions of the machine (G28, G30, G53): 3", done.stderr + done.stdout)
+
+    def test_cuts_from_positions_of_the_machine_are_refused(self):
+        start = HEAD + "G0 X0 Y0 Z5\nG1 Z-1\nX#1\n"
+        for leave, found in (("G91 G28 Z0\nG90 G1 Z-1", "a cut from or to a position of the machine"),
+                             ("G28\nG0 X0 Y0 Z5\nG1 Z-1", "a move of all axes at once"),
+                             ("G53 G1 Z0", "a cut from or to a position of the machine"),
+                             ("G91 G28 X0", "a sideways move to a position of the machine")):
+            with self.subTest(leave):
+                self.refuse("#1=5\n" + start + leave + "\nM2\n", 3, found)
 
     def test_interrupt_ends_the_interpreter_and_leaves_nothing(self):
         program = self.file(HEAD + "o1 while [1]\no1 endwhile\nM2\n", "p.ngc")

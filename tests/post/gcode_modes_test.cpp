@@ -104,7 +104,7 @@ TEST(GcodeModes, KeepTheCycleAndItsRetractLevel)
         EXPECT_EQ(modes.retract, RetractLevel::Initial);
     }
     EXPECT_EQ(modes_after("G98\nG99").retract, RetractLevel::R);
-    EXPECT_EQ(modes_after("G21").retract, RetractLevel::Unsaid);
+    EXPECT_EQ(modes_after("G21").retract, RetractLevel::Unstated);
 }
 
 TEST(GcodeModes, KnowTheMeaningOfS)

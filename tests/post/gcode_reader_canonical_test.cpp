@@ -72,8 +72,31 @@ TEST(ParseCanonical, ReadsMovesFeedsSpindleAndTool)
     EXPECT_EQ(program.path.points.back().conditions.tool, 3);
     EXPECT_EQ(program.path.points.front().conditions.tool, std::nullopt);
     EXPECT_EQ(program.position_error_mm, 5e-5);
-    EXPECT_THAT(program.remarks,
-                ElementsAre("four decimals: coordinates are known to 5e-05 mm"));
+    EXPECT_THAT(program.remarks, ElementsAre());
+}
+
+// The positions of the machine are 1e9 mm. Without the option they are out of range.
+TEST(ParseCanonical, RisesForPositionsOfTheMachine)
+{
+    const std::string commands =
+        "STRAIGHT_TRAVERSE(0.0, 0.0, 1000000000.0)\nSET_FEED_RATE(9.0)\n"
+        "STRAIGHT_TRAVERSE(1.0, 2.0, 1000000000.0)\nSTRAIGHT_TRAVERSE(1.0, 2.0, 3.0)\n"
+        "STRAIGHT_FEED(1.0, 2.0, -1.0)\nSTRAIGHT_TRAVERSE(1.0, 2.0, -1.0)\n"
+        "STRAIGHT_TRAVERSE(1.0, 2.0, 1000000000.0)\n"
+        "STRAIGHT_TRAVERSE(7.0, 2.0, 1000000000.0)\nSTRAIGHT_TRAVERSE(7.0, 2.0, 1.0)\n";
+    const GcodeReadOptions options{.machine_position_mm = 1e8};
+    const Program program = read_canonical(commands + "PROGRAM_END()\n", options);
+    EXPECT_THAT(tips(program), ElementsAre(Vec3(1, 2, 3), Vec3(1, 2, -1), Vec3(1, 2, 8),
+                                           Vec3(7, 2, 8), Vec3(7, 2, 1)));
+    EXPECT_THAT(
+        program.remarks,
+        ElementsAre(StartsWith("moves to positions of the machine (G28, G30, G53): 2;")));
+    EXPECT_THAT(refusal(commands), StartsWith("E_RANGE f.txt:8: coordinate 1e+09 mm"));
+    EXPECT_THAT(
+        refusal_of([&] {
+            read_canonical(commands + "STRAIGHT_FEED(7.0, 2.0, 1000000000.0)\n", options);
+        }),
+        StartsWith("E_CANONICAL f.txt:17: a cut from or to a position of the machine"));
 }
 
 TEST(ParseCanonical, ReadsInches)
@@ -144,8 +167,7 @@ TEST(ParseCanonical, ReadsTheEndOfAProgram)
     const Program program = read_canonical(
         "SET_FEED_MODE(0, 0)\nSET_FEED_RATE(0.0000)\nSTOP_SPINDLE_TURNING(0)\n"
         "SET_SPINDLE_MODE(0 0.0000)\nPROGRAM_END()\n");
-    EXPECT_THAT(program.remarks,
-                ElementsAre("four decimals: coordinates are known to 5e-05 mm"));
+    EXPECT_THAT(program.remarks, ElementsAre());
 }
 
 TEST(ParseCanonical, TakesTheToolOfM61)

@@ -142,6 +142,16 @@ INSTANTIATE_TEST_SUITE_P(
                 "expected G0, a rapid"},
         Refused{"G53", "E_GCODE f.ngc:3: G53 without X, Y and Z; expected an axis word"},
         Refused{"G91 G53 Z0", "E_GCODE f.ngc:3: G53 under G91; expected G90"},
+        Refused{
+            "G1 X5 Z-1 F9\nG28\nG90 G0 X9 Y9 Z5\nG81 X1 Z-1 R1",
+            "E_GCODE f.ngc:4: a move of all axes at once to a position of the machine "
+            "at z -1 mm, not above the cuts (up to z -1 mm), and a cut after it; "
+            "expected a move up before it, such as G91 G28 Z0"},
+        Refused{"G55",
+                "E_GCODE f.ngc:3: G55 after positions in G54, with which controls begin; "
+                "expected one coordinate system"},
+        Refused{"G54\nG55",
+                "E_GCODE f.ngc:4: G55 after G54; expected one coordinate system"},
         Refused{"G92.1 X1",
                 "E_GCODE f.ngc:3: X, Y or Z beside G92.1; expected the code alone"}));
 

@@ -65,10 +65,9 @@ TEST(ParseGcode, RemarksOnAssumptions)
                 Contains("no M2, M30 or closing %: the program may be cut short"));
     EXPECT_THAT(read_gcode("G21 G0 X0 Y0 Z0\nM2\nG0 X1\n").remarks,
                 Contains("text after M2 in line 2 is ignored"));
-    EXPECT_THAT(
-        read_gcode(program_of("G55")).remarks,
-        Contains("coordinate system first named in line 3, after motion: taken as "
-                 "the system of the motion before it"));
+    EXPECT_THAT(read_gcode(program_of("G54")).remarks, ElementsAre());
+    EXPECT_THAT(read_gcode("G21 G91 G28 Z0\nG90 G55 G0 X0 Y0 Z0\nG1 X1 F9\nM2").remarks,
+                ElementsAre(testing::StartsWith("moves to positions of the machine")));
     EXPECT_THAT(read_gcode("%\nG21 G0 X0 Y0 Z0\nM30\n%\n").remarks, ElementsAre());
     EXPECT_THAT(read_gcode("%\nG21 G0 X0 Y0 Z0\n%\nwhat is this\n").remarks,
                 ElementsAre());
@@ -268,6 +267,32 @@ TEST(ParseGcode, GoesSidewaysAboveTheCutsOnly)
     // A first move at feed comes to the height at which X and Y leave.
     EXPECT_EQ(gcode_refusal("G21 G0 X0 Y0 Z5\nG1 X5 F9\nZ-2\nX9\nG0 Z5\nG28 X0 Y0\nM2"),
               "accepted");
+}
+
+// All axes leave at once. Above the cuts this is a move away; from among them it is a
+// slope through the material, which only the end of the program accepts.
+TEST(ParseGcode, LeavesWithAllAxesFromAboveTheCuts)
+{
+    EXPECT_THAT(
+        tips(read_gcode(program_of("G1 X5 Z-1 F9\nG0 Z2\nG28\nG0 X8 Y8 Z2\nG1 Z-1"))),
+        ElementsAre(Vec3(0, 0, 0), Vec3(5, 0, -1), Vec3(5, 0, 2), Vec3(5, 0, 7),
+                    Vec3(8, 8, 7), Vec3(8, 8, 2), Vec3(8, 8, -1)));
+    for (const std::string leave :
+         {"G28", "G30", "G91 G28 X0 Y0 Z0", "G53 G0 X0 Y0 Z0"}) {
+        const Program program = read_gcode(program_of("G1 Z-1 F9\nX5\n" + leave));
+        EXPECT_EQ(tips(program).back(), Vec3(5, 0, 5)) << leave;
+        EXPECT_THAT(
+            program.remarks,
+            Contains("a move of all axes at once to a position of the machine at z "
+                     "-1 mm, not above the cuts (up to z -1 mm) (line 5)"))
+            << leave;
+        EXPECT_EQ(gcode_refusal(program_of("G1 Z-1 F9\nX5\n" + leave +
+                                           "\nG90 G0 X9 Y9 Z5\nG1 Z-1")),
+                  "E_GCODE f.ngc:5: a move of all axes at once to a position of the "
+                  "machine at z -1 mm, not above the cuts (up to z -1 mm), and a cut "
+                  "after it; expected a move up before it, such as G91 G28 Z0")
+            << leave;
+    }
 }
 
 TEST(ParseGcode, ReadsTapesOfOtherSystems)

@@ -18,6 +18,7 @@
 #include "endmill/post/detail/plain_number.h"
 #include "endmill/post/detail/program_builder.h"
 #include "endmill/post/detail/program_frame.h"
+#include "endmill/post/detail/reference_moves.h"
 #include "endmill/post/detail/text_lines.h"
 
 // Every line of canonical output is one command with arguments, already resolved by the
@@ -28,6 +29,7 @@
 // 3. passes over commands that cannot move the tool, and refuses unknown ones.
 // Coordinates do not include the offsets of the interpreter. The path is in the coordinates
 // of its first move; later moves are converted where the offsets have changed since.
+// Coordinates far outside of every machine stand for positions that only the machine knows.
 
 namespace endmill {
 namespace {
@@ -51,14 +53,19 @@ public:
             read_line();
         if (!has_ended_)
             builder_.remark("no PROGRAM_END: the program may be cut short");
-        builder_.remark("four decimals: coordinates are known to " + brief(error_mm_) +
-                        " mm");
+        begin_path();
         if (!builder_.has_position())
             throw FormatError{
                 "E_CANONICAL",
                 {lines_.file(), "", "no motion in " + counted(lines_.number(), "line"),
                  "at least one STRAIGHT_TRAVERSE, STRAIGHT_FEED or "
                  "ARC_FEED"}};
+        references_.finish();
+        if (references_.count() > 0)
+            builder_.remark("moves to positions of the machine (G28, G30, G53): " +
+                            std::to_string(references_.count()) +
+                            "; each is taken as a rapid straight up, to 5 mm above all "
+                            "points before it");
         Program program = builder_.take();
         program.position_error_mm = error_mm_;
         return program;
@@ -66,6 +73,7 @@ public:
 
 private:
     using Handler = void (CanonicalReader::*)();
+    using FarAxes = std::array<bool, 3>;
 
     void read_line()
     {
@@ -153,13 +161,97 @@ private:
         const double y = length();
         const double z = length();
         expect_no_rotation();
+        const FarAxes far = far_axes({x, y, z});
+        if (feed) {
+            check_cut(far);
+            begin_path();
+        }
+        if (far != FarAxes{})
+            return go_away({x, y, z}, far);
+        far_ = far;
         position_ = in_path({x, y, z});
-        builder_.go_to(position_, feed);
+        if (feed || !shows_machine_positions())
+            builder_.go_to(position_, feed);
+        else
+            go_rapidly();
         note_precision();
+    }
+
+    bool shows_machine_positions() const
+    {
+        return std::isfinite(options_.machine_position_mm);
+    }
+
+    // The axes whose coordinate is a position of the machine.
+    FarAxes far_axes(const Vec3& point) const
+    {
+        FarAxes far = {};
+        for (std::size_t axis = 0; axis < far.size(); ++axis)
+            far[axis] =
+                std::abs(point[static_cast<int>(axis)]) > options_.machine_position_mm;
+        return far;
+    }
+
+    void check_cut(const FarAxes& far) const
+    {
+        if (far != FarAxes{} || far_ != FarAxes{} || references_.is_away())
+            throw lines_.complaint(
+                "a cut from or to a position of the machine (G28, G30, G53)",
+                "a rapid to X, Y and Z of the part before it");
+        references_.check_cut();
+    }
+
+    // The interpreter passes a point before each G28 and G30. As the first motion that is
+    // where the interpreter begins, at 0, 0, 0, so the first rapid waits for the next
+    // move.
+    void go_rapidly()
+    {
+        if (!builder_.has_position() && !start_) {
+            start_ = position_;
+            return;
+        }
+        begin_path();
+        references_.go_rapidly(position_);
+    }
+
+    // Adds the first rapid.
+    void begin_path()
+    {
+        if (start_)
+            builder_.go_to(*std::exchange(start_, std::nullopt), std::nullopt);
+    }
+
+    // A rapid to a place of which some axes are positions of the machine.
+    void go_away(const Vec3& point, const FarAxes& far)
+    {
+        if (frame_.rotation_degrees != 0)
+            throw lines_.complaint("a position of the machine in a turned system",
+                                   "G28, G30 and G53 without a rotation");
+        start_.reset();
+        const auto leaves = [&](std::size_t axis) { return far[axis] && !far_[axis]; };
+        const bool has_left = leaves(0) || leaves(1) || leaves(2);
+        if (has_left)
+            references_.depart(
+                {.height_mm = far_[2] ? std::nullopt : std::optional{position_.z()},
+                 .moves_across = leaves(0) || leaves(1),
+                 .moves_up = leaves(2)});
+        far_ = far;
+        position_ = in_path(point);
+        if (!builder_.has_position())
+            return;
+        if (has_left)
+            references_.stay_away();
+        Vec3 over = builder_.position();
+        for (const int axis : {0, 1})
+            if (!far[static_cast<std::size_t>(axis)])
+                over[axis] = position_[axis];
+        references_.rise_over(over);
     }
 
     void arc_feed()
     {
+        check_cut({});
+        begin_path();
         const PlaneAxes axes = plane_axes(plane_);
         Arc arc{.start = position_, .end = {}, .centre = {}, .plane = plane_};
         arc.end[axes.first] = length();
@@ -290,7 +382,7 @@ private:
     // The point in the coordinates of the path, which are those of its first move.
     Vec3 in_path(const Vec3& point)
     {
-        if (!builder_.has_position())
+        if (!builder_.has_position() && !start_)
             first_ = frame_;
         if (frame_ != first_)
             builder_.remark(
@@ -359,8 +451,11 @@ private:
     TextLines lines_;
     GcodeReadOptions options_;
     ProgramBuilder builder_;
+    ReferenceMoves references_{builder_, lines_};
     std::string_view arguments_;    // of the current line, not yet read
     Vec3 position_ = Vec3::Zero();  // of the programmed point, mm
+    std::optional<Vec3> start_;     // the first rapid, until the next move
+    FarAxes far_ = {};              // of the last position
     ArcPlane plane_ = ArcPlane::Xy;
     double feed_mm_per_min_ = 0;
     double mm_per_unit_ = 1;

@@ -5,7 +5,8 @@
 /// Readers of G-code programs: of RS-274 directly, and of the canonical output that
 /// LinuxCNC's interpreter prints for a program with parameters, subprograms or cycles.
 ///
-/// Implemented in `gcode_reader.cpp` and `canonical_reader.cpp` (canonical output).
+/// Implemented in `gcode_reader.cpp`, `canonical_reader.cpp` (canonical output) and
+/// `interpreter_text.cpp` (programs for the interpreter).
 
 #include <string>
 #include <string_view>
@@ -61,7 +62,8 @@ bool is_canonical(std::string_view text);
 /// those of `parse_gcode`. Known commands that cannot move the tool are ignored; unknown
 /// commands are errors. The output states coordinates without the offsets in force; the
 /// path is in the coordinates of its first move, and moves under other offsets are
-/// converted. Coordinates have four decimals, so `position_error_mm` is half of the last
+/// converted. Rapids to positions of the machine are those of `parse_gcode` too, where the
+/// options state how the output shows them. Coordinates have four decimals, so `position_error_mm` is half of the last
 /// one.
 ///
 /// \param text the output.
@@ -75,5 +77,21 @@ bool is_canonical(std::string_view text);
 /// Source: docs/methods/removal.md, sections 5 and 6.
 Program parse_canonical(std::string_view text, const std::string& file,
                         const GcodeReadOptions& options = {});
+
+/// Magnitude in mm beyond which a coordinate in the output of an interpreter that has
+/// read `interpreter_parameters` is a position of the machine.
+inline constexpr double least_machine_position_mm = 1e8;
+
+/// The parameters (a file .var) with which LinuxCNC's interpreter takes the reference
+/// points of G28 and G30 far outside of every machine, so that its output shows them.
+std::string interpreter_parameters();
+
+/// `program` with the targets of G53 replaced by positions as far away as those of
+/// `interpreter_parameters`. All lines keep their numbers.
+/// \param program a program without comments.
+/// \param file name of the file for messages.
+/// \throws FormatError E_GCODE with the line, where a block with G53 has parameters,
+///         expressions or an O-word.
+std::string with_far_machine_positions(std::string_view program, const std::string& file);
 
 }  // namespace endmill

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,9 @@ struct GcodeReadOptions {
     double programmed_point_height_mm = 0;
     double max_extent_mm = 1e6;            ///< mm, largest magnitude of a coordinate
     std::size_t most_points = 10'000'000;  ///< largest number of path points
+    /// mm, canonical output: a coordinate of larger magnitude stands for a position that
+    /// only the machine knows (`interpreter_parameters`).
+    double machine_position_mm = std::numeric_limits<double>::infinity();
 };
 
 /// Number of path points that fit into `memory_gib` GiB while a program is read.

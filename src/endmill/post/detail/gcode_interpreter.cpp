@@ -15,6 +15,7 @@
 #include "endmill/post/detail/gcode_modes.h"
 #include "endmill/post/detail/gcode_remarks.h"
 #include "endmill/post/detail/program_builder.h"
+#include "endmill/post/detail/reference_moves.h"
 #include "endmill/post/detail/text_lines.h"
 
 // Interpreter of a subset of RS-274. Each line is handled in this order, which is that of
@@ -55,6 +56,7 @@ public:
         while (!has_ended_ && lines_.next())
             read_line();
         require_path();
+        references_.finish();
         remarks_.finish(modes_, has_ended_, builder_);
         return builder_.take();
     }
@@ -161,10 +163,12 @@ private:
             check_m_codes(block, lines_);
         check_words(block, modes_, lines_);
         if (!modes_.unit)
-            remarks_.note_unsaid_lengths(block);
+            remarks_.note_unstated_lengths(block);
         set_feed(block);
         set_spindle_and_tool(block);
         run_motion(block);
+        if (known_axes_ > 0)
+            modes_.use_coordinate_system();
         if (block.has('M'))
             end_program(block);
     }
@@ -283,7 +287,7 @@ private:
             go_on_unknown();
         else if (!builder_.has_position())
             start_path(is_rapid);
-        else if (is_away_)
+        else if (references_.is_away())
             go_rapidly(position_);
         else if (along_arc)
             builder_.go_along(arc_.emplace(arcs.arc(start, position_)), *feed_);
@@ -305,13 +309,12 @@ private:
     // After a move to a reference position, the start of a move at feed must be known.
     void require_start() const
     {
-        if (!is_away_)
-            return;
-        throw lines_.complaint(
-            "a cut from an unknown position after the reference move "
-            "of line " +
-                std::to_string(remarks_.reference_line()),
-            "a rapid to an absolute " + unknown_axes() + " before it");
+        if (references_.is_away())
+            throw lines_.complaint(
+                "a cut from an unknown position after the reference move of line " +
+                    std::to_string(references_.line()),
+                "a rapid to an absolute " + unknown_axes() + " before it");
+        references_.check_cut();
     }
 
     bool is_known() const { return known_axes_ == 3; }
@@ -369,27 +372,14 @@ private:
         for (const int axis : {0, 1})
             if (is_axis_known_[static_cast<std::size_t>(axis)])
                 over[axis] = position_[axis];
-        rise_over(over);
+        references_.rise_over(over);
     }
 
-    // Goes to a place at the safe height, unless the tool is there.
-    void rise_over(const Vec3& place)
-    {
-        const Vec3 over{place.x(), place.y(), builder_.safe_height_mm()};
-        if (over != builder_.position())
-            builder_.go_at_safe_height(over);
-    }
-
-    // A rapid to `target`, after a reference move from the safe height over it. A rapid to
-    // where the tool is makes no point.
     void go_rapidly(const Vec3& target)
     {
-        if (std::exchange(is_away_, false))
-            rise_over(target);
         if (!builder_.has_position())
             remarks_.note_start(lines_.number());
-        if (!builder_.has_position() || target != builder_.position())
-            builder_.go_to(target, std::nullopt);
+        references_.go_rapidly(target);
     }
 
     // A program without a point of the path has no motion or no position.
@@ -412,20 +402,32 @@ private:
     void go_to_reference(const GcodeBlock& block, ReferenceMove reference)
     {
         const bool has_axes = block.has_any("XYZABC");
-        if (builder_.has_position() && block.has_any("XY") && !block.has('Z'))
-            check_sideways();
         if (reference == ReferenceMove::MachineCoordinates)
             check_machine_coordinates(has_axes);
-        else if (has_axes)
+        const bool moves_up = !has_axes || block.has('Z');
+        const bool moves_across = !has_axes || block.has_any("XY");
+        if (!moves_up)
+            depart(moves_across, moves_up);
+        if (reference == ReferenceMove::ReferencePoint && has_axes)
             pass_point(block);
+        if (moves_up)
+            depart(moves_across, moves_up);
         remarks_.note_reference(block, lines_);
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (!has_axes || block.has(axis_letters[axis]))
                 forget(axis);
         if (!builder_.has_position() || is_known())
             return;
-        is_away_ = true;
-        rise_over(builder_.position());
+        references_.stay_away();
+    }
+
+    void depart(bool moves_across, bool moves_up)
+    {
+        const bool is_height_known = is_axis_known_[vertical];
+        references_.depart(
+            {.height_mm = is_height_known ? std::optional{position_.z()} : std::nullopt,
+             .moves_across = moves_across,
+             .moves_up = moves_up});
     }
 
     void check_machine_coordinates(bool has_axes) const
@@ -450,21 +452,6 @@ private:
             go_on_unknown();
     }
 
-    // A reference move without Z stays at the height of the tool. The place to which it
-    // goes is unknown, so whether it cuts cannot be simulated.
-    void check_sideways() const
-    {
-        const double highest = builder_.highest_cut_mm();
-        const bool is_free = position_.z() > highest ||
-                             (position_.z() == highest && !builder_.ends_with_cut());
-        if (is_axis_known_[vertical] && !is_free)
-            throw lines_.complaint("a sideways move to a position of the machine at z " +
-                                       brief(position_.z()) +
-                                       " mm, not above the cuts (up to z " +
-                                       brief(highest) + " mm)",
-                                   "a move up before it");
-    }
-
     void forget(std::size_t axis)
     {
         known_axes_ -= is_axis_known_[axis] ? 1 : 0;
@@ -479,9 +466,10 @@ private:
         require_hole(block);
         const CannedCycle cycle =
             cycles_.next(block, modes_, position_, builder_.room(), lines_);
+        references_.check_cut();
         remarks_.note_cycle(modes_, builder_);
         const int normal = cycle.axes.normal;
-        if (cycle.begins_at_r && builder_.has_position() && !is_away_) {
+        if (cycle.begins_at_r && builder_.has_position() && !references_.is_away()) {
             position_[normal] = cycle.r;
             go_rapidly(position_);
         }
@@ -523,7 +511,7 @@ private:
                 axis != normal && !is_increment && block.has(axis_letters[index]);
             if (is_axis_known_[index] || is_stated)
                 continue;
-            if (is_away_)
+            if (references_.is_away())
                 require_start();
             throw lines_.complaint(
                 std::string{"a canned cycle from an unknown position"},
@@ -536,12 +524,12 @@ private:
     ProgramBuilder builder_;
     GcodeModes modes_;
     CannedCycles cycles_;
+    ReferenceMoves references_{builder_, lines_};
     GcodeRemarks remarks_;
     std::optional<MoveFeed> feed_;
     Vec3 position_ = Vec3::Zero();  // of the programmed point, mm
     std::array<bool, 3> is_axis_known_ = {};
     int known_axes_ = 0;
-    bool is_away_ = false;  // from a reference move until all axes are known again
     bool has_percent_ = false;
     bool has_number_ = false;
     bool has_words_ = false;

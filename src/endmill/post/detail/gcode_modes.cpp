@@ -187,9 +187,13 @@ Group group_of(int code)
 void set_coordinate_system(GcodeModes& modes, int code, const TextLines& lines)
 {
     if (modes.coordinate_system != 0 && modes.coordinate_system != code)
-        throw lines.complaint(g_name(code) + " after " + g_name(modes.coordinate_system),
-                              "one coordinate system");
+        throw lines.complaint(
+            g_name(code) + " after " + (modes.has_stated_system ? "" : "positions in ") +
+                g_name(modes.coordinate_system) +
+                (modes.has_stated_system ? "" : ", with which controls begin"),
+            "one coordinate system");
     modes.coordinate_system = code;
+    modes.has_stated_system = true;
 }
 
 bool has_group(std::uint32_t groups, Group group)

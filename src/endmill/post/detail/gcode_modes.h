@@ -24,9 +24,9 @@ enum class GcodeMotion {
 
 /// Height to which a canned cycle retracts.
 enum class RetractLevel {
-    Unsaid,   ///< before the first code: that of G99
-    Initial,  ///< G98: height before the first hole
-    R,        ///< G99: height of the word R
+    Unstated,  ///< before the first code: that of G99
+    Initial,   ///< G98: height before the first hole
+    R,         ///< G99: height of the word R
 };
 
 /// Meaning of coordinates.
@@ -51,16 +51,26 @@ struct GcodeModes {
     FeedRateMode feed = FeedRateMode::PerMinute;       ///< group 5
     /// Group 6; nothing before the first code, which is taken as mm.
     std::optional<ProgramUnit> unit = {};
-    /// Group 12: 540 to 593, in tenths; 0 before the first code.
+    /// Group 12: 540 to 593, in tenths; 0 before the first code and the first position.
     int coordinate_system = 0;
+    bool has_stated_system = false;  ///< whether a code of group 12 occurred
     int cycle = 0;  ///< G code of the canned cycle, such as 81; 0 before the first one
-    RetractLevel retract = RetractLevel::Unsaid;  ///< group 10
+    RetractLevel retract = RetractLevel::Unstated;  ///< group 10
     bool has_surface_speed = false;  ///< G96: S is a cutting speed, not a spindle speed
     bool used_tool_length = false;   ///< whether a G43 occurred
     bool used_blending = false;      ///< whether a G64 occurred
 
     /// mm per unit of length.
     double mm_per_unit() const { return millimetres_per(unit.value_or(ProgramUnit::Mm)); }
+
+    /// Notes that a position was stated. Without a code it is in the system G54, with
+    /// which controls begin.
+    void use_coordinate_system()
+    {
+        constexpr int first_system = 540;
+        if (coordinate_system == 0)
+            coordinate_system = first_system;
+    }
 
     /// Applies the G codes of `block`.
     /// \throws FormatError at the current line of `lines` for a code outside the subset,

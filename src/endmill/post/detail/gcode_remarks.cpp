@@ -31,13 +31,9 @@ void GcodeRemarks::note_modes(const GcodeBlock& block, const GcodeModes& before,
     for (const int code : block.g.all())
         if (is_idle_g_code(code))
             count(idle_codes_, code, lines);
-    if (after.unit && !before.unit && has_unsaid_lengths_)
+    if (after.unit && !before.unit && has_unstated_lengths_)
         first_unit_line_ = lines.number();
     has_inches_ = has_inches_ || after.unit == ProgramUnit::Inch;
-    if (after.coordinate_system != before.coordinate_system && builder.has_position())
-        builder.remark("coordinate system first named in line " +
-                       std::to_string(lines.number()) +
-                       ", after motion: taken as the system of the motion before it");
     if (after.used_tool_length && !before.used_tool_length)
         builder.remark(
             (block.has('H') ? "G43 H" + brief(block.value('H')) : std::string{"G43"}) +
@@ -47,9 +43,9 @@ void GcodeRemarks::note_modes(const GcodeBlock& block, const GcodeModes& before,
             "G96: S is a cutting speed, so the path has no spindle speed until G97");
 }
 
-void GcodeRemarks::note_unsaid_lengths(const GcodeBlock& block)
+void GcodeRemarks::note_unstated_lengths(const GcodeBlock& block)
 {
-    has_unsaid_lengths_ = has_unsaid_lengths_ || block.has_any("XYZIJKRF");
+    has_unstated_lengths_ = has_unstated_lengths_ || block.has_any("XYZIJKRF");
 }
 
 void GcodeRemarks::note_reference(const GcodeBlock& block, const TextLines& lines)
@@ -57,13 +53,12 @@ void GcodeRemarks::note_reference(const GcodeBlock& block, const TextLines& line
     for (const int code : block.g.all())
         if (code == 280 || code == 300 || code == 530)
             count(references_, code, lines);
-    reference_line_ = lines.number();
 }
 
 void GcodeRemarks::note_cycle(const GcodeModes& modes, ProgramBuilder& builder)
 {
     has_cycles_ = true;
-    if (modes.retract == RetractLevel::Unsaid)
+    if (modes.retract == RetractLevel::Unstated)
         builder.remark(
             "neither G98 nor G99 before a canned cycle: it retracts to R, as under G99; "
             "some controls begin with G98");

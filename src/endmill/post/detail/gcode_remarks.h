@@ -18,7 +18,7 @@ namespace endmill {
 class GcodeRemarks {
 public:
     /// Notes the lengths of a block before any G20 or G21.
-    void note_unsaid_lengths(const GcodeBlock& block);
+    void note_unstated_lengths(const GcodeBlock& block);
 
     /// Notes the modes of a block with G codes.
     /// \param block the block at the current line.
@@ -45,9 +45,6 @@ public:
     /// Notes a canned cycle.
     void note_cycle(const GcodeModes& modes, ProgramBuilder& builder);
 
-    /// Line of the last reference move; 0 before the first one.
-    std::size_t reference_line() const { return reference_line_; }
-
     /// Adds the remarks on the whole program to `builder`.
     void finish(const GcodeModes& modes, bool has_ended, ProgramBuilder& builder) const;
 
@@ -63,12 +60,11 @@ private:
 
     UsesOfCodes idle_codes_;
     UsesOfCodes references_;
-    std::size_t reference_line_ = 0;
     std::size_t moves_left_out_ = 0;  // including the move to the first point, if at feed
     std::size_t start_line_ = 0;      // line of the first point, 0 before it
     std::size_t first_unit_line_ =
         0;  // of the first G20 or G21 after a length, 0 if none
-    bool has_unsaid_lengths_ = false;
+    bool has_unstated_lengths_ = false;
     bool has_inches_ = false;
     bool has_cycles_ = false;
 };
