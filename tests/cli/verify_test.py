@@ -699,6 +699,23 @@ class BadInput(VerifyTest):
         self.assert_refused(done, 5, "p-verify/deviation.vtp: File too large")
         self.assert_nothing_left("p.csv", "surface.json")
 
+    def test_a_ball_that_just_touches_an_edge_is_clean_at_every_resolution(self):
+        """A ball of radius 5 runs along an edge of a box, in the plane at 45 degrees through the edge. It touches the
+        ends of the edge too, where no plane along the move bounds its depth in the end faces."""
+        corners = [(x, y, z) for x in (0, 40) for y in (0, 40) for z in (-40, 0)]
+        faces = ((0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1), (2, 3, 7), (2, 7, 6), (0, 2, 6),
+                 (0, 6, 4), (1, 5, 7), (1, 7, 3))
+        self.file("OFF\n8 12 0\n" + "".join(f"{x} {y} {z}\n" for x, y, z in corners) +
+                  "".join(f"3 {a} {b} {c}\n" for a, b, c in faces), "box.off")
+        away = 5 / math.sqrt(2)
+        path = self.file(f"{COLUMNS}{40 + away!r},-10,{away - 5!r}\n{40 + away!r},50,{away - 5!r}\n", "p.csv")
+        for resolution in (2, 0.5, 0.25):
+            found = self.summary("verify", path, "--part", "box.off", "--cutter", "ball:10", "--tolerance", "0.005",
+                                 "--scallop", "60", "--resolution", resolution, "-o", f"out-{resolution}")
+            self.assertEqual(found["verdict"], "clean")
+            self.assertEqual(found["max_gouge_mm"], 0)
+            self.assertLess(found["gouge_bound_mm"], 0.006)
+
     def test_interrupt_leaves_nothing(self):
         path = self.file(passes(range(31)), "p.csv")
         self.file(plane())
