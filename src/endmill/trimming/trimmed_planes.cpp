@@ -2,6 +2,7 @@
 #include "endmill/trimming/trimmed_planes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -93,15 +94,20 @@ void for_each_plane(const SectionSource& source, std::span<const Trimmed> trimme
                 positions.size() == source.sections.size(),
             "refine_planes: need as many planes as sections");
     const SmoothDrop drop{source.surfaces, source.offset.cutter};
+    std::atomic<std::size_t> done = 0;
     parallel_for(trimmed.size(), [&](std::size_t begin, std::size_t end) {
         FinerPieces finer;
-        for (std::size_t k = begin; k < end; ++k)
+        for (std::size_t k = begin; k < end; ++k) {
             refine(k,
                    SampledSection{source.sections[k],
                                   {source.planes.frame, positions[k]},
                                   source.offset,
                                   drop},
                    finer);
+            if (source.progress)
+                source.progress(static_cast<double>(++done) /
+                                static_cast<double>(trimmed.size()));
+        }
     });
 }
 
