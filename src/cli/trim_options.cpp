@@ -298,7 +298,7 @@ void check_curve_options(const TrimOptions& options)
         "the two");
     if (options.offset) {
         const double radius = options.offset->radius();
-        require_within_extent("--offset", *options.offset, options.common.limits);
+        require_within_extent("--offset", radius, options.common.limits);
         require_option(least_radius <= radius && radius <= most_radius,
                        "--offset: found a radius of " + to_text(radius) +
                            " mm; expected one from " + to_text(least_radius) + " to " +
