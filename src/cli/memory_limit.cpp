@@ -20,7 +20,7 @@ namespace {
 
 // The checks before an allocation estimate; this share allows for what they miss.
 constexpr double share_of_limit = 1.1;
-constexpr double bytes_for_messages = 8 * 0x1p20;
+constexpr double spare_bytes = 32 * 0x1p20;
 
 // What needs less memory, for each command that may need much.
 struct LessMemory {
@@ -96,8 +96,8 @@ void limit_allocation(double gib, int threads)
     rlimit limit{};
     if (!allocated || ::getrlimit(RLIMIT_DATA, &limit) != 0)
         return;
-    const double bytes = *allocated + share_of_limit * gib * one_gib +
-                         bytes_for_messages + (threads + 1) * bytes_a_stack();
+    const double bytes = *allocated + share_of_limit * gib * one_gib + spare_bytes +
+                         (threads + 1) * bytes_a_stack();
     limit.rlim_cur = std::min(limit.rlim_cur, static_cast<rlim_t>(std::min(bytes, most)));
     ::setrlimit(RLIMIT_DATA, &limit);
 }

@@ -10,7 +10,7 @@ namespace endmill {
 /// than `gib` from now on, so that an allocation beyond it fails with std::bad_alloc. What
 /// can be estimated is checked before it is allocated; this limit stops what grows beyond
 /// its estimate. It counts what the process has allocated, whether used or not. The stacks of
-/// `threads` threads and 8 MiB for messages are added.
+/// `threads` threads and 32 MiB for everything small are added.
 ///
 /// It has no effect where the system does not know such a limit, and with sanitizers, which
 /// take memory of their own.
