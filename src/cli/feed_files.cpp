@@ -4,6 +4,7 @@
 #include <array>
 #include <filesystem>
 #include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -51,20 +52,19 @@ FeedFigure figure_of(const Json& s)
                 s["mode"].get<std::string>(), shown(s["stock_top_mm"].get<double>()))}};
 }
 
-// The contents of the output files.
+// The contents of the output files but engagement.csv, which is the longest.
 struct FeedTexts {
     std::string path;
-    std::string engagement;
     std::string figure;
     std::string program;  // only if the input is a machine program
 };
 
-// Creates the four texts in parallel. Each one takes long and is sequential in itself.
+// Creates the texts in parallel. Each one takes long and is sequential in itself.
 FeedTexts texts_of(const FeedResult& result, const Json& summary)
 {
     const std::vector<SegmentFeed>& rows = result.plan.rows;
     FeedTexts texts;
-    const std::array<std::function<void()>, 4> works{
+    const std::array<std::function<void()>, 3> works{
         [&] { texts.figure = feed_svg(result.cuts.cuts, rows, figure_of(summary)); },
         [&] {
             if (result.input.format != PathFormat::Csv)
@@ -74,8 +74,7 @@ FeedTexts texts_of(const FeedResult& result, const Json& summary)
             texts.path = tool_path_csv(
                 result.path,
                 limit_words(result.path.points.size(), result.cuts.points, rows));
-        },
-        [&] { texts.engagement = feed_csv(result.cuts.cuts, rows); }};
+        }};
     parallel_for(works.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             works[i]();
@@ -88,15 +87,17 @@ FeedTexts texts_of(const FeedResult& result, const Json& summary)
 Json write_feed(const FeedResult& result, OutputFolder& folder)
 {
     Json summary = feed_summary(result);
-    const FeedTexts texts = texts_of(result, summary);
+    FeedTexts texts = texts_of(result, summary);
     identify_path(summary, result.path.points.size(), texts.path);
     if (!texts.program.empty())
         summary["program_sha256"] = content_sha256(texts.program);
-    folder.write("toolpath.csv", texts.path);
-    folder.write("engagement.csv", texts.engagement);
+    folder.write("toolpath.csv", std::exchange(texts.path, {}));
     folder.write("feed.svg", texts.figure);
     if (result.input.format != PathFormat::Csv)
-        folder.write(program_name(result), texts.program);
+        folder.write(program_name(result), std::exchange(texts.program, {}));
+    folder.write_pieces("engagement.csv", [&](const OutputFolder::Sink& sink) {
+        write_feed_csv(result.cuts.cuts, result.plan.rows, sink);
+    });
     folder.write("summary.json", summary.dump(2) + "\n");
     folder.remove_unless_written(program_name(result));
     return summary;
