@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <functional>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -52,9 +51,8 @@ FeedFigure figure_of(const Json& s)
                 s["mode"].get<std::string>(), shown(s["stock_top_mm"].get<double>()))}};
 }
 
-// The contents of the output files but engagement.csv, which is the longest.
+// The contents of two output files.
 struct FeedTexts {
-    std::string path;
     std::string figure;
     std::string program;  // only if the input is a machine program
 };
@@ -62,18 +60,15 @@ struct FeedTexts {
 // Creates the texts in parallel. Each one takes long and is sequential in itself.
 FeedTexts texts_of(const FeedResult& result, const Json& summary)
 {
-    const std::vector<SegmentFeed>& rows = result.plan.rows;
     FeedTexts texts;
-    const std::array<std::function<void()>, 3> works{
-        [&] { texts.figure = feed_svg(result.cuts.cuts, rows, figure_of(summary)); },
+    const std::array<std::function<void()>, 2> works{
+        [&] {
+            texts.figure =
+                feed_svg(result.cuts.cuts, result.plan.rows, figure_of(summary));
+        },
         [&] {
             if (result.input.format != PathFormat::Csv)
                 texts.program = program_text(result);
-        },
-        [&] {
-            texts.path = tool_path_csv(
-                result.path,
-                limit_words(result.path.points.size(), result.cuts.points, rows));
         }};
     parallel_for(works.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -82,22 +77,32 @@ FeedTexts texts_of(const FeedResult& result, const Json& summary)
     return texts;
 }
 
+// Writes the path and adds its length and content to the summary. Its text is released
+// before the others are made.
+void write_path(const FeedResult& result, OutputFolder& folder, Json& summary)
+{
+    const std::size_t points = result.path.points.size();
+    const std::string text = tool_path_csv(
+        result.path, limit_words(points, result.cuts.points, result.plan.rows));
+    identify_path(summary, points, text);
+    folder.write("toolpath.csv", text);
+}
+
 }  // namespace
 
 Json write_feed(const FeedResult& result, OutputFolder& folder)
 {
     Json summary = feed_summary(result);
-    FeedTexts texts = texts_of(result, summary);
-    identify_path(summary, result.path.points.size(), texts.path);
-    if (!texts.program.empty())
-        summary["program_sha256"] = content_sha256(texts.program);
-    folder.write("toolpath.csv", std::exchange(texts.path, {}));
-    folder.write("feed.svg", texts.figure);
-    if (result.input.format != PathFormat::Csv)
-        folder.write(program_name(result), std::exchange(texts.program, {}));
+    write_path(result, folder, summary);
     folder.write_pieces("engagement.csv", [&](const OutputFolder::Sink& sink) {
         write_feed_csv(result.cuts.cuts, result.plan.rows, sink);
     });
+    const FeedTexts texts = texts_of(result, summary);
+    if (!texts.program.empty())
+        summary["program_sha256"] = content_sha256(texts.program);
+    folder.write("feed.svg", texts.figure);
+    if (result.input.format != PathFormat::Csv)
+        folder.write(program_name(result), texts.program);
     folder.write("summary.json", summary.dump(2) + "\n");
     folder.remove_unless_written(program_name(result));
     return summary;
