@@ -35,7 +35,7 @@ void add_common_options(CLI::App& command, CommonOptions& options)
                options.limits.max_memory_gib)
         ->group(group);
     add_number(command,
-               {"--max-extent", "MM", "largest coordinate to accept from a file"},
+               {"--max-extent", "MM", "largest coordinate of a file, and largest cutter"},
                options.limits.max_extent_mm)
         ->group(group);
     command.add_flag("--json-errors", options.json_errors, "print errors as JSON")
