@@ -68,6 +68,16 @@ void require_within_extent(const std::string& option, const std::optional<double
                           to_text(limits.max_extent_mm) + " mm (--max-extent)"};
 }
 
+void require_within_extent(const std::string& option, const Cutter& cutter,
+                           const ReadLimits& limits)
+{
+    const double diameter = 2 * cutter.radius();
+    if (!(diameter <= limits.max_extent_mm))
+        throw DomainError{option + ": found a diameter of " + to_text(diameter) +
+                          " mm; expected at most " + to_text(limits.max_extent_mm) +
+                          " mm (--max-extent)"};
+}
+
 Vec3 vector_argument(const std::string& option, const std::string& text)
 {
     const std::vector<std::string> parts = parts_of(text, ',');

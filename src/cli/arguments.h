@@ -54,6 +54,11 @@ double number_argument(const std::string& option, const std::string& text,
 void require_within_extent(const std::string& option, const std::optional<double>& mm,
                            const ReadLimits& limits);
 
+/// Refuses a cutter that is wider than the limit for coordinates in files.
+/// \throws DomainError naming `option` if the diameter exceeds the limit.
+void require_within_extent(const std::string& option, const Cutter& cutter,
+                           const ReadLimits& limits);
+
 /// Parses three comma-separated numbers. \throws CLI::ValidationError
 Vec3 vector_argument(const std::string& option, const std::string& text);
 

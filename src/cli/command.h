@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -29,6 +30,7 @@ struct CommonOptions {
     bool json = false;
     bool quiet = false;
     FullFolder full_folder = FullFolder::Refuse;  ///< Accept with --force
+    std::optional<int> threads;                   ///< empty: all cores
     bool json_errors = false;  ///< main also finds it itself, since parsing may fail
     ReadLimits limits;
     std::set<std::string>

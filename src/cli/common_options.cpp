@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/arguments.h"
 #include "cli/command.h"
+#include "cli/memory_limit.h"
 #include "endmill/core/parallel.h"
 
 namespace endmill {
@@ -25,13 +26,16 @@ void add_common_options(CLI::App& command, CommonOptions& options)
         ->group(group);
     add_whole_number(command,
                      {"--threads", "number of threads (default: all cores)", 1, 1024},
-                     set_thread_count)
+                     [&options](int count) {
+                         options.threads = count;
+                         set_thread_count(count);
+                     })
         ->group(group);
     add_number(command, {"--max-memory", "GIB", "largest memory to use"},
                options.limits.max_memory_gib)
         ->group(group);
     add_number(command,
-               {"--max-extent", "MM", "largest coordinate to accept from a file"},
+               {"--max-extent", "MM", "largest coordinate of a file, and largest cutter"},
                options.limits.max_extent_mm)
         ->group(group);
     command.add_flag("--json-errors", options.json_errors, "print errors as JSON")
@@ -40,6 +44,7 @@ void add_common_options(CLI::App& command, CommonOptions& options)
         for (const CLI::Option* option : command.get_options())
             if (option->count() > 0)
                 options.given.insert(option->get_name());
+        limit_memory(options.limits.max_memory_gib, options.threads, command.get_name());
     });
 }
 

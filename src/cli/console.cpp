@@ -7,6 +7,7 @@
 #include <cstring>
 #include <new>
 
+#include "cli/memory_limit.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
@@ -98,11 +99,7 @@ ExitCode report_exception(bool as_json)
 
 void report_lack_of_memory(bool as_json) noexcept
 {
-    std::fputs(as_json
-                   ? R"({"error":{"code":"E_LIMIT","exit":6,"message":"out of memory"}})"
-                     "\n"
-                   : "endmill: error: out of memory\n",
-               stderr);
+    std::fputs(lack_of_memory_message(as_json), stderr);
 }
 
 ExitCode report_current_exception(bool as_json) noexcept

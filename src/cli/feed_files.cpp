@@ -51,31 +51,25 @@ FeedFigure figure_of(const Json& s)
                 s["mode"].get<std::string>(), shown(s["stock_top_mm"].get<double>()))}};
 }
 
-// The contents of the output files.
+// The contents of two output files.
 struct FeedTexts {
-    std::string path;
-    std::string engagement;
     std::string figure;
     std::string program;  // only if the input is a machine program
 };
 
-// Creates the four texts in parallel. Each one takes long and is sequential in itself.
+// Creates the texts in parallel. Each one takes long and is sequential in itself.
 FeedTexts texts_of(const FeedResult& result, const Json& summary)
 {
-    const std::vector<SegmentFeed>& rows = result.plan.rows;
     FeedTexts texts;
-    const std::array<std::function<void()>, 4> works{
-        [&] { texts.figure = feed_svg(result.cuts.cuts, rows, figure_of(summary)); },
+    const std::array<std::function<void()>, 2> works{
+        [&] {
+            texts.figure =
+                feed_svg(result.cuts.cuts, result.plan.rows, figure_of(summary));
+        },
         [&] {
             if (result.input.format != PathFormat::Csv)
                 texts.program = program_text(result);
-        },
-        [&] {
-            texts.path = tool_path_csv(
-                result.path,
-                limit_words(result.path.points.size(), result.cuts.points, rows));
-        },
-        [&] { texts.engagement = feed_csv(result.cuts.cuts, rows); }};
+        }};
     parallel_for(works.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             works[i]();
@@ -83,17 +77,29 @@ FeedTexts texts_of(const FeedResult& result, const Json& summary)
     return texts;
 }
 
+// Writes the path and adds its length and content to the summary. Its text is released
+// before the others are made.
+void write_path(const FeedResult& result, OutputFolder& folder, Json& summary)
+{
+    const std::size_t points = result.path.points.size();
+    const std::string text = tool_path_csv(
+        result.path, limit_words(points, result.cuts.points, result.plan.rows));
+    identify_path(summary, points, text);
+    folder.write("toolpath.csv", text);
+}
+
 }  // namespace
 
 Json write_feed(const FeedResult& result, OutputFolder& folder)
 {
     Json summary = feed_summary(result);
+    write_path(result, folder, summary);
+    folder.write_pieces("engagement.csv", [&](const OutputFolder::Sink& sink) {
+        write_feed_csv(result.cuts.cuts, result.plan.rows, sink);
+    });
     const FeedTexts texts = texts_of(result, summary);
-    identify_path(summary, result.path.points.size(), texts.path);
     if (!texts.program.empty())
         summary["program_sha256"] = content_sha256(texts.program);
-    folder.write("toolpath.csv", texts.path);
-    folder.write("engagement.csv", texts.engagement);
     folder.write("feed.svg", texts.figure);
     if (result.input.format != PathFormat::Csv)
         folder.write(program_name(result), texts.program);

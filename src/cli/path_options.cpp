@@ -165,6 +165,8 @@ void add_interpreter(Json& summary, const PathOptions& path)
 
 PathSummary path_summary_of(const PathOptions& path, const CommonOptions& options)
 {
+    if (path.cutter)
+        require_within_extent("--cutter", *path.cutter, options.limits);
     std::optional<PathSummary> known = read_path_summary(path.file, options.limits);
     if (!known)
         return {};

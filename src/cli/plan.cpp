@@ -87,6 +87,9 @@ ExitCode run_plan(PlanOptions options)
 {
     refuse_idle_plan_options(options);
     require_within_extent("--safe-height", options.safe_height, options.common.limits);
+    require_within_extent("--cutter", options.cutter_diameter, options.common.limits);
+    require_within_extent("--chord-tolerance", options.requested.chord,
+                          options.common.limits);
     const SurfaceFile file = read_surface_for(options.part, "plan", options.common);
     const std::span<const Surface> surfaces = file.surfaces;
     PlanContext context{file.name, file.source, continuity(surfaces),

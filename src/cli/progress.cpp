@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/progress.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -21,6 +22,10 @@ constexpr std::chrono::seconds line_interval{10};  // where there is no terminal
 // depend on how the work starts.
 constexpr double least_share = 0.02;
 constexpr double least_seconds = 1;
+// Where there is no terminal, the first line comes early if this much time is left. A rough
+// estimate is enough for it.
+constexpr std::chrono::milliseconds early_check_interval{250};
+constexpr double long_wait_seconds = 10;
 
 constexpr double s_per_min = 60;
 constexpr long min_per_h = 60;
@@ -95,6 +100,7 @@ void ProgressLine::begin(std::string work)
     work_start_ = Clock::now();
     state_.clear();
     share_ = 0;
+    has_line_ = false;
 }
 
 void ProgressLine::show(double share)
@@ -127,9 +133,11 @@ void ProgressLine::run()
 {
     std::unique_lock lock{mutex_};
     const auto is_over = [this] { return is_over_; };
+    next_line_ = next_line_time();
     if (!is_terminal()) {
-        while (!is_over_changed_.wait_until(lock, next_line_time(), is_over))
-            print_line();
+        while (!is_over_changed_.wait_until(lock, next_check_time(), is_over))
+            if (Clock::now() >= next_line_ || is_early_line_due())
+                print_line();
         return;
     }
     if (is_over_changed_.wait_until(lock, program_start + quiet_time, is_over))
@@ -139,13 +147,28 @@ void ProgressLine::run()
     while (!is_over_changed_.wait_for(lock, redraw_interval, is_over));
 }
 
-std::string ProgressLine::text() const
+// Each work has one early line at most.
+std::chrono::steady_clock::time_point ProgressLine::next_check_time() const
+{
+    return has_line_ ? next_line_
+                     : std::min(next_line_, Clock::now() + early_check_interval);
+}
+
+bool ProgressLine::is_early_line_due() const
+{
+    if (has_line_ || !(share_ > 0) || Clock::now() < program_start + quiet_time)
+        return false;
+    return elapsed_since(work_start_) * (1 - share_) / share_ >= long_wait_seconds;
+}
+
+std::string ProgressLine::text(Estimate estimate) const
 {
     std::string text =
         fmt::format("{}: {}{}{:.0f} s", work_, state_, state_.empty() ? "" : ", ",
                     elapsed_since(program_start));
     const double spent = elapsed_since(work_start_);
-    if (share_ >= least_share && share_ < 1 && spent >= least_seconds)
+    const bool is_known = share_ >= least_share && spent >= least_seconds;
+    if (share_ > 0 && share_ < 1 && (is_known || estimate == Estimate::Rough))
         text +=
             fmt::format(", about {} left", waiting_time(spent * (1 - share_) / share_));
     return text;
@@ -154,14 +177,17 @@ std::string ProgressLine::text() const
 void ProgressLine::draw()
 {
     is_shown_ = true;
-    std::fprintf(stderr, "\r\033[K%s", text().c_str());
+    std::fprintf(stderr, "\r\033[K%s", text(Estimate::Sound).c_str());
     std::fflush(stderr);
 }
 
 void ProgressLine::print_line()
 {
-    std::fprintf(stderr, "endmill: %s\n", text().c_str());
+    const Estimate estimate = has_line_ ? Estimate::Sound : Estimate::Rough;
+    std::fprintf(stderr, "endmill: %s\n", text(estimate).c_str());
     std::fflush(stderr);
+    has_line_ = true;
+    next_line_ = next_line_time();
 }
 
 }  // namespace endmill

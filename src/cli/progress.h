@@ -14,12 +14,14 @@ namespace endmill {
 /// Progress on standard error: the current work, the share that is done, the time since
 /// the program began, and the time that is left. On a terminal it is one line, which
 /// appears after one second and is removed at the end. Elsewhere a line is printed every
-/// ten seconds. With --quiet there is none. A separate thread updates the time, so it
-/// changes even if the work reports nothing. If the system has no thread or no memory for it,
-/// there is no progress. Any thread may report progress.
+/// ten seconds, and one after a second when work seems to need more than ten. With --quiet
+/// there is none. A separate thread updates the time, so it changes even if the work reports
+/// nothing. If the system has no thread or no memory for it, there is no progress. Any thread
+/// may report progress.
 ///
 /// The time left follows from the share of the current work and the time that it took. It
-/// is omitted while the share is not known or too small for an estimate.
+/// is omitted while the share is not known or too small for an estimate; an early line has a
+/// rough one.
 ///
 /// At most one line exists at a time. Nothing else is printed while it exists.
 class ProgressLine {
@@ -49,7 +51,10 @@ private:
     void run();
     void draw();
     void print_line();
-    std::string text() const;
+    enum class Estimate { Sound, Rough };  // of the time left
+    std::string text(Estimate estimate) const;
+    Clock::time_point next_check_time() const;
+    bool is_early_line_due() const;
 
     std::mutex mutex_;
     std::condition_variable is_over_changed_;
@@ -59,6 +64,9 @@ private:
     Clock::time_point work_start_ = Clock::now();
     std::string state_;
     double share_ = 0;  // of the current work; 0: not known
+    // Where there is no terminal:
+    bool has_line_ = false;  // of the current work
+    Clock::time_point next_line_ = Clock::now();
     std::thread thread_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/setup_input.h"
 
+#include <algorithm>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -21,6 +22,10 @@
 
 namespace endmill {
 namespace {
+
+// Memory of a facet: its triangle with half a point and a normal while it is sampled, its
+// edges while they are checked, and the row of the visibility map.
+constexpr double bytes_a_facet = 150;
 
 // Restores the degenerate triangles that the reader left out, so that facets keep the
 // numbers of the file. Degenerate facets have no cone and block no direction.
@@ -68,13 +73,28 @@ void take_mesh(SetupInput& input, TriangleMesh mesh,
     input.mesh = degenerate.empty() ? std::move(mesh) : with_degenerate(mesh, degenerate);
 }
 
+// Samples the part within the memory limit.
+SampledSurface sampled_within(std::span<const Surface> surfaces, double tolerance,
+                              const ReadLimits& limits)
+{
+    const std::vector<double> sides = tool_side_signs(surfaces, Vec3::UnitZ());
+    const auto most = static_cast<std::size_t>(std::min(
+        limits.max_memory_gib * one_gib / bytes_a_facet, double(most_sampled_triangles)));
+    try {
+        return sampled(surfaces, sides, tolerance, most);
+    } catch (const LimitError& error) {
+        throw LimitError{fmt::format("{}; the limit is {:g} GiB (--max-memory)",
+                                     error.what(), limits.max_memory_gib)};
+    }
+}
+
 void take_surfaces(SetupInput& input, std::span<const Surface> surfaces,
                    const SetupCommandOptions& options)
 {
-    const std::vector<double> sides = tool_side_signs(surfaces, Vec3::UnitZ());
     const double tolerance = options.chord_tolerance ? *options.chord_tolerance
                                                      : default_chord_tolerance(surfaces);
-    SampledSurface sampled_part = sampled(surfaces, sides, tolerance);
+    SampledSurface sampled_part =
+        sampled_within(surfaces, tolerance, options.common.limits);
     // Every surface is sampled, and nearly every one is open: no reason to warn.
     input.notes.push_back(fmt::format(
         "the surface is sampled as {} triangles, at most {:g} mm from it",

@@ -34,10 +34,12 @@ std::vector<std::vector<SectionCurve>> curves_of(const TrimInput& input)
 // Estimates how far the sampled points are from the smooth offset. With --refine it
 // also moves the points onto the offset.
 void measure_sampling(const OffsetPart& part, const TrimInput& input,
-                      const TrimOptions& options, TrimResult& result)
+                      const TrimOptions& options, ProgressLine& progress,
+                      TrimResult& result)
 {
     const SectionSource source{part.surfaces, part.offset, input.part->planes,
-                               input.sections};
+                               input.sections,
+                               [&progress](double share) { progress.show(share); }};
     if (!options.refine) {
         result.sampling_error = sampling_error(source, result.trimmed);
         return;
@@ -204,7 +206,7 @@ TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
             compare_with_envelope(input.sections, result.trimmed, options.tolerance);
     progress.begin(name + (options.refine ? "refining" : "measuring the sampling error"));
     if (surfaces)
-        measure_sampling(*surfaces, input, options, result);
+        measure_sampling(*surfaces, input, options, progress, result);
     for (std::size_t k = 0; k < result.trimmed.size(); ++k)
         result.loops.push_back(cut_out(
             input.sections[k].curves, result.trimmed[k],

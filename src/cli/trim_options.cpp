@@ -317,7 +317,11 @@ void check_curve_options(const TrimOptions& options)
 
 void check_trim_options(const TrimOptions& options)
 {
-    require_within_extent("--safe-height", options.safe_height, options.common.limits);
+    const ReadLimits& limits = options.common.limits;
+    require_within_extent("--safe-height", options.safe_height, limits);
+    require_within_extent("--allowance", options.allowance, limits);
+    if (options.cutter)
+        require_within_extent("--cutter", *options.cutter, limits);
     check_curve_options(options);
     require_option(int{options.planes.has_value()} + int{options.pitch.has_value()} +
                            int{options.scallop.has_value()} <

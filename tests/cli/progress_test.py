@@ -72,6 +72,16 @@ class Progress(ProgramTest):
             self.assertNotRegex(line, r"[\x00-\x1f]")
         self.assertEqual(self.stopped_for_ten_seconds("--quiet", "-o", "none"), [])
 
+    def test_long_work_estimates_its_time_at_once_without_a_terminal(self):
+        """The first line comes long before ten seconds have passed, and states the time left."""
+        plan = (SURFACES / "sheared-plane.json", "--chord-tolerance", "1e-5")
+        with subprocess.Popen([ENDMILL, "plan", *plan, "-o", "early"], cwd=self.folder, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True) as process:
+            first = process.stderr.readline()
+            process.terminate()
+            process.communicate(timeout=600)
+        self.assertRegex(first, r"^endmill: planning: .* %, \d+ s, about .* left$")
+
     def test_quiet_or_quick_work_shows_no_line(self):
         status, shown = self.on_terminal("plan", NET, "--chord-tolerance", "0.05", "--quiet", "-o", "quiet")
         self.assertEqual((status, shown), (0, ""))

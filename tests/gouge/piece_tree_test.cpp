@@ -68,6 +68,9 @@ TEST(PieceTree, LimitsTheNumberOfPieces)
 {
     const std::vector<Surface> surfaces{test::plane(100, 100)};
     EXPECT_LT((PieceTree{surfaces, 1e-9}.pieces().size()), 200'000U);
+    // Narrow for its area: squares of the same area would be few.
+    const std::vector<Surface> needle{test::plane(1e6, 0.01)};
+    EXPECT_LT((PieceTree{needle, 1}.pieces().size()), 200'000U);
     EXPECT_THROW((PieceTree{surfaces, 0}), DomainError);
     EXPECT_THROW((PieceTree{{}, 1}), DomainError);
 }

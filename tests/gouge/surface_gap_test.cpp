@@ -55,6 +55,19 @@ TEST(SurfaceGap, ToACylinderIsTheDistanceOfItsAxis)
     }
 }
 
+// From a point of the axis the whole circle is equally far, so that no piece along it is
+// settled before it is very small. The search goes on after its memory for halves is full.
+TEST(SurfaceGap, IsFoundWithMorePiecesThanAreKept)
+{
+    const std::vector<Surface> surfaces{cylinder()};
+    const PieceTree tree{surfaces, 1};
+    FinerPieces finer;
+    const auto ball = surface_gap(tree, CutterCore{Cutter::ball(3), Vec3{0, 1, 0}}, 1e-8,
+                                  infinite, finer);
+    EXPECT_TRUE(finer.is_full());
+    EXPECT_NEAR(ball->gap, 5 - 3, 2e-8);
+}
+
 TEST(SurfaceGap, BelowALimitExistsIfTheMinimumIsBelow)
 {
     const std::vector<Surface> surfaces{cylinder()};

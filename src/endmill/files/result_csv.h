@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -49,6 +50,12 @@ std::string deviation_histogram_csv(const Deviation& deviation,
 /// \throws DomainError unless there is one row for each of `cuts` and every number is
 ///         finite.
 std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows);
+
+/// The same text in pieces, for a path whose text need not fit into memory as a whole.
+/// \param sink receives the pieces in order.
+/// \throws as `feed_csv`, and whatever `sink` throws.
+void write_feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows,
+                    const std::function<void(std::string_view piece)>& sink);
 
 /// Cutting forces over a turn, as a CSV file with one row for each angle and the columns
 /// theta_deg, force_x_n, force_y_n, force_z_n, torque_n_m, in the frame of CuttingForce.

@@ -2,6 +2,7 @@
 #include "endmill/trimming/trimmed_planes.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -19,6 +20,9 @@ namespace endmill {
 namespace {
 
 constexpr std::string_view range_rule = "outside the range";
+
+// Progress is reported whenever so many points are finished.
+constexpr std::size_t points_a_report = 16;
 
 // Whether the result contains each vertex, by curve and point.
 using KeptVertices = std::vector<std::vector<bool>>;
@@ -93,6 +97,17 @@ void for_each_plane(const SectionSource& source, std::span<const Trimmed> trimme
                 positions.size() == source.sections.size(),
             "refine_planes: need as many planes as sections");
     const SmoothDrop drop{source.surfaces, source.offset.cutter};
+    double points = 0;
+    for (const Trimmed& plane : trimmed)
+        for (const TrimmedCurve& curve : plane.curves)
+            points += static_cast<double>(curve.points.size());
+    std::atomic<std::size_t> finished = 0;
+    const std::function<void(std::size_t)> finish = [&](std::size_t more) {
+        const std::size_t before = finished.fetch_add(more);
+        if (source.progress &&
+            before / points_a_report != (before + more) / points_a_report)
+            source.progress(static_cast<double>(before + more) / points);
+    };
     parallel_for(trimmed.size(), [&](std::size_t begin, std::size_t end) {
         FinerPieces finer;
         for (std::size_t k = begin; k < end; ++k)
@@ -100,7 +115,8 @@ void for_each_plane(const SectionSource& source, std::span<const Trimmed> trimme
                    SampledSection{source.sections[k],
                                   {source.planes.frame, positions[k]},
                                   source.offset,
-                                  drop},
+                                  drop,
+                                  finish},
                    finer);
     });
 }

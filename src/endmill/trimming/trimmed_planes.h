@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -59,6 +60,8 @@ struct SectionSource {
     const OffsetMesh& offset;                ///< the offset of these surfaces
     const DrivePlanes& planes;               ///< the planes that sliced the offset
     std::span<const PlaneSection> sections;  ///< one for each plane
+    /// If set, it is called with the finished share, 0 to 1, by any thread.
+    std::function<void(double share)> progress = {};
 };
 
 /// Trimmed curves whose points were moved to where the cutter rests on the smooth part.

@@ -14,6 +14,9 @@ namespace {
 
 // pieces without halves; there are as many with halves, about 30 MB in total
 constexpr double most_pieces = 20'000;
+// The same for the pieces that were in fact made. Pieces of a long and narrow surface are
+// many for its area.
+constexpr std::size_t most_added_pieces = 100'000;
 constexpr std::size_t most_finer_pieces = 30'000;
 constexpr int most_halvings = 40;  // of a patch of any shape
 
@@ -149,7 +152,7 @@ PieceTree::PieceTree(std::span<const Surface> surfaces, double piece_size)
     require(!surfaces.empty(), "PieceTree: need a surface");
     require(std::isfinite(piece_size) && piece_size > 0, "PieceTree: need 0 < size");
     // A piece of diagonal d covers an area of about d^2 / 3.
-    const double size = std::max(piece_size, std::sqrt(3 * area(surfaces) / most_pieces));
+    double size = std::max(piece_size, std::sqrt(3 * area(surfaces) / most_pieces));
     for (std::size_t number = 0; number < surfaces.size(); ++number)
         for (int j = 0; j < surfaces[number].patches(Parameter::V); ++j)
             for (int i = 0; i < surfaces[number].patches(Parameter::U); ++i) {
@@ -167,14 +170,31 @@ PieceTree::PieceTree(std::span<const Surface> surfaces, double piece_size)
     nodes_.emplace_back();
     build_below(0, numbers, boxes, nodes_);
     const std::size_t patches = pieces_.size();
-    for (std::size_t k = 0; k < patches; ++k)
-        add_halves(k, size, most_halvings);
+    while (!add_all_halves(patches, size))
+        size *= 2;
 }
 
-void PieceTree::add_halves(std::size_t piece, double size, int halvings)
+// Adds the halves of all patches; removes them again if they are too many.
+bool PieceTree::add_all_halves(std::size_t patches, double size)
+{
+    for (std::size_t k = 0; k < patches; ++k)
+        if (!add_halves(k, size, most_halvings, patches + most_added_pieces)) {
+            pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(patches),
+                          pieces_.end());
+            for (Piece& patch : pieces_)
+                patch.halves = 0;
+            return false;
+        }
+    return true;
+}
+
+// Returns false once there are more than `most` pieces.
+bool PieceTree::add_halves(std::size_t piece, double size, int halvings, std::size_t most)
 {
     if (halvings == 0 || pieces_[piece].bezier.box().diagonal().norm() <= size)
-        return;
+        return true;
+    if (pieces_.size() > most)
+        return false;
     const BezierPiece& whole = pieces_[piece].bezier;
     auto [low, high] = halves(whole, whole.wider());
     const std::size_t first = pieces_.size();
@@ -183,8 +203,8 @@ void PieceTree::add_halves(std::size_t piece, double size, int halvings)
         const Vec3 middle = half->middle();
         pieces_.push_back({std::move(*half), middle});
     }
-    add_halves(first, size, halvings - 1);
-    add_halves(first + 1, size, halvings - 1);
+    return add_halves(first, size, halvings - 1, most) &&
+           add_halves(first + 1, size, halvings - 1, most);
 }
 
 std::int32_t FinerPieces::halves_of_leaf(const PieceTree& tree, std::int32_t leaf)
@@ -214,9 +234,14 @@ std::int32_t FinerPieces::add_halves(const BezierPiece& whole)
     return first;
 }
 
+bool FinerPieces::is_full() const
+{
+    return pieces_.size() >= most_finer_pieces;
+}
+
 void FinerPieces::limit_memory()
 {
-    if (pieces_.size() < most_finer_pieces)
+    if (!is_full())
         return;
     of_leaves_.clear();
     pieces_.resize(1);

@@ -75,7 +75,7 @@ public:
 
     /// \param surfaces the part.
     /// \param piece_size mm, largest diagonal of the box of a piece without halves. It is
-    ///     enlarged where it would make more than about 60 000 pieces.
+    ///     enlarged where it would make more than about 60 000 pieces besides the patches.
     /// \throws DomainError unless there is a surface and 0 < piece_size.
     PieceTree(std::span<const Surface> surfaces, double piece_size);
 
@@ -84,7 +84,8 @@ public:
     const std::vector<Piece>& pieces() const { return pieces_; }
 
 private:
-    void add_halves(std::size_t piece, double size, int halvings);
+    bool add_all_halves(std::size_t patches, double size);
+    bool add_halves(std::size_t piece, double size, int halvings, std::size_t most);
 
     std::vector<Node> nodes_;
     std::vector<Piece> pieces_;
@@ -103,6 +104,9 @@ public:
 
     /// A piece of this object.
     const PieceTree::Piece& piece(std::int32_t number) const { return pieces_[number]; }
+
+    /// Whether the pieces take more than about 20 MB.
+    bool is_full() const;
 
     /// Removes all pieces if they take more than about 20 MB.
     void limit_memory();

@@ -119,9 +119,51 @@ private:
         while (!open.empty()) {
             const auto [number, halvings] = open.back();
             open.pop_back();
-            if (piece_bound(finer_.piece(number)) < least_ - resolution_)
+            if (!(piece_bound(finer_.piece(number)) < least_ - resolution_))
+                continue;
+            if (finer_.is_full())
+                search_own(finer_.piece(number).bezier, halvings);
+            else
                 open_halves(open, finer_.halves_of(number), halvings + 1);
         }
+    }
+
+    struct OwnPiece {
+        PieceTree::Piece piece;
+        int halvings;
+    };
+
+    // The same search below one piece, in the same order, which keeps no halves: a search
+    // among needles, as on a steep wall, makes millions of them.
+    void search_own(const BezierPiece& whole, int halvings)
+    {
+        std::vector<OwnPiece> open;
+        open_own_halves(open, whole, halvings + 1);
+        while (!open.empty()) {
+            const OwnPiece next = std::move(open.back());
+            open.pop_back();
+            if (piece_bound(next.piece) < least_ - resolution_)
+                open_own_halves(open, next.piece.bezier, next.halvings + 1);
+        }
+    }
+
+    void open_own_halves(std::vector<OwnPiece>& open, const BezierPiece& whole,
+                         int halvings)
+    {
+        if (halvings > most_halvings)
+            return;
+        auto [low, high] = halves(whole, whole.wider());
+        const Vec3 low_middle = low.middle();
+        const Vec3 high_middle = high.middle();
+        const std::size_t before = open.size();
+        for (BezierPiece* half : {&low, &high}) {
+            const Vec3 middle = half->middle();
+            PieceTree::Piece piece{std::move(*half), middle};
+            if (!is_settled(piece))
+                open.push_back({std::move(piece), halvings});
+        }
+        if (open.size() == before + 2 && core_.gap(low_middle) < core_.gap(high_middle))
+            std::swap(open[before], open[before + 1]);
     }
 
     void open_halves(std::vector<Halved>& open, std::int32_t first, int halvings)

@@ -313,8 +313,10 @@ RefinedCurves refined(const SampledSection& sampled,
     const SectionDrop drop{sampled, finer};
     RefinedCurves result;
     const double reach = crossing_reach * sampled.offset.cutter.radius();
-    for (const TrimmedCurve& curve : curves)
+    for (const TrimmedCurve& curve : curves) {
         CurveRefinement{drop, curve, reach}.add_to(result);
+        sampled.finish(curve.points.size());
+    }
     return result;
 }
 
@@ -326,6 +328,7 @@ double greatest_shift(const SampledSection& sampled,
     for (const TrimmedCurve& curve : curves)
         for (std::size_t k = 0; k < curve.points.size(); ++k) {
             const TrimmedPoint& point = curve.points[k];
+            sampled.finish(1);
             const auto shift = [&](const PartContact& contact) {
                 return std::abs(contact.on.height - point.at.y());
             };

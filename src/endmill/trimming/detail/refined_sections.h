@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "endmill/drop_cutter/detail/drop_kinks.h"
@@ -17,6 +18,8 @@ struct SampledSection {
     DriveLine line;               ///< its drive plane
     const OffsetMesh& offset;     ///< the sampled offset
     const SmoothDrop& drop;       ///< of the part, for offset.cutter
+    /// Called with a number of points that are finished.
+    const std::function<void(std::size_t points)>& finish;
 };
 
 /// The trimmed curves of one plane after refinement.
