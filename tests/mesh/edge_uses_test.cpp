@@ -85,7 +85,7 @@ TEST(DuplicateTriangles, AreThoseWithTheCornersOfAnEarlierOne)
                 expected.push_back(k);
         }
         EXPECT_FALSE(expected.empty());
-        EXPECT_EQ(duplicate_triangles(mesh, EdgeUses{mesh}), expected);
+        EXPECT_EQ(duplicate_triangles(EdgeUses{mesh}), expected);
     }
 }
 

@@ -1,18 +1,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed of the searches for a setup, on the teapot and 1200 directions.
+// Speed of the searches for a setup, on the teapot and 1200 directions, and of the best
+// pose for many directions.
 //
 //   benchmarks-setup-search OUTPUT_FOLDER
 //
 // About three minutes; measures time, so nothing else should run. Columns: README.md beside this.
 
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
 #include "benchmarks/setup-search/bars.h"
 #include "endmill/core/parallel.h"
+#include "endmill/setup/pose_search.h"
 #include "support/dataset_mesh.h"
 #include "support/experiment.h"
 #include "support/shortest_times.h"
 #include "support/studied_part.h"
 
 using namespace endmill;
+
+namespace {
+
+// Directions up to 72 degrees from +Z, as a spiral with steps of the golden angle.
+std::vector<Vec3> spiral_of_directions(int count)
+{
+    constexpr double golden_angle = 2 * std::numbers::pi * (2 - std::numbers::phi);
+    std::vector<Vec3> all;
+    for (int k = 0; k < count; ++k) {
+        const double z = 1 - 0.7 * (k + 0.5) / count;
+        const double across = std::sqrt(1 - z * z);
+        all.emplace_back(across * std::cos(golden_angle * k),
+                         across * std::sin(golden_angle * k), z);
+    }
+    return all;
+}
+
+double best_area(std::span<const Vec3> directions)
+{
+    return pose_fit(Vec3::UnitZ(), directions, {.mode = SetupMode::Corrected})
+        .least->area;
+}
+
+}  // namespace
 
 int main(int argc, char** argv)
 {
@@ -27,6 +58,10 @@ int main(int argc, char** argv)
                 return five_axis_setup(part.grid, part.visibility.map, request).objective;
             });
         }
+        const auto many =
+            spiral_of_directions(static_cast<std::int32_t>(run.number("directions")));
+        const std::string many_name = "corrected, CA, many directions";
+        add_benchmark(many_name, [&] { return best_area(many); });
         const ShortestTimes times = shortest_times();
         CsvTable result{{"row", "measured", "unit", "bar_at_most", "proved_percent"}};
         for (const SearchBar& bar : all) {
@@ -40,6 +75,7 @@ int main(int argc, char** argv)
             result.add_row(
                 {bar.name, times.of(bar.name).cpu_s, "s", bar.at_most_s, proved});
         }
+        result.add_row({many_name, times.of(many_name).cpu_s, "s", 10, CsvCell{}});
         run.write_result(result);
     });
 }

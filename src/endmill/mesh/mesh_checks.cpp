@@ -81,10 +81,10 @@ EdgeReport edge_report(const EdgeUses& edges, std::size_t triangles)
     DisjointSets components{triangles};
     edges.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
         std::ptrdiff_t surplus = 0;  // of triangles that run along the edge forwards
-        for (const EdgeUse& use : uses) {
+        for (const EdgeUse& use : uses)
             surplus += use.is_forward() ? 1 : -1;
+        for (const EdgeUse& use : uses.subspan(1))
             report.joints += components.join(uses.front().triangle(), use.triangle());
-        }
         report.boundary += uses.size() == 1;
         report.inconsistent += uses.size() == 2 && surplus != 0;
         report.all_even &= uses.size() % 2 == 0;
@@ -98,12 +98,54 @@ EdgeReport edge_report(const EdgeUses& edges, std::size_t triangles)
     return report;
 }
 
-// Which points of manifold pieces lie on their boundary.
-std::vector<bool> boundary_points(const TriangleMesh& pieces)
+// Which points of a mesh are at an edge across which two triangles are no neighbours. All
+// boundaries of its manifold pieces run through these points.
+std::vector<bool> points_at_breaks(const TriangleMesh& mesh)
 {
-    std::vector<bool> is_on_boundary(pieces.points().size(), false);
-    EdgeUses{pieces}.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
-        if (uses.size() == 1)
+    std::vector<bool> is_at_break(mesh.points().size(), false);
+    EdgeUses{mesh}.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
+        if (!are_neighbours(uses))
+            is_at_break[edge[0]] = is_at_break[edge[1]] = true;
+    });
+    return is_at_break;
+}
+
+// The triangles at points that are marked.
+TriangleMesh triangles_at(const std::vector<bool>& is_marked, const TriangleMesh& mesh)
+{
+    std::vector<Triangle> kept;
+    for (const Triangle& triangle : mesh.triangles()) {
+        const auto& [a, b, c] = triangle;
+        if (is_marked[a] || is_marked[b] || is_marked[c])
+            kept.push_back(triangle);
+    }
+    return {{mesh.points().begin(), mesh.points().end()}, std::move(kept)};
+}
+
+// The manifold pieces of a mesh, or of a part of it that has all their boundaries.
+struct PiecesAtBreaks {
+    ManifoldPieces pieces;
+    std::vector<bool> is_at_break;  // points of the mesh through which boundaries run
+};
+
+// Only the triangles at breaks have a boundary, unless triangles had to be detached.
+PiecesAtBreaks pieces_at_breaks(const TriangleMesh& mesh)
+{
+    std::vector<bool> is_at_break = points_at_breaks(mesh);
+    ManifoldPieces pieces = manifold_pieces(triangles_at(is_at_break, mesh));
+    if (!pieces.has_detached)
+        return {std::move(pieces), std::move(is_at_break)};
+    return {manifold_pieces(mesh), std::vector<bool>(mesh.points().size(), true)};
+}
+
+// Which points of manifold pieces lie on their boundary. Edges where `pieces` end because
+// the other triangles were left out do not count.
+std::vector<bool> boundary_points(const TriangleMesh& mesh, const PiecesAtBreaks& cut)
+{
+    std::vector<bool> is_on_boundary(mesh.points().size(), false);
+    EdgeUses{mesh}.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
+        if (uses.size() == 1 && cut.is_at_break[cut.pieces.points[edge[0]]] &&
+            cut.is_at_break[cut.pieces.points[edge[1]]])
             is_on_boundary[edge[0]] = is_on_boundary[edge[1]] = true;
     });
     return is_on_boundary;
@@ -177,7 +219,7 @@ MeshReport mesh_report(const TriangleMesh& mesh)
     report.inconsistent_edges = edges.inconsistent;
     report.components = sum.with_three_corners - edges.joints;
     report.degenerate_triangles = sum.without_area;
-    report.duplicate_triangles = duplicate_triangles(mesh, uses).size();
+    report.duplicate_triangles = duplicate_triangles(uses).size();
     report.area = sum.doubled_area.value() / 2;
     report.closed = has_edges && edges.all_even;
     if (has_edges && edges.all_balanced)
@@ -187,13 +229,14 @@ MeshReport mesh_report(const TriangleMesh& mesh)
 
 std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh)
 {
-    ManifoldPieces pieces = manifold_pieces(mesh);
+    PiecesAtBreaks at_breaks = pieces_at_breaks(mesh);
+    ManifoldPieces& pieces = at_breaks.pieces;
     std::vector<Vec3> points;
     points.reserve(pieces.points.size());
     for (const std::int32_t number : pieces.points)
         points.push_back(mesh.points()[number]);
     const TriangleMesh cut{std::move(points), std::move(pieces.triangles)};
-    std::vector<bool> is_to_do = boundary_points(cut);
+    std::vector<bool> is_to_do = boundary_points(cut, at_breaks);
     const OpenMesh::TriConnectivity half_edges = half_edges_at(is_to_do, cut);
     std::vector<BoundaryLoop> loops;
     for (std::size_t k = 0; k < is_to_do.size(); ++k) {

@@ -529,8 +529,7 @@ CleanedMesh without_degenerate_or_duplicate(const TriangleMesh& mesh)
     }
     const std::size_t degenerate = mesh.triangles().size() - kept.size();
     const TriangleMesh with_area{copy_of_points(mesh), std::move(kept)};
-    const std::vector<std::int32_t> duplicates =
-        duplicate_triangles(with_area, EdgeUses{with_area});
+    const std::vector<std::int32_t> duplicates = duplicate_triangles(EdgeUses{with_area});
     std::vector<Triangle> single;
     single.reserve(with_area.triangles().size() - duplicates.size());
     auto next = duplicates.begin();

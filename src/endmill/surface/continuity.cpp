@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/parallel.h"
 #include "endmill/core/tolerance.h"
 
 namespace endmill {
@@ -97,15 +98,18 @@ std::vector<BorderBreak> border_breaks(const Surface& surface)
     const auto v = surface.breaks(Parameter::V);
     const int columns = surface.patches(Parameter::U);
     const int rows = surface.patches(Parameter::V);
-    std::vector<BorderBreak> breaks;
+    std::vector<PatchPair> pairs;
     for (int i = 1; i < columns; ++i)
         for (int j = 0; j < rows; ++j)
-            breaks.push_back(
-                worst_break(surface, {i - 1, j, i, j, {u[i], v[j]}, {u[i], v[j + 1]}}));
+            pairs.push_back({i - 1, j, i, j, {u[i], v[j]}, {u[i], v[j + 1]}});
     for (int j = 1; j < rows; ++j)
         for (int i = 0; i < columns; ++i)
-            breaks.push_back(
-                worst_break(surface, {i, j - 1, i, j, {u[i], v[j]}, {u[i + 1], v[j]}}));
+            pairs.push_back({i, j - 1, i, j, {u[i], v[j]}, {u[i + 1], v[j]}});
+    std::vector<BorderBreak> breaks(pairs.size());
+    parallel_for(pairs.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            breaks[k] = worst_break(surface, pairs[k]);
+    });
     return breaks;
 }
 

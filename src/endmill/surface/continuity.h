@@ -27,11 +27,11 @@ std::string_view continuity_name(Continuity continuity);
 
 /// The worst place of a border between two patches.
 struct BorderBreak {
-    SurfacePoint at;          ///< the place, on the border
-    Vec3 point;               ///< mm
-    Angle normals;            ///< angle between the normals of the two patches
-    double gap_mm;            ///< mm, between their points at the same parameters
-    Continuity continuity;    ///< of the whole border
+    SurfacePoint at = {};               ///< the place, on the border
+    Vec3 point = Vec3::Zero();          ///< mm
+    Angle normals = Angle::radians(0);  ///< angle between the normals of the two patches
+    double gap_mm = 0;  ///< mm, between their points at the same parameters
+    Continuity continuity = Continuity::G1;  ///< of the whole border
     std::size_t surface = 0;  ///< number of the surface in a part of several, from 0
 };
 

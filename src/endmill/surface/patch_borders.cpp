@@ -2,14 +2,18 @@
 #include "endmill/surface/continuity.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
 #include "endmill/surface/detail/patch_sides.h"
 
 namespace endmill {
@@ -19,17 +23,30 @@ constexpr int samples_per_side = 17;
 constexpr int search_samples = 32;  // of a side, to find the nearest point
 constexpr int refinements = 60;     // of golden section search, down to rounding
 
-// Parameter of the point of `side` that is nearest to `point`: the best sample, refined
+// A side with its points at equal steps of the parameter.
+struct SampledSide {
+    const PatchSide* side = nullptr;
+    std::array<Vec3, search_samples + 1> points = {};
+
+    explicit SampledSide(const PatchSide& of) : side{&of}
+    {
+        for (int k = 0; k <= search_samples; ++k)
+            points[k] = of.tangents(k / double(search_samples)).point;
+    }
+};
+
+// Parameter of the point of a side that is nearest to `point`: the best sample, refined
 // by golden section.
-double nearest_parameter(const PatchSide& side, const Vec3& point)
+double nearest_parameter(const SampledSide& sampled, const Vec3& point)
 {
+    const PatchSide& side = *sampled.side;
     const auto distance = [&](double t) {
         return (side.tangents(t).point - point).squaredNorm();
     };
     int nearest = 0;
-    double least = distance(0);
+    double least = (sampled.points[0] - point).squaredNorm();
     for (int k = 1; k <= search_samples; ++k)
-        if (const double d = distance(k / double(search_samples)); d < least) {
+        if (const double d = (sampled.points[k] - point).squaredNorm(); d < least) {
             least = d;
             nearest = k;
         }
@@ -77,14 +94,15 @@ double turn(const PatchSide& one, const SurfaceTangents& here, const PatchSide& 
 }
 
 // The worst of the samples along two sides that meet.
-BorderBreak break_between(const PatchSide& one, const PatchSide& other, double size)
+BorderBreak break_between(const PatchSide& one, const SampledSide& sampled, double size)
 {
+    const PatchSide& other = *sampled.side;
     BorderBreak worst{one.from, {}, Angle::radians(-1), 0, Continuity::G1, one.number};
     for (int sample = 0; sample < samples_per_side; ++sample) {
         const double t = sample / double(samples_per_side - 1);
         const SurfaceTangents here = one.tangents(t);
         const SurfaceTangents there =
-            other.tangents(nearest_parameter(other, here.point));
+            other.tangents(nearest_parameter(sampled, here.point));
         worst.gap_mm = std::max(worst.gap_mm, (here.point - there.point).norm());
         const Angle angle = Angle::radians(turn(one, here, other, there));
         if (angle.radians() > worst.normals.radians()) {
@@ -95,6 +113,31 @@ BorderBreak break_between(const PatchSide& one, const PatchSide& other, double s
     }
     worst.continuity = continuity_of(worst.gap_mm, worst.normals, size);
     return worst;
+}
+
+using SidePair = std::pair<std::size_t, std::size_t>;
+
+// The break between the sides of each pair. The pairs are examined in the order of their
+// second sides, so that the samples of a side serve all its pairs.
+std::vector<BorderBreak> breaks_of(std::span<const SidePair> pairs,
+                                   std::span<const PatchSide> sides, double size)
+{
+    std::vector<std::size_t> order(pairs.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t k) {
+        return std::pair{pairs[k].second, k};
+    });
+    std::vector<BorderBreak> breaks(pairs.size());
+    parallel_for(order.size(), [&](std::size_t begin, std::size_t end) {
+        std::optional<SampledSide> sampled;
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto& [one, other] = pairs[order[i]];
+            if (!sampled || sampled->side != &sides[other])
+                sampled.emplace(sides[other]);
+            breaks[order[i]] = break_between(sides[one], *sampled, size);
+        }
+    });
+    return breaks;
 }
 
 }  // namespace
@@ -112,9 +155,9 @@ SurfaceContinuity continuity(std::span<const Surface> surfaces)
         size = std::max(size, surfaces[number].diagonal());
     }
     const std::vector<PatchSide> sides = patch_sides(surfaces);
-    for (const auto& [one, other] : meeting_sides(sides, same_end_mm(surfaces)))
-        if (const BorderBreak border = break_between(sides[one], sides[other], size);
-            is_worse(border, whole.worst))
+    const std::vector<SidePair> pairs = meeting_sides(sides, same_end_mm(surfaces));
+    for (const BorderBreak& border : breaks_of(pairs, sides, size))
+        if (is_worse(border, whole.worst))
             whole.worst = border;
     whole.continuity = whole.worst.continuity;
     return whole;

@@ -2,8 +2,8 @@
 #include "endmill/mesh/detail/edge_uses.h"
 
 #include <algorithm>
+#include <compare>
 #include <numeric>
-#include <utility>
 
 namespace endmill {
 namespace {
@@ -45,28 +45,40 @@ EdgeUses::EdgeUses(const TriangleMesh& mesh) : begin_(mesh.points().size() + 1)
             [](const EdgeUse& a, const EdgeUse& b) { return a.rank() < b.rank(); });
 }
 
-// At the edge between the two lower corners of a triangle, its duplicates have the same
-// third corner.
-std::vector<std::int32_t> duplicate_triangles(const TriangleMesh& mesh,
-                                              const EdgeUses& edges)
+// The point with the lowest number of a triangle is the lower end of two of its sides, so
+// that their uses name the other two corners. The corners are not read from the mesh,
+// where they lie scattered if its triangles are in no order.
+std::vector<std::int32_t> duplicate_triangles(const EdgeUses& edges)
 {
+    struct Side {
+        std::int32_t triangle;
+        std::int32_t high;
+        auto operator<=>(const Side&) const = default;
+    };
+    struct Corners {
+        std::int32_t middle;
+        std::int32_t high;
+        std::int32_t triangle;
+        auto operator<=>(const Corners&) const = default;
+    };
     std::vector<std::int32_t> found;
-    std::vector<std::pair<std::int32_t, std::int32_t>> thirds;  // third corner, triangle
-    edges.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
-        if (uses.size() < 2)
-            return;
-        thirds.clear();
-        for (const EdgeUse& use : uses) {
-            const auto& [a, b, c] = mesh.triangles()[use.triangle()];
-            const std::int32_t third = a ^ b ^ c ^ edge[0] ^ edge[1];
-            // so that each triangle is examined at one of its sides only
-            if (third > edge[1])
-                thirds.emplace_back(third, use.triangle());
-        }
-        std::ranges::sort(thirds);
-        for (std::size_t k = 1; k < thirds.size(); ++k)
-            if (thirds[k].first == thirds[k - 1].first)
-                found.push_back(thirds[k].second);
+    std::vector<Side> sides;
+    std::vector<Corners> lowest_here;
+    edges.for_each_lower_end([&](std::span<const EdgeUse> uses) {
+        sides.clear();
+        lowest_here.clear();
+        for (const EdgeUse& use : uses)
+            sides.push_back({use.triangle(), use.high()});
+        std::ranges::sort(sides);
+        for (std::size_t k = 1; k < sides.size(); ++k)
+            if (sides[k].triangle == sides[k - 1].triangle)
+                lowest_here.push_back(
+                    {sides[k - 1].high, sides[k].high, sides[k].triangle});
+        std::ranges::sort(lowest_here);
+        for (std::size_t k = 1; k < lowest_here.size(); ++k)
+            if (lowest_here[k].middle == lowest_here[k - 1].middle &&
+                lowest_here[k].high == lowest_here[k - 1].high)
+                found.push_back(lowest_here[k].triangle);
     });
     std::ranges::sort(found);
     return found;

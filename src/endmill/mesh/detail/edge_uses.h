@@ -47,6 +47,13 @@ inline bool repeats_a_corner(const Triangle& triangle)
     return a == b || b == c || c == a;
 }
 
+/// Whether these are all uses of an edge by two triangles in opposite directions, as
+/// inside a manifold, consistently oriented mesh.
+inline bool are_neighbours(std::span<const EdgeUse> uses)
+{
+    return uses.size() == 2 && uses[0].is_forward() != uses[1].is_forward();
+}
+
 /// All edges of a mesh, each with the triangles that use it, sorted by their ends. It
 /// takes 24 bytes a triangle and 8 a point. Triangles that repeat a corner have no edges
 /// here.
@@ -72,6 +79,15 @@ public:
         }
     }
 
+    /// Calls `visit(std::span<const EdgeUse>)` for each point, in rising order, with the
+    /// uses of all edges of which it is the lower end, sorted by `rank`.
+    template <typename Visit>
+    void for_each_lower_end(const Visit& visit) const
+    {
+        for (std::size_t low = 0; low + 1 < begin_.size(); ++low)
+            visit(std::span{uses_}.subspan(begin_[low], begin_[low + 1] - begin_[low]));
+    }
+
 private:
     std::vector<std::size_t> begin_;  // first use of the edges at each lower end
     std::vector<EdgeUse> uses_;
@@ -79,7 +95,7 @@ private:
 
 /// The triangles that have the same three corners, in any order, as an earlier one; in
 /// rising order. Triangles that repeat a corner are not included.
-std::vector<std::int32_t> duplicate_triangles(const TriangleMesh& mesh,
-                                              const EdgeUses& edges);
+/// \param edges of the mesh.
+std::vector<std::int32_t> duplicate_triangles(const EdgeUses& edges);
 
 }  // namespace endmill

@@ -23,11 +23,6 @@ namespace {
 //    because its triangles are in one fan at both ends. These triangles are detached from
 //    all their neighbours, and step 1 is repeated.
 
-bool are_neighbours(std::span<const EdgeUse> uses)
-{
-    return uses.size() == 2 && uses[0].is_forward() != uses[1].is_forward();
-}
-
 std::int32_t corner_at(const Triangle& triangle, std::int32_t point)
 {
     return static_cast<std::int32_t>(std::ranges::find(triangle, point) -
@@ -117,8 +112,11 @@ ManifoldPieces manifold_pieces(const TriangleMesh& mesh)
     for (;;) {
         Fans fans = fans_of(mesh, edges, is_detached);
         ManifoldPieces pieces = pieces_of(mesh, fans.corners);
-        if (!fans.has_cuts || !detach_non_manifold(mesh, pieces, is_detached))
+        if (!fans.has_cuts || !detach_non_manifold(mesh, pieces, is_detached)) {
+            pieces.has_detached =
+                std::ranges::find(is_detached, true) != is_detached.end();
             return pieces;
+        }
     }
 }
 

@@ -17,6 +17,8 @@ struct ManifoldPieces {
     std::vector<std::int32_t> points;
     /// Of each triangle of the pieces: its number in the mesh, rising.
     std::vector<std::int32_t> source_triangles;
+    /// Whether a cut was not enough, so that triangles were detached from all others.
+    bool has_detached = false;
 };
 
 /// Cuts `mesh` into manifold pieces by giving each fan of triangles a copy of its point.

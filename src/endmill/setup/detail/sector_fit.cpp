@@ -12,73 +12,12 @@
 #include "endmill/core/error.h"
 #include "endmill/setup/detail/pole_points.h"
 #include "endmill/setup/detail/setup_rules.h"
+#include "endmill/setup/detail/wide_sectors.h"
 
 namespace endmill {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-struct PolarDirection {
-    double azimuth;  // rad, from 0 to 2 pi
-    double polar;    // rad
-};
-
-// Directions about a pole, sorted by azimuth and listed twice: the second time 360
-// degrees on.
-class DirectionFan {
-public:
-    explicit DirectionFan(const PolePoints& points)
-    {
-        std::vector<PolarDirection> fan;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            const double polar = points.polar(i);
-            if (polar > pi - equal_angles)
-                opposite_ = std::max(opposite_, polar);  // has every azimuth
-            else if (polar > equal_angles)
-                fan.push_back({full_turn(points.azimuth(i)), polar});
-            largest_ = std::max(largest_, polar);
-        }
-        std::sort(fan.begin(), fan.end(), [](const auto& a, const auto& b) {
-            return a.azimuth != b.azimuth ? a.azimuth < b.azimuth : a.polar < b.polar;
-        });
-        for (const double beyond : {0.0, 2 * pi}) {
-            for (const PolarDirection& v : fan) {
-                azimuths_.push_back(v.azimuth + beyond);
-                polars_.push_back(v.polar);
-            }
-        }
-    }
-
-    std::size_t size() const { return polars_.size() / 2; }
-    double largest_polar() const { return largest_; }
-
-    // \pre i < 2 size().
-    double azimuth(std::size_t i) const { return azimuths_[i]; }
-    double polar(std::size_t i) const { return polars_[i]; }
-
-    // Largest polar angle of the directions begin ... end - 1; 0 if there is none.
-    double largest_of(std::size_t begin, std::size_t end) const
-    {
-        double largest = 0;
-        for (std::size_t i = begin; i < end; ++i)
-            largest = std::max(largest, polars_[i]);
-        return largest;
-    }
-
-    // A direction opposite to the pole counts in the sector with the larger polar angle.
-    SectorCandidate candidate(double from, double width, double polar, double other) const
-    {
-        double& larger = polar >= other ? polar : other;
-        larger = std::max(larger, opposite_);
-        return {full_turn(from), width > equal_angles ? width : 0, polar, other};
-    }
-
-private:
-    std::vector<double> azimuths_;
-    std::vector<double> polars_;
-    double opposite_ = 0;
-    double largest_ = 0;
-};
 
 // Calls `take` for each narrow sector whose counter-clockwise end is a direction. The
 // double sector leaves out the larger of two gaps: after the direction, or after its
@@ -92,6 +31,8 @@ void for_each_narrow_sector(const DirectionFan& fan, const Take& take)
         take(fan.candidate(0, 0, 0, 0));
     std::size_t beyond = 0;  // the first direction after the antipode of the end
     std::size_t first = 0;   // the first direction in the sector that ends at j + count
+    RunMaximum inside{fan};
+    RunMaximum outside{fan};
     for (std::size_t j = 0; j < count; ++j) {
         const double end = fan.azimuth(j);
         beyond = std::max(beyond, j + 1);
@@ -104,17 +45,16 @@ void for_each_narrow_sector(const DirectionFan& fan, const Take& take)
         while (first < j + count &&
                fan.azimuth(first) < end + 2 * pi - width - equal_angles)
             ++first;
-        take(fan.candidate(end - width, width, fan.largest_of(first, j + count + 1),
-                           fan.largest_of(j + 1, first)));
+        take(fan.candidate(end - width, width, inside.of(first, j + count + 1),
+                           outside.of(j + 1, first)));
     }
 }
 
-// Calls `take` for each sector of 180 degrees or more from one direction to another, as
-// long as `may_be_wide` allows the width. At exactly 180 degrees it differs from the
-// narrow sector, which has the two directions in different sectors.
-template <class MayBeWide, class Take>
-void for_each_wide_sector(const DirectionFan& fan, const MayBeWide& may_be_wide,
-                          const Take& take)
+// Calls `take` for each sector of 180 degrees or more from one direction to another. At
+// exactly 180 degrees it differs from the narrow sector, which has the two directions in
+// different sectors.
+template <class Take>
+void for_each_wide_sector(const DirectionFan& fan, const Take& take)
 {
     const std::size_t count = fan.size();
     // outside[k]: largest polar angle of the directions after the k-th from j.
@@ -126,11 +66,8 @@ void for_each_wide_sector(const DirectionFan& fan, const MayBeWide& may_be_wide,
         for (std::size_t k = 0; k < count; ++k) {
             inside = std::max(inside, fan.polar(j + k));
             const double width = fan.azimuth(j + k) - fan.azimuth(j);
-            if (width >= pi - equal_angles) {
-                if (!may_be_wide(width))
-                    break;
+            if (width >= pi - equal_angles)
                 take(fan.candidate(fan.azimuth(j), width, inside, outside[k]));
-            }
         }
     }
 }
@@ -187,8 +124,7 @@ std::vector<SectorCandidate> sector_candidates(const Vec3& tool_axis,
     };
     for_each_narrow_sector(fan, take);
     if (setup_rules(mode).has_wide_sectors)
-        for_each_wide_sector(
-            fan, [](double) { return true; }, take);
+        for_each_wide_sector(fan, take);
     return result;
 }
 
@@ -201,24 +137,28 @@ PoseSearchResult sector_fit(const Vec3& tool_axis, std::span<const Vec3> directi
     const DirectionFan fan{points};
     BestCandidate<SectorCandidate> least{bounds.least};
     BestCandidate<SectorCandidate> feasible{bounds.feasible};
-    const auto take = [&](const SectorCandidate& sector) {
+    const auto is_allowed = [&](const SectorCandidate& sector) {
+        return is_feasible(sector, options.limits);
+    };
+    for_each_narrow_sector(fan, [&](const SectorCandidate& sector) {
         const double area = sector.area();
         if (!least.wants(area) && !feasible.wants(area))
             return;
         const SetupScore score{area, sector.polar + sector.opposite_polar + sector.width};
         least.offer(sector, score);
-        if (is_feasible(sector, options.limits))
+        if (is_allowed(sector))
             feasible.offer(sector, score);
-    };
-    for_each_narrow_sector(fan, take);
+    });
     // One of the two tilts is that of the direction farthest from the pole, so that this
     // is a lower bound of the area.
-    const auto may_be_wide = [&](double width) {
-        const double area = width * fan.largest_polar();
-        return least.wants(area) || feasible.wants(area);
-    };
-    if (setup_rules(options.mode).has_wide_sectors && may_be_wide(pi))
-        for_each_wide_sector(fan, may_be_wide, take);
+    const double bound = pi * fan.largest_polar();
+    if (setup_rules(options.mode).has_wide_sectors &&
+        (least.wants(bound) || feasible.wants(bound))) {
+        const std::vector<WideSectors> wide = least_wide_sectors(fan);
+        offer_wide_sectors(
+            fan, wide, [](const SectorCandidate&) { return true; }, least);
+        offer_wide_sectors(fan, wide, is_allowed, feasible);
+    }
 
     PoseSearchResult result;
     result.poses_tried = 1;

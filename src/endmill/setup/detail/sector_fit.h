@@ -5,23 +5,11 @@
 #include <vector>
 
 #include "endmill/core/vec.h"
+#include "endmill/setup/detail/direction_fan.h"
 #include "endmill/setup/detail/setup_order.h"
 #include "endmill/setup/setup_pose.h"
 
 namespace endmill {
-
-/// Two opposite sectors about a tool axis that contain given directions: what a machine
-/// of family C,A reaches when C turns by `width`.
-/// Source: [KangSuh, eq. (6)–(11), (13)].
-struct SectorCandidate {
-    double from;   ///< rad: azimuth at which the first sector begins
-    double width;  ///< rad, within [0, 2 pi): the first sector is [from, from + width]
-    double polar;  ///< rad: largest polar angle in the first sector
-    double opposite_polar;  ///< rad: largest polar angle of the other directions
-
-    /// rad^2, the paper's F.
-    double area() const { return (polar + opposite_polar) * width; }
-};
 
 /// The double sectors that a mode tries. First those below 180 degrees, one for each
 /// direction in the order of azimuths: the direction is the counter-clockwise end of the
@@ -42,7 +30,7 @@ std::vector<SectorCandidate> sector_candidates(const Vec3& tool_axis,
 /// that fits the limits. Zero of C divides the azimuths in the ratio in which it divides
 /// the limits of C.
 /// Source: [KangSuh, section 5, eq. (5)–(13)]; docs/methods/five-axis-setup.md,
-/// section 5.
+/// section 5. O(n log n).
 /// \param tool_axis unit. \param directions unit. \param options mode and limits.
 /// \param bounds save work: a fit whose area exceeds its bound may be missing.
 /// \throws DomainError as `check_pose_fit_options`, or if the family is not C,A.

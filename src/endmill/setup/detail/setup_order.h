@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -64,10 +65,11 @@ public:
     {
         if (!wants(score.area))
             return;
-        if (score.area < area_) {
-            area_ = score.area;
+        area_ = std::min(area_, score.area);
+        if (kept_.size() >= most_kept_) {
             std::erase_if(kept_,
                           [this](const Kept& kept) { return !wants(kept.score.area); });
+            most_kept_ = 2 * kept_.size() + first_most_kept;
         }
         kept_.push_back({candidate, score});
     }
@@ -75,16 +77,24 @@ public:
     /// The least area offered, rad^2; infinite if all areas exceed the bound.
     double area() const { return area_; }
 
-    /// The best candidate, or nothing if all areas exceed the bound.
-    std::optional<Candidate> best() const
+    /// The largest area and the largest sum of candidates that count as equal to the best
+    /// one. The best candidate is the first one offered that exceeds neither.
+    SetupScore limit() const
     {
         double sum = std::numeric_limits<double>::infinity();
         for (const Kept& kept : kept_)
-            sum = std::min(sum, kept.score.sum);
-        for (const Kept& kept : kept_) {
-            if (kept.score.sum <= equal_sum_limit(sum))
+            if (wants(kept.score.area))
+                sum = std::min(sum, kept.score.sum);
+        return {equal_area_limit(std::min(bound_, area_)), equal_sum_limit(sum)};
+    }
+
+    /// The best candidate, or nothing if all areas exceed the bound.
+    std::optional<Candidate> best() const
+    {
+        const SetupScore most = limit();
+        for (const Kept& kept : kept_)
+            if (kept.score.area <= most.area && kept.score.sum <= most.sum)
                 return kept.candidate;
-        }
         return std::nullopt;
     }
 
@@ -94,9 +104,14 @@ private:
         SetupScore score;
     };
 
+    // Candidates are removed only when their number has doubled, so that many areas, each
+    // a little smaller than the one before, take linear time.
+    static constexpr std::size_t first_most_kept = 8;
+
     double bound_;  // rad^2, the largest area of interest
     double area_ = std::numeric_limits<double>::infinity();
-    std::vector<Kept> kept_;  // candidates whose area counts as equal to the least
+    std::size_t most_kept_ = first_most_kept;
+    std::vector<Kept> kept_;  // holds all whose area counts as equal to the least
 };
 
 /// The range with its ends negated: it becomes this if the part is turned by 180 degrees
