@@ -2,6 +2,8 @@
 #include "endmill/trimming/detail/refined_sections.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -29,7 +31,7 @@ struct Trough {
     RefinedCurves refine(const std::vector<TrimmedCurve>& trimmed) const
     {
         FinerPieces finer;
-        return refined({section, {along_x, 3}, offset, drop}, trimmed, finer);
+        return refined({section, {along_x, 3}, offset, drop, finish}, trimmed, finer);
     }
 
     std::vector<Surface> part{test::parabolic_cylinder(0.25, 12, 10)};
@@ -37,6 +39,7 @@ struct Trough {
     PlaneSection section;
     std::vector<TrimmedCurve> curves;
     SmoothDrop drop{part, Cutter::ball(7)};
+    std::function<void(std::size_t points)> finish = [](std::size_t) {};
 };
 
 TEST(RefinedSections, PutTheCrossingWhereTheClosedFormHasIt)
@@ -127,7 +130,7 @@ TEST(RefinedSections, EstimateTheirShiftWithoutRefining)
     const Trough trough;
     FinerPieces finer;
     const SampledSection sampled{
-        trough.section, {along_x, 3}, trough.offset, trough.drop};
+        trough.section, {along_x, 3}, trough.offset, trough.drop, trough.finish};
     const double shift = trough.refine(trough.curves).greatest_shift;
     EXPECT_GT(shift, 1e-3);
     EXPECT_DOUBLE_EQ(greatest_shift(sampled, trough.curves, 0, finer), shift);
