@@ -354,7 +354,7 @@ class PlanOnTheExample(ProgramTest):
 
     def test_files_do_not_depend_on_the_memory_limit(self):
         self.summary("plan", NET, *COARSE, "-o", "together")
-        self.summary("plan", NET, *COARSE, "-o", "one-by-one", "--max-memory", "0.005")
+        self.summary("plan", NET, *COARSE, "-o", "one-by-one", "--max-memory", "0.008", "--threads", 1)
         for path in (self.folder / "together").rglob("*.csv"):
             twin = self.folder / "one-by-one" / path.relative_to(self.folder / "together")
             self.assertEqual(path.read_bytes(), twin.read_bytes(), path)

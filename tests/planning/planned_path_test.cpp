@@ -88,8 +88,8 @@ TEST(MostPathPoints, FillTheMemoryUpToOnePoint)
     for (const double gib : {1e-9, 1e-6, 0.5, 1.0, 8.0, 1000.0}) {
         const double bytes = gib * 1024 * 1024 * 1024;
         const auto points = static_cast<double>(most_path_points(gib));
-        EXPECT_LE(points * 900, bytes);
-        EXPECT_GT((points + 1) * 900, bytes);
+        EXPECT_LE(points * 950, bytes);
+        EXPECT_GT((points + 1) * 950, bytes);
     }
 }
 
@@ -106,22 +106,22 @@ TEST(PathMemory, RefusesOnlyPathsThatDoNotFitWithHalfThePoints)
     EXPECT_THROW(require_path_memory(2 * most + 1, 0.25), LimitError);
 }
 
-// 900 million points of 900 bytes are 810 * 10^9 / 2^30 = 754 GiB; 8 GiB hold 9.54
+// 900 million points of 950 bytes are 855 * 10^9 / 2^30 = 796 GiB; 8 GiB hold 9.04
 // million points.
 TEST(PathMemory, ARefusalNamesPointsNeedAndLimit)
 {
     EXPECT_THAT([] { require_path_memory(9e8, 8); },
                 testing::ThrowsMessage<LimitError>(
-                    AllOf(HasSubstr("about 9e+08 CL points"), HasSubstr("7.5e+02 GiB"),
+                    AllOf(HasSubstr("about 9e+08 CL points"), HasSubstr("8e+02 GiB"),
                           HasSubstr("at most 8 GiB (--max-memory)"),
-                          HasSubstr("enough for 9.5e+06 points"))));
+                          HasSubstr("enough for 9e+06 points"))));
 }
 
-// A quarter of 0.5 GiB holds 149130 points of 900 bytes.
+// A quarter of 0.5 GiB holds 141281 points of 950 bytes.
 TEST(FitTogether, IfTheSumNeedsAtMostAQuarterOfTheMemory)
 {
-    EXPECT_TRUE(fit_together(std::array{100'000.0, 49'130.0}, 0.5));
-    EXPECT_FALSE(fit_together(std::array{100'000.0, 49'132.0}, 0.5));
+    EXPECT_TRUE(fit_together(std::array{100'000.0, 41'281.0}, 0.5));
+    EXPECT_FALSE(fit_together(std::array{100'000.0, 41'282.0}, 0.5));
     EXPECT_TRUE(fit_together({}, 0.5));
 }
 

@@ -160,7 +160,8 @@ double least_left_by_planes(const MeasuredCell& cell, std::span<const StraightSw
     return least;
 }
 
-std::optional<ClearedPart> part_cleared(const MeasuredCell& cell, const StraightSweep& sweep)
+std::optional<ClearedPart> part_cleared(const MeasuredCell& cell,
+                                        const StraightSweep& sweep)
 {
     const HalfSpace half = half_space_beyond(sweep, cell.ray.point);
     const PartCell& of = cell.cell;

@@ -77,7 +77,7 @@ struct ClearedPart {
 /// which is perpendicular to the way from the cell's middle to the sweep.
 /// \return nothing if the sweep clears nothing of the part on the cell.
 std::optional<ClearedPart> part_cleared(const MeasuredCell& cell,
-                                     const StraightSweep& sweep);
+                                        const StraightSweep& sweep);
 
 /// Returns an upper bound of the thickness on the whole cell in mm, from thickness and
 /// slope at the middle and the curvatures of the cutter's corner and the part. It is
