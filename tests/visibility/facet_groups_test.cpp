@@ -2,7 +2,9 @@
 #include "endmill/visibility/detail/facet_groups.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -63,6 +65,56 @@ TEST(FacetGroups, ContainEachFacetWithAnAreaOnce)
     expect_each_facet_once(shuffled(test::torus_mesh(20, 12), 0));
     expect_each_facet_once(shuffled(test::flat_mesh(9, 7), 5));
     expect_each_facet_once(TriangleMesh{{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 1}}});
+}
+
+// The clusters follow the groups; their boxes and bits are those of their facets.
+TEST(FacetGroups, AreEightToACluster)
+{
+    std::vector<Vec3> points = test::points_of(test::torus_mesh(20, 12));
+    std::vector<Triangle> triangles = test::triangles_of(test::torus_mesh(20, 12));
+    points.emplace_back(10, 0, 0);
+    points.emplace_back(11, 0, 0);
+    points.emplace_back(10.5, 1e-9, 0);  // the needle's normal is uncertain
+    triangles.push_back({240, 241, 242});
+    const TriangleMesh part{points, triangles};
+    const FacetGroups groups = facet_groups(part, part_facets(part));
+    ASSERT_EQ(groups.clusters.size(), 8U);
+    ASSERT_EQ(groups.groups.size(), 61U);
+    int ill_shaped = 0;
+    for (std::size_t k = 0; k < groups.groups.size(); ++k) {
+        const FacetCluster& cluster = groups.clusters[k / 8];
+        for (int lane = 0; lane < groups.groups[k].count; ++lane) {
+            const auto bit = k % 8 * 8 + lane;
+            const std::int32_t facet = groups.groups[k].facet[lane];
+            EXPECT_TRUE(cluster.facets >> bit & 1);
+            ill_shaped += !(cluster.well_shaped >> bit & 1);
+            if (!(cluster.well_shaped >> bit & 1)) {
+                EXPECT_EQ(facet, 480);
+            }
+            for (const Vec3& corner : part.corners(facet))
+                EXPECT_TRUE(((corner - cluster.centre).cwiseAbs().array() <=
+                             cluster.half.array() + 1e-12)
+                                .all());
+        }
+    }
+    EXPECT_EQ(ill_shaped, 1);
+    EXPECT_EQ(groups.clusters.back().facets, (std::uint64_t{1} << 33) - 1);
+}
+
+TEST(FacetGroups, TellWhichFacetsFaceADirection)
+{
+    const TriangleMesh part = test::torus_mesh(7, 4);
+    const PartFacets facets = part_facets(part);
+    const FacetGroups groups = facet_groups(part, facets);
+    const Vec3 direction = Vec3{1, 2, -0.5}.normalized();
+    const std::array<float, 4> limits{-0.7F, -0.1F, 0.2F, 0.9F};
+    const auto above = facets_above(groups.normals, direction.cast<float>(), limits);
+    for (std::size_t k = 0; k < 56; ++k) {
+        const double cosine =
+            facets.normals[groups.groups[k / 8].facet[k % 8]].dot(direction);
+        for (int limit = 0; limit < 4; ++limit)
+            EXPECT_EQ((above[limit] >> k & 1) != 0, cosine > limits[limit]);
+    }
 }
 
 // A square has 2 a^2 facets. A group of eight covers 4 / a^2 of it, or slightly more.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -74,6 +75,30 @@ TEST(PointCells, AreTheNearestForPlacesOutside)
     EXPECT_EQ(cells.row_at(-1e30F), 0);
     EXPECT_EQ(cells.row_at(100.0F), cells.rows() - 1);
     EXPECT_NEAR(cells.row_at(0.0F), cells.rows() / 2.0, 1);
+}
+
+TEST(PointCells, KnowTheLowestPointOfEachCell)
+{
+    const std::vector<NumberedPoint> points = random_points(1003, 1);
+    PointCells cells;
+    cells.sort(points);
+    for (int row = 0; row < cells.rows(); ++row)
+        for (int first = 0; first + 2 < cells.columns(); first += 3) {
+            const auto [begin, end] = cells.range(row, first, first + 2);
+            float lowest = std::numeric_limits<float>::infinity();
+            for (std::uint32_t place = begin; place < end; ++place)
+                lowest = std::min(lowest, cells.point_at(place).place.z());
+            EXPECT_EQ(cells.any_below(row, first, first + 2, 500), lowest <= 500);
+        }
+}
+
+TEST(PointCells, AreAsManyAsAskedForIfThereAreFewPoints)
+{
+    PointCells cells;
+    cells.sort(random_points(9, 1), 1000);
+    EXPECT_GT(cells.rows() * cells.columns(), 500);
+    EXPECT_LT(cells.rows() * cells.columns(), 2000);
+    EXPECT_EQ(cells.points(), 9U);
 }
 
 TEST(PointCells, HaveNoNumberInPlacesWithoutAPoint)

@@ -2,10 +2,13 @@
 #include "endmill/visibility/detail/shadow_raster.h"
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "endmill/core/tolerance.h"
 #include "endmill/visibility/detail/ray_blocking.h"
 #include "endmill/visibility/sphere_grid.h"
 #include "random.h"
@@ -14,15 +17,6 @@
 
 namespace endmill {
 namespace {
-
-std::vector<std::uint64_t> all_of(const TriangleMesh& part, const PartFacets& facets)
-{
-    std::vector<std::uint64_t> column((part.triangles().size() + 63) / 64);
-    for (std::size_t facet = 0; facet < part.triangles().size(); ++facet)
-        if (facets.has_area(facet))
-            column[facet / 64] |= std::uint64_t{1} << (facet % 64);
-    return column;
-}
 
 bool is_blocked(const TriangleMesh& part, const PartFacets& facets, std::size_t facet,
                 const Vec3& direction)
@@ -34,25 +28,36 @@ bool is_blocked(const TriangleMesh& part, const PartFacets& facets, std::size_t 
     return false;
 }
 
-// Compares the raster with exact tests of all pairs of facets, for all facets and
-// directions.
+// Compares the raster with exact tests of all pairs of facets, for all facets in question
+// and all directions. Each direction comes twice, because the raster knows more about the
+// facets the second time.
 void expect_same_shadows(const TriangleMesh& part, const std::vector<Vec3>& directions)
 {
     const PartFacets facets = part_facets(part);
-    const FacetGroups groups = facet_groups(part, facets);
-    ShadowRaster raster{part, groups};
-    int disagreements = 0;
+    std::vector<std::vector<bool>> is_hidden;
     for (const Vec3& direction : directions) {
-        std::vector<std::uint64_t> column = all_of(part, facets);
-        raster.clear_blocked(direction, column);
-        for (std::size_t facet = 0; facet < part.triangles().size(); ++facet) {
-            const bool is_free = (column[facet / 64] >> (facet % 64) & 1) != 0;
-            const bool expected =
-                facets.has_area(facet) && !is_blocked(part, facets, facet, direction);
-            disagreements += is_free != expected;
-        }
+        std::vector<bool>& here = is_hidden.emplace_back();
+        for (std::size_t facet = 0; facet < part.triangles().size(); ++facet)
+            here.push_back(!facets.has_area(facet) ||
+                           is_blocked(part, facets, facet, direction));
     }
-    EXPECT_EQ(disagreements, 0);
+    const FacetGroups groups = facet_groups(part, facets);
+    for (const double least : {-2.0, least_facing_cosine, 0.5}) {
+        ShadowRaster raster{part, facets, groups, BorderWalls{part}};
+        int disagreements = 0;
+        for (std::size_t k = 0; k < 2 * directions.size(); ++k) {
+            const Vec3& direction = directions[k % directions.size()];
+            std::vector<std::uint64_t> column((part.triangles().size() + 63) / 64);
+            raster.mark_seen(direction, least, column);
+            for (std::size_t facet = 0; facet < part.triangles().size(); ++facet) {
+                const bool is_seen = (column[facet / 64] >> (facet % 64) & 1) != 0;
+                const bool expected = !is_hidden[k % directions.size()][facet] &&
+                                      facets.normals[facet].dot(direction) > least;
+                disagreements += is_seen != expected;
+            }
+        }
+        EXPECT_EQ(disagreements, 0);
+    }
 }
 
 std::vector<Vec3> some_directions()
@@ -112,6 +117,54 @@ TEST(ShadowRaster, FindsTheShadowsOfParts)
     expect_same_shadows(test::flat_mesh(9, 9), some_directions());
     expect_same_shadows(test::box_mesh({0, 0, 0}, {1, 2, 3}), some_directions());
     expect_same_shadows({}, some_directions());
+}
+
+// A wave with a border: rays pass over the border and below it.
+TriangleMesh wave(double slope)
+{
+    return test::grid_mesh(12, 8, [&](int i, int j) {
+        return Vec3{double(i), double(j),
+                    0.8 * std::sin(1.1 * i) * std::cos(0.9 * j) + slope * i};
+    });
+}
+
+template <typename Choose>
+TriangleMesh without(const TriangleMesh& mesh, const Choose& choose)
+{
+    std::vector<Triangle> triangles;
+    for (std::size_t k = 0; k < mesh.triangles().size(); ++k)
+        if (!choose(k))
+            triangles.push_back(mesh.triangles()[k]);
+    return {test::points_of(mesh), std::move(triangles)};
+}
+
+TEST(ShadowRaster, FindsTheShadowsOfOpenParts)
+{
+    expect_same_shadows(wave(0), some_directions());
+    expect_same_shadows(wave(0.7), some_directions());
+    const TriangleMesh torus = test::torus_mesh(20, 12);
+    expect_same_shadows(without(torus, [](std::size_t k) { return k < 9; }),
+                        some_directions());
+    // A tube of four sides has two borders and no area vector.
+    expect_same_shadows(without(test::box_mesh({0, 0, 0}, {1, 2, 3}),
+                                [](std::size_t k) { return k < 4; }),
+                        some_directions());
+}
+
+TEST(ShadowRaster, FindsTheShadowsOfPartsThatBoundNoSimpleSolid)
+{
+    const TriangleMesh torus = test::torus_mesh(20, 12);
+    const auto all = [](std::size_t) { return true; };
+    const TriangleMesh inside_out = test::with_turned(torus, all);
+    expect_same_shadows(inside_out, some_directions());
+    expect_same_shadows(test::both(torus, test::box_mesh({0, 0, -1}, {20, 3, 1})),
+                        some_directions());
+    const TriangleMesh around = test::box_mesh({-30, -30, -30}, {30, 30, 30});
+    expect_same_shadows(test::both(around, torus), some_directions());
+    expect_same_shadows(test::both(around, inside_out), some_directions());
+    expect_same_shadows(
+        test::with_turned(torus, [](std::size_t k) { return k % 67 == 0; }),
+        some_directions());
 }
 
 TEST(ShadowRaster, IsExactForAnyPositionAndSizeOfThePart)

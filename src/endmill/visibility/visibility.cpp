@@ -19,6 +19,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/tolerance.h"
+#include "endmill/visibility/detail/border_walls.h"
 #include "endmill/visibility/detail/cylinder_contact.h"
 #include "endmill/visibility/detail/direction_count.h"
 #include "endmill/visibility/detail/facet_boxes.h"
@@ -61,9 +62,11 @@ void mark_facing(const PartFacets& facets, const Vec3& direction, double least,
 // directions.
 class SpareRasters {
 public:
-    SpareRasters(const TriangleMesh& part, const FacetGroups& groups)
+    SpareRasters(const TriangleMesh& part, const PartFacets& facets)
         : part_{part},
-          groups_{groups}
+          facets_{facets},
+          groups_{facet_groups(part, facets)},
+          walls_{part}
     {
     }
 
@@ -71,7 +74,7 @@ public:
     {
         const std::lock_guard lock{mutex_};
         if (spare_.empty())
-            return std::make_unique<ShadowRaster>(part_, groups_);
+            return std::make_unique<ShadowRaster>(part_, facets_, groups_, walls_);
         std::unique_ptr<ShadowRaster> raster = std::move(spare_.back());
         spare_.pop_back();
         return raster;
@@ -85,7 +88,9 @@ public:
 
 private:
     const TriangleMesh& part_;
-    const FacetGroups& groups_;
+    const PartFacets& facets_;
+    FacetGroups groups_;
+    BorderWalls walls_;
     std::mutex mutex_;
     std::vector<std::unique_ptr<ShadowRaster>> spare_;
 };
@@ -183,15 +188,20 @@ PartVisibility part_visibility(const TriangleMesh& part, std::span<const Vec3> d
     PartVisibility visibility{{part.triangles().size(), directions.size()},
                               facets.dropped};
     DirectionCount done{options.progress};
-    const FacetGroups groups = facet_groups(part, facets);
-    SpareRasters rasters{part, groups};
+    if (options.kind == VisibilityKind::Local) {
+        parallel_for(directions.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t cell = begin; cell < end; ++cell) {
+                mark_facing(facets, directions[cell], least, visibility.map.column(cell));
+                done.one_more();
+            }
+        });
+        return visibility;
+    }
+    SpareRasters rasters{part, facets};
     parallel_for(directions.size(), [&](std::size_t begin, std::size_t end) {
         std::unique_ptr<ShadowRaster> raster = rasters.take();
         for (std::size_t cell = begin; cell < end; ++cell) {
-            const std::span column = visibility.map.column(cell);
-            mark_facing(facets, directions[cell], least, column);
-            if (options.kind == VisibilityKind::Global)
-                raster->clear_blocked(directions[cell], column);
+            raster->mark_seen(directions[cell], least, visibility.map.column(cell));
             done.one_more();
         }
         rasters.give_back(std::move(raster));

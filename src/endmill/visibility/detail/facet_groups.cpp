@@ -3,9 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 
+#include <Eigen/Geometry>
+
+#include "endmill/core/detail/widest_registers.h"
 #include "endmill/core/parallel.h"
 
 namespace endmill {
@@ -15,8 +20,8 @@ namespace {
 constexpr std::size_t facets_of_a_thread = 1 << 14;
 
 // Orders facets so that those of a group are neighbours. A set of facets is halved along
-// the longest side of the box around its centroids, at a whole number of groups, and each
-// half is ordered in the same way.
+// the longest side of the box around its centroids, at a whole number of clusters or, in
+// a cluster, of groups. Each half is ordered in the same way.
 void order_by_place(std::span<std::int32_t> facets, const std::vector<Vec3>& centroids)
 {
     if (facets.size() <= float_lanes)
@@ -29,8 +34,10 @@ void order_by_place(std::span<std::int32_t> facets, const std::vector<Vec3>& cen
     }
     int axis = 0;
     (high - low).maxCoeff(&axis);
-    const std::size_t half =
-        (facets.size() / 2 + float_lanes - 1) / float_lanes * float_lanes;
+    const std::size_t whole = facets.size() > FacetCluster::size
+                                  ? std::size_t{FacetCluster::size}
+                                  : std::size_t{float_lanes};
+    const std::size_t half = (facets.size() / 2 + whole - 1) / whole * whole;
     const auto middle = facets.begin() + static_cast<std::ptrdiff_t>(half);
     std::nth_element(facets.begin(), middle, facets.end(),
                      [&](std::int32_t a, std::int32_t b) {
@@ -50,7 +57,104 @@ void order_by_place(std::span<std::int32_t> facets, const std::vector<Vec3>& cen
     });
 }
 
+// Tests whether the error of a normal is at most 1e-7, as part_facets states it.
+bool is_well_shaped(const std::array<Vec3, 3>& corners)
+{
+    const auto& [a, b, c] = corners;
+    const double longest =
+        std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+    const double area = (b - a).cross(c - a).norm() / 2;
+    return area > 1e-8 * longest && std::isfinite(longest) && area > 1e-280;
+}
+
+// Groups and clusters of facets in their order; the points are numbered as they occur.
+class Grouping {
+public:
+    Grouping(const TriangleMesh& part, const PartFacets& facets)
+        : part_{part},
+          facets_{facets},
+          number_(part.points().size(), -1)
+    {
+    }
+
+    void add_cluster(std::span<const std::int32_t> facets)
+    {
+        FacetCluster cluster;
+        Eigen::AlignedBox3d box;
+        for (std::size_t k = 0; k < facets.size(); ++k) {
+            const std::array<Vec3, 3> corners = part_.corners(facets[k]);
+            for (const Vec3& corner : corners)
+                box.extend(corner);
+            cluster.facets |= std::uint64_t{1} << k;
+            cluster.well_shaped |= std::uint64_t{is_well_shaped(corners)} << k;
+        }
+        cluster.centre = box.min() / 2 + box.max() / 2;
+        cluster.half = box.max() / 2 - box.min() / 2;
+        groups.clusters.push_back(cluster);
+        for (std::size_t first = 0; first < facets.size(); first += float_lanes)
+            add_group(facets.subspan(
+                first, std::min<std::size_t>(float_lanes, facets.size() - first)));
+    }
+
+    FacetGroups groups;
+
+private:
+    void add_group(std::span<const std::int32_t> facets)
+    {
+        FacetGroup& group = groups.groups.emplace_back();
+        GroupNormals& normals = groups.normals.emplace_back();
+        group.count = static_cast<int>(facets.size());
+        for (int lane = 0; lane < float_lanes; ++lane) {
+            const std::int32_t facet = facets[std::min(lane, group.count - 1)];
+            group.facet[lane] = facet;
+            for (int k = 0; k < 3; ++k)
+                group.corner[k][lane] = numbered(part_.triangles()[facet][k]);
+            if (lane >= group.count)
+                continue;
+            const Vec3& normal = facets_.normals[facet];
+            normals.x[lane] = static_cast<float>(normal.x());
+            normals.y[lane] = static_cast<float>(normal.y());
+            normals.z[lane] = static_cast<float>(normal.z());
+            groups.centroids.push_back(facets_.centroids[facet]);
+        }
+    }
+
+    std::int32_t numbered(std::int32_t point)
+    {
+        if (number_[point] < 0) {
+            number_[point] = static_cast<std::int32_t>(groups.points.size());
+            groups.points.push_back(part_.points()[point]);
+        }
+        return number_[point];
+    }
+
+    const TriangleMesh& part_;
+    const PartFacets& facets_;
+    std::vector<std::int32_t> number_;
+};
+
 }  // namespace
+
+ENDMILL_WIDEST_REGISTERS
+std::array<std::uint64_t, 4> facets_above(std::span<const GroupNormals> groups,
+                                          const Eigen::Vector3f& direction,
+                                          const std::array<float, 4>& limits)
+{
+    std::array<std::uint64_t, 4> above{};
+    const WideFloats x = direction.x();
+    const WideFloats y = direction.y();
+    const WideFloats z = direction.z();
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+        const GroupNormals& normals = groups[k];
+        const WideFloats cosine = WideFloats{normals.x.data()} * x +
+                                  WideFloats{normals.y.data()} * y +
+                                  WideFloats{normals.z.data()} * z;
+        for (int limit = 0; limit < 4; ++limit)
+            above[limit] |= std::uint64_t{(cosine > WideFloats{limits[limit]}).bits()}
+                            << (float_lanes * k);
+    }
+    return above;
+}
 
 FacetGroups facet_groups(const TriangleMesh& part, const PartFacets& facets)
 {
@@ -61,29 +165,11 @@ FacetGroups facet_groups(const TriangleMesh& part, const PartFacets& facets)
             order.push_back(static_cast<std::int32_t>(facet));
     order_by_place(order, facets.centroids);
 
-    FacetGroups groups;
-    groups.centroids.reserve(order.size());
-    for (const std::int32_t facet : order)
-        groups.centroids.push_back(facets.centroids[facet]);
-    std::vector<std::int32_t> number(part.points().size(), -1);
-    const auto numbered = [&](std::int32_t point) {
-        if (number[point] < 0) {
-            number[point] = static_cast<std::int32_t>(groups.points.size());
-            groups.points.push_back(part.points()[point]);
-        }
-        return number[point];
-    };
-    for (std::size_t first = 0; first < order.size(); first += float_lanes) {
-        FacetGroup& group = groups.groups.emplace_back();
-        group.count =
-            static_cast<int>(std::min<std::size_t>(float_lanes, order.size() - first));
-        for (int lane = 0; lane < float_lanes; ++lane) {
-            group.facet[lane] = order[first + std::min(lane, group.count - 1)];
-            for (int k = 0; k < 3; ++k)
-                group.corner[k][lane] = numbered(part.triangles()[group.facet[lane]][k]);
-        }
-    }
-    return groups;
+    Grouping grouping{part, facets};
+    for (std::size_t first = 0; first < order.size(); first += FacetCluster::size)
+        grouping.add_cluster(std::span{order}.subspan(
+            first, std::min<std::size_t>(FacetCluster::size, order.size() - first)));
+    return std::move(grouping.groups);
 }
 
 }  // namespace endmill

@@ -22,7 +22,8 @@ constexpr double least_side = 1e-30;
 
 }  // namespace
 
-void PointCells::choose_cells(std::span<const NumberedPoint> points)
+void PointCells::choose_cells(std::span<const NumberedPoint> points,
+                              std::size_t least_cells)
 {
     Eigen::Array2f low = points.front().place.head<2>();
     Eigen::Array2f high = low;
@@ -32,8 +33,8 @@ void PointCells::choose_cells(std::span<const NumberedPoint> points)
     }
     low_ = low;
     const Eigen::Array2d extent = (high - low).cast<double>();
-    const double cells =
-        std::max(1.0, static_cast<double>(points.size()) / points_per_cell);
+    const double cells = std::max(static_cast<double>(least_cells),
+                                  static_cast<double>(points.size()) / points_per_cell);
     const double middle = std::sqrt(extent.x() * extent.y() / cells);
     const double least = extent.maxCoeff() / std::min(cells, most_cells_along);
     const Eigen::Array2d sides =
@@ -44,7 +45,7 @@ void PointCells::choose_cells(std::span<const NumberedPoint> points)
     rows_ = static_cast<int>(extent.y() / sides.y()) + 1;
 }
 
-void PointCells::sort(std::span<const NumberedPoint> points)
+void PointCells::sort(std::span<const NumberedPoint> points, std::size_t least_cells)
 {
     blocks_.clear();
     begin_.clear();
@@ -52,14 +53,17 @@ void PointCells::sort(std::span<const NumberedPoint> points)
     rows_ = 0;
     if (points.empty())
         return;
-    choose_cells(points);
+    choose_cells(points, least_cells);
     begin_.resize(static_cast<std::size_t>(columns_) * rows_ + 1);
+    lowest_.assign(static_cast<std::size_t>(columns_) * rows_,
+                   std::numeric_limits<float>::infinity());
     cell_of_.resize(points.size());
     for (std::size_t k = 0; k < points.size(); ++k) {
         const Eigen::Vector3f& place = points[k].place;
         const int cell = row_at(place.y()) * columns_ + column_at(place.x());
         cell_of_[k] = static_cast<std::uint32_t>(cell);
         ++begin_[cell];
+        lowest_[cell] = smaller(lowest_[cell], place.z());
     }
     std::uint32_t sum = 0;
     for (std::uint32_t& begin : begin_)

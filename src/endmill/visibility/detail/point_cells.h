@@ -34,8 +34,9 @@ struct NumberedPoint {
 /// cells as points. Memory is reused for the next points.
 class PointCells {
 public:
-    /// Replaces the points. \pre all coordinates are finite.
-    void sort(std::span<const NumberedPoint> points);
+    /// Replaces the points. \param least_cells number of cells if the points are few.
+    /// \pre all coordinates are finite.
+    void sort(std::span<const NumberedPoint> points, std::size_t least_cells = 1);
 
     /// Number of points.
     std::size_t points() const { return begin_.empty() ? 0 : begin_.back(); }
@@ -56,6 +57,17 @@ public:
         return {begin_[cell + first], begin_[cell + last + 1]};
     }
 
+    /// Tests whether a cell of a row, from column `first` to `last`, has a point whose z
+    /// is at most `highest`.
+    bool any_below(int row, int first, int last, float highest) const
+    {
+        const float* const lowest = &lowest_[static_cast<std::size_t>(row) * columns_];
+        bool any = false;
+        for (int column = first; column <= last; ++column)
+            any = any || lowest[column] <= highest;
+        return any;
+    }
+
     /// The points: block b has the places 8 b to 8 b + 7.
     std::span<const PointBlock> blocks() const { return blocks_; }
 
@@ -65,6 +77,14 @@ public:
         return blocks_[place / PointBlock::size].number[place % PointBlock::size];
     }
 
+    /// The point at a place. \pre place < points().
+    NumberedPoint point_at(std::size_t place) const
+    {
+        const PointBlock& block = blocks_[place / PointBlock::size];
+        const std::size_t lane = place % PointBlock::size;
+        return {{block.x[lane], block.y[lane], block.z[lane]}, block.number[lane]};
+    }
+
 private:
     int cell_at(float coordinate, int axis, int count) const
     {
@@ -72,13 +92,14 @@ private:
         return static_cast<int>(smaller(larger(steps, 0), static_cast<float>(count - 1)));
     }
 
-    void choose_cells(std::span<const NumberedPoint> points);
+    void choose_cells(std::span<const NumberedPoint> points, std::size_t least_cells);
 
     Eigen::Vector2f low_ = Eigen::Vector2f::Zero();
     Eigen::Array2f cells_per_length_ = Eigen::Array2f::Ones();
     int columns_ = 0;
     int rows_ = 0;
     std::vector<std::uint32_t> begin_;    // first place of each cell, and the end
+    std::vector<float> lowest_;           // least z of the points of each cell
     std::vector<std::uint32_t> cell_of_;  // for each point of `sort`
     std::vector<PointBlock> blocks_;
 };

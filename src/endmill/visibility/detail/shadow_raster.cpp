@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/visibility/detail/shadow_raster.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -19,6 +21,15 @@ constexpr float float_roundoff = std::numeric_limits<float>::epsilon() / 2;
 // projected to the first coordinate instead.
 constexpr double nearly_along = 0.1;
 
+// A cosine of normal and direction above which a well-shaped facet certainly faces the
+// viewer. Normals are known to 1e-7, and the products of floats round by less than 1e-6.
+constexpr float least_certain_cosine = 1e-5F;
+// Error bound of a cosine computed in floats.
+constexpr double float_cosine_error = 1e-6;
+
+// More border edges than this share of the facets take more time than they save.
+constexpr std::size_t facets_per_wall = 8;
+
 // Projects an offset in doubles and rounds it to floats.
 [[gnu::always_inline]] inline Eigen::Vector3f seen(const Eigen::Matrix3d& rows,
                                                    const Vec3& offset)
@@ -28,15 +39,31 @@ constexpr double nearly_along = 0.1;
     return place.cast<float>();
 }
 
+// Few points in so many cells leave most cells empty, and so most clusters without one.
+constexpr std::size_t cells_a_cluster = 4;
+
+constexpr std::size_t groups_a_cluster = FacetCluster::size / float_lanes;
+
 }  // namespace
 
-ShadowRaster::ShadowRaster(const TriangleMesh& part, const FacetGroups& groups)
+ShadowRaster::ShadowRaster(const TriangleMesh& part, const PartFacets& facets,
+                           const FacetGroups& groups, const BorderWalls& walls)
     : part_{&part},
+      facets_{&facets},
       groups_{&groups},
+      walls_{walls},
+      has_few_walls_{walls.edges() <= part.triangles().size() / facets_per_wall},
       centre_{Vec3::Zero()},
       scale_{1},
       accuracy_{float_roundoff},
-      corners_(groups.points.size(), Eigen::Vector4f::Zero())
+      corners_(groups.points.size(), Eigen::Vector4f::Zero()),
+      asked_(groups.clusters.size()),
+      facing_(groups.clusters.size()),
+      averted_(groups.clusters.size()),
+      casting_(groups.clusters.size()),
+      walled_(groups.clusters.size()),
+      outside_(groups.clusters.size()),
+      boxes_(groups.clusters.size())
 {
     Eigen::AlignedBox3d box;
     for (const Vec3& point : part.points())
@@ -57,7 +84,7 @@ ShadowRaster::ShadowRaster(const TriangleMesh& part, const FacetGroups& groups)
     accuracy_ = float_roundoff / 2 + 0x1p-49 * (1 + largest / reach);
 }
 
-void ShadowRaster::look_along(const Vec3& direction)
+void ShadowRaster::choose_rows(const Vec3& direction)
 {
     // Many parts have edges along x and y. The projection maps one of these axes to the
     // first coordinate, so that the boxes of such facets cover fewer cells.
@@ -69,45 +96,221 @@ void ShadowRaster::look_along(const Vec3& direction)
     rows_.row(0) = scale_ * across;
     rows_.row(1) = scale_ * along.cross(across);
     rows_.row(2) = scale_ * along;
+}
+
+void ShadowRaster::project_corners()
+{
     const std::vector<Vec3>& points = groups_->points;
     for (std::size_t k = 0; k < points.size(); ++k)
         corners_[k].head<3>() = seen(rows_, points[k] - centre_);
 }
 
-void ShadowRaster::gather(std::span<const std::uint64_t> column)
+// Finds the facets in question, those that certainly face the viewer, and those that
+// certainly face away.
+void ShadowRaster::find_facing(const Vec3& direction, double least)
 {
-    points_.clear();
-    std::size_t k = 0;
-    for (const FacetGroup& group : groups_->groups)
-        for (int lane = 0; lane < group.count; ++lane, ++k) {
-            const std::int32_t facet = group.facet[lane];
-            if ((column[facet / 64] >> (facet % 64) & 1) != 0)
-                points_.push_back({seen(rows_, groups_->centroids[k] - centre_), facet});
+    const std::array<float, 4> limits{static_cast<float>(least - float_cosine_error),
+                                      static_cast<float>(least + float_cosine_error),
+                                      least_certain_cosine, -least_certain_cosine};
+    for (std::size_t cluster = 0; cluster < groups_->clusters.size(); ++cluster) {
+        const FacetCluster& here = groups_->clusters[cluster];
+        const std::size_t first = cluster * groups_a_cluster;
+        const auto [may_be_asked, is_asked, faces, does_not_face_away] = facets_above(
+            std::span{groups_->normals}.subspan(
+                first, std::min(groups_a_cluster, groups_->normals.size() - first)),
+            direction.cast<float>(), limits);
+        facing_[cluster] = faces & here.well_shaped;
+        averted_[cluster] = ~does_not_face_away & here.well_shaped;
+        asked_[cluster] = is_asked & here.facets;
+        for (std::uint64_t rest = may_be_asked & ~is_asked & here.facets; rest != 0;
+             rest &= rest - 1) {
+            const int bit = std::countr_zero(rest);
+            const std::int32_t facet =
+                facet_at(static_cast<std::int32_t>(cluster * FacetCluster::size) + bit);
+            if (facets_->normals[facet].dot(direction) > least)
+                asked_[cluster] |= std::uint64_t{1} << bit;
         }
-    cells_.sort(points_);
-    covered_.covered_lanes.assign(cells_.blocks().size(), 0);
+    }
 }
 
-void ShadowRaster::clear_blocked(const Vec3& direction, std::span<std::uint64_t> column)
+// Leaves out the facets that need not be tested for a ray that starts outside: those that
+// face the viewer, where rays leave the solid, or those that face away, where rays enter
+// it. A ray may leave an open part through a wall instead.
+void ShadowRaster::choose_casting()
 {
-    look_along(direction);
-    gather(column);
-    if (cells_.points() == 0)
-        return;
-    ShadowLanes shadows;
-    for (const FacetGroup& group : groups_->groups) {
-        shadows.facet = group.facet;
-        for (int k = 0; k < 3; ++k)
-            for (int lane = 0; lane < float_lanes; ++lane) {
-                const Eigen::Vector4f& corner = corners_[group.corner[k][lane]];
-                for (int axis = 0; axis < 3; ++axis)
-                    shadows.corner[k][axis][lane] = corner[axis];
+    std::size_t facing = 0;
+    std::size_t averted = 0;
+    for (std::size_t cluster = 0; cluster < facing_.size(); ++cluster) {
+        facing += std::popcount(facing_[cluster]);
+        averted += std::popcount(averted_[cluster]);
+    }
+    const bool enough_to_leave = walls_.edges() == 0 && averted > facing;
+    const std::vector<std::uint64_t>& left_out = enough_to_leave ? averted_ : facing_;
+    for (std::size_t cluster = 0; cluster < casting_.size(); ++cluster)
+        casting_[cluster] = groups_->clusters[cluster].facets & ~left_out[cluster];
+}
+
+void ShadowRaster::find_boxes()
+{
+    const Eigen::Matrix3d sizes = rows_.cwiseAbs();
+    for (std::size_t k = 0; k < boxes_.size(); ++k) {
+        const FacetCluster& here = groups_->clusters[k];
+        const Vec3 centre = rows_ * (here.centre - centre_);
+        const Vec3 half = sizes * here.half + Vec3::Constant(16 * accuracy_);
+        boxes_[k] = {(centre - half).cast<float>(), (centre + half).cast<float>()};
+    }
+}
+
+// Sets the bits of some facets of a cluster.
+void ShadowRaster::mark(std::size_t cluster, std::uint64_t facets,
+                        std::span<std::uint64_t> column) const
+{
+    for (; facets != 0; facets &= facets - 1) {
+        const auto facet = static_cast<std::size_t>(facet_at(static_cast<std::int32_t>(
+            cluster * FacetCluster::size + std::countr_zero(facets))));
+        column[facet / 64] |= std::uint64_t{1} << (facet % 64);
+    }
+}
+
+template <typename Start>
+std::optional<int> ShadowRaster::exits_of(const Start& start) const
+{
+    return has_few_walls_ ? walls_.exits(start) : std::nullopt;
+}
+
+// Answers for whole clusters where the walls and the boxes around the casting clusters
+// suffice, and removes these facets from the question.
+void ShadowRaster::answer_clusters(std::span<std::uint64_t> column)
+{
+    heights_.reset(boxes_);
+    for (std::size_t cluster = 0; cluster < boxes_.size(); ++cluster)
+        if (casting_[cluster] != 0)
+            heights_.add(boxes_[cluster]);
+    for (std::size_t cluster = 0; cluster < boxes_.size(); ++cluster) {
+        if (asked_[cluster] == 0)
+            continue;
+        const std::uint64_t outside =
+            asked_[cluster] & outside_[cluster] & facing_[cluster];
+        const std::optional<int> exits = exits_of(boxes_[cluster]);
+        walled_[cluster] = exits == 0 ? 0 : ~std::uint64_t{0};
+        const bool is_clear =
+            exits == 0 && outside != 0 && heights_.are_clear_of(boxes_[cluster]);
+        if (is_clear)
+            mark(cluster, outside, column);
+        if (is_clear || exits.value_or(0) != 0)
+            asked_[cluster] &= ~outside;
+    }
+}
+
+// Collects the centroids in question, without those that are hidden because their rays
+// leave the solid through walls.
+void ShadowRaster::collect_points()
+{
+    points_.clear();
+    for (std::size_t cluster = 0; cluster < asked_.size(); ++cluster)
+        for (std::uint64_t rest = asked_[cluster]; rest != 0; rest &= rest - 1) {
+            const std::uint64_t bit = rest & -rest;
+            const std::size_t place =
+                cluster * FacetCluster::size + std::countr_zero(rest);
+            const Eigen::Vector3f at = seen(rows_, groups_->centroids[place] - centre_);
+            if ((walled_[cluster] & bit) != 0) {
+                const std::optional<int> exits = exits_of(at);
+                if (exits == 0)
+                    walled_[cluster] &= ~bit;
+                else if (exits && (outside_[cluster] & facing_[cluster] & bit) != 0)
+                    continue;
             }
-        prepare_shadows(shadows, static_cast<float>(accuracy_));
-        mark_covered(shadows, cells_, covered_);
+            points_.push_back({at, static_cast<std::int32_t>(place)});
+        }
+}
+
+void ShadowRaster::mark_seen(const Vec3& direction, double least,
+                             std::span<std::uint64_t> column)
+{
+    choose_rows(direction);
+    find_facing(direction, least);
+    choose_casting();
+    find_boxes();
+    if (has_few_walls_)
+        walls_.look_along(rows_, centre_, accuracy_);
+    answer_clusters(column);
+    collect_points();
+    if (points_.empty())
+        return;
+    project_corners();
+    cast_shadows(direction);
+    points_.clear();
+    const auto bit_of = [](std::int32_t place) {
+        return std::uint64_t{1} << place % FacetCluster::size;
+    };
+    for_each_uncovered([&](const NumberedPoint& point) {
+        const std::size_t cluster = point.number / FacetCluster::size;
+        if ((outside_[cluster] & facing_[cluster] & ~walled_[cluster] &
+             bit_of(point.number)) != 0)
+            mark(cluster, bit_of(point.number), column);
+        else
+            points_.push_back(point);
+    });
+    if (points_.empty())
+        return;
+    for (std::size_t cluster = 0; cluster < casting_.size(); ++cluster)
+        casting_[cluster] ^= groups_->clusters[cluster].facets;
+    cast_shadows(direction);
+    for_each_uncovered([&](const NumberedPoint& point) {
+        const std::size_t cluster = point.number / FacetCluster::size;
+        mark(cluster, bit_of(point.number), column);
+        outside_[cluster] |= facing_[cluster] & ~walled_[cluster] & bit_of(point.number);
+    });
+}
+
+// Finds which of `points_` the casting facets cover.
+void ShadowRaster::cast_shadows(const Vec3& direction)
+{
+    cells_.sort(points_, cells_a_cluster * casting_.size());
+    covered_.covered_lanes.assign(cells_.blocks().size(), 0);
+    std::array<std::int32_t, FacetCluster::size> places;
+    for (std::size_t cluster = 0; cluster < casting_.size(); ++cluster) {
+        if (casting_[cluster] == 0 || !may_cover_points(boxes_[cluster]))
+            continue;
+        std::size_t count = 0;
+        for (std::uint64_t rest = casting_[cluster]; rest != 0; rest &= rest - 1)
+            places[count++] = static_cast<std::int32_t>(cluster * FacetCluster::size +
+                                                        std::countr_zero(rest));
+        for (std::size_t first = 0; first < count; first += float_lanes)
+            cast_group(
+                {&places[first], std::min<std::size_t>(float_lanes, count - first)});
         decide(direction);
     }
-    clear_covered(column);
+}
+
+// Tests whether there are points in the box of a cluster or below it.
+bool ShadowRaster::may_cover_points(const ProjectedBox& box) const
+{
+    const int first = cells_.column_at(box.low.x());
+    const int last = cells_.column_at(box.high.x());
+    const int last_row = cells_.row_at(box.high.y());
+    for (int row = cells_.row_at(box.low.y()); row <= last_row; ++row)
+        if (cells_.any_below(row, first, last, box.high.z()))
+            return true;
+    return false;
+}
+
+// Casts the shadows of up to eight facets; further lanes repeat the last one.
+void ShadowRaster::cast_group(std::span<const std::int32_t> places)
+{
+    for (std::size_t lane = 0; lane < float_lanes; ++lane) {
+        const std::int32_t place = places[std::min(lane, places.size() - 1)];
+        const FacetGroup& group = groups_->groups[place / float_lanes];
+        shadows_.facet[lane] = place;
+        for (int k = 0; k < 3; ++k) {
+            const Eigen::Vector4f& corner =
+                corners_[group.corner[k][place % float_lanes]];
+            for (int axis = 0; axis < 3; ++axis)
+                shadows_.corner[k][axis][lane] = corner[axis];
+        }
+    }
+    prepare_shadows(shadows_, static_cast<float>(accuracy_));
+    mark_covered(shadows_, cells_, covered_);
 }
 
 void ShadowRaster::decide(const Vec3& direction)
@@ -115,20 +318,24 @@ void ShadowRaster::decide(const Vec3& direction)
     for (const UncertainCover& doubt : covered_.uncertain) {
         std::uint8_t& covered_lanes = covered_.covered_lanes[doubt.place / float_lanes];
         if (!covered_.is_covered(doubt.place) &&
-            blocks_ray(part_->corners(cells_.number_at(doubt.place)), direction,
-                       part_->corners(doubt.facet)))
+            blocks_ray(part_->corners(facet_at(cells_.number_at(doubt.place))), direction,
+                       part_->corners(facet_at(doubt.facet))))
             covered_lanes |= static_cast<std::uint8_t>(1U << doubt.place % float_lanes);
     }
     covered_.uncertain.clear();
 }
 
-void ShadowRaster::clear_covered(std::span<std::uint64_t> column) const
+template <typename Visit>
+void ShadowRaster::for_each_uncovered(const Visit& visit) const
 {
-    for (std::size_t place = 0; place < cells_.points(); ++place) {
-        const auto facet = static_cast<std::size_t>(cells_.number_at(place));
-        column[facet / 64] &=
-            ~(std::uint64_t{covered_.is_covered(place)} << (facet % 64));
-    }
+    for (std::size_t place = 0; place < cells_.points(); ++place)
+        if (!covered_.is_covered(place))
+            visit(cells_.point_at(place));
+}
+
+std::int32_t ShadowRaster::facet_at(std::int32_t place) const
+{
+    return groups_->groups[place / float_lanes].facet[place % float_lanes];
 }
 
 }  // namespace endmill

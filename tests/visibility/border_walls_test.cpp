@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/visibility/detail/border_walls.h"
+
+#include <cmath>
+#include <optional>
+
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
+
+#include "random.h"
+#include "test_meshes.h"
+
+namespace endmill {
+namespace {
+
+constexpr double accuracy = 1e-7;
+
+// A rotation whose third row is the direction, for parts within a ball of this radius.
+Eigen::Matrix3d rows_along(const Vec3& direction, double radius)
+{
+    const Vec3 along = direction.normalized();
+    const Vec3 across = along.unitOrthogonal();
+    Eigen::Matrix3d rows;
+    rows << across.transpose(), along.cross(across).transpose(), along.transpose();
+    return rows / radius;
+}
+
+// The square of side 2 around the origin, at z = 0 and seen from above.
+TriangleMesh square()
+{
+    return test::grid_mesh(4, 4, [](int i, int j) {
+        return Vec3{i / 2.0 - 1, j / 2.0 - 1, 0};
+    });
+}
+
+std::optional<int> exits(const TriangleMesh& part, const Vec3& from, const Vec3& along)
+{
+    BorderWalls walls{part};
+    const Eigen::Matrix3d rows = rows_along(along, 4);
+    walls.look_along(rows, Vec3::Zero(), accuracy);
+    return walls.exits(Eigen::Vector3f{(rows * from).cast<float>()});
+}
+
+TEST(BorderWalls, StandOnBorderEdges)
+{
+    EXPECT_EQ(BorderWalls{square()}.edges(), 16U);
+    EXPECT_EQ(BorderWalls{test::torus_mesh(6, 4)}.edges(), 0U);
+    EXPECT_EQ(BorderWalls{TriangleMesh{}}.edges(), 0U);
+    // Two squares side by side, one of them turned over: the common edge is used twice in
+    // the same sense.
+    const TriangleMesh two =
+        test::with_turned(test::grid_mesh(2, 1,
+                                          [](int i, int j) {
+                                              return Vec3{double(i), double(j), 0};
+                                          }),
+                          [](std::size_t k) { return k >= 2; });
+    EXPECT_EQ(BorderWalls{two}.edges(), 7U);
+}
+
+// The walls of a square enclose the column below it.
+TEST(BorderWalls, AreLeftByRaysFromBelow)
+{
+    EXPECT_EQ(exits(square(), {0, 0.3, -1}, Vec3::UnitX()), 1);
+    EXPECT_EQ(exits(square(), {0, 0.3, 1}, Vec3::UnitX()), 0);
+    EXPECT_EQ(exits(square(), {-2, 0.3, -1}, Vec3::UnitX()), 0);  // in and out again
+    EXPECT_EQ(exits(square(), {2, 0.3, -1}, Vec3::UnitX()), 0);
+    EXPECT_EQ(exits(square(), {0, 0.3, 1}, {0.5, 0, -2}), 1);    // in through the square
+    EXPECT_EQ(exits(square(), {-2, 0.3, -1}, {1, 0, 0.7}), -1);  // out through the square
+    EXPECT_EQ(exits(square(), {0.2, 0.9, 0.1}, {0, 2, -1}), 0);
+    EXPECT_EQ(exits(square(), {0.2, 0.9, 0.1}, {0, 1, -2}), 1);
+}
+
+TEST(BorderWalls, LeaveRaysAtTheirEdgesAndDownTheWallsInDoubt)
+{
+    EXPECT_EQ(exits(square(), {-1, 0.3, 0}, Vec3::UnitX()), std::nullopt);
+    EXPECT_EQ(exits(square(), {0, 0.3, 0}, Vec3::UnitX()), std::nullopt);
+    EXPECT_EQ(exits(square(), {0, 0.3, -1}, Vec3::UnitZ()), std::nullopt);
+    EXPECT_EQ(exits(square(), {0, 0.3, 1}, -Vec3::UnitZ()), std::nullopt);
+}
+
+TEST(BorderWalls, OfAClosedPartAreNone)
+{
+    EXPECT_EQ(exits(test::torus_mesh(6, 4), {0, 0, 0}, Vec3::UnitX()), 0);
+}
+
+// A wave over a square grid is a height above each place of the square. So the column below
+// it contains what lies lower than the wave. A ray leaves through a wall if it crosses the
+// boundary of the square lower than the border is there, which is a line between points
+// of the grid.
+TEST(BorderWalls, AreTheColumnBelowAHeight)
+{
+    constexpr int cells = 6;
+    const auto height = [](int i, int j) { return 0.3 * std::sin(2.0 * i + j); };
+    const TriangleMesh part = test::grid_mesh(cells, cells, [&](int i, int j) {
+        return Vec3{i - 3.0, j - 3.0, height(i, j)};
+    });
+    const auto border_height = [&](const Vec3& at) {
+        const double i = at.x() + 3;
+        const double j = at.y() + 3;
+        const bool along_x = std::abs(std::abs(at.y()) - 3) < 1e-9;
+        const double place = along_x ? i : j;
+        const int first = std::min(static_cast<int>(place), cells - 1);
+        const double share = place - first;
+        const int other = static_cast<int>(std::round(along_x ? j : i));
+        const auto of = [&](int k) {
+            return along_x ? height(k, other) : height(other, k);
+        };
+        return (1 - share) * of(first) + share * of(first + 1);
+    };
+    BorderWalls walls{part};
+    test::Random random{9};
+    int undecided = 0;
+    for (int k = 0; k < 200; ++k) {
+        const Vec3 along = test::random_point(random, 1).normalized();
+        const Eigen::Matrix3d rows = rows_along(along, 10);
+        walls.look_along(rows, Vec3::Zero(), accuracy);
+        for (int m = 0; m < 50; ++m) {
+            const Vec3 from = test::random_point(random, 2.99);
+            // The ray starts over the square; it leaves the square once.
+            const double x = ((along.x() > 0 ? 3 : -3) - from.x()) / along.x();
+            const double y = ((along.y() > 0 ? 3 : -3) - from.y()) / along.y();
+            const Vec3 out = from + std::min(x, y) * along;
+            const bool leaves = out.z() < border_height(out);
+            const Eigen::Vector3f place = (rows * from).cast<float>();
+            const std::optional<int> found = walls.exits(place);
+            undecided += !found;
+            if (found) {
+                EXPECT_EQ(*found, leaves ? 1 : 0);
+            }
+            const Eigen::Vector3f half = Eigen::Vector3f::Constant(1e-3F);
+            const std::optional<int> around =
+                walls.exits(ProjectedBox{place - half, place + half});
+            if (around) {
+                EXPECT_EQ(*around, leaves ? 1 : 0);
+            }
+        }
+    }
+    EXPECT_LT(undecided, 20);
+}
+
+}  // namespace
+}  // namespace endmill
