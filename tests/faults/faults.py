@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Shared code of the tests of faults: the commands that write, and runs in which the system fails.
 
-The tests run in a short form. With ENDMILL_FAULTS=long they run many times as often."""
+The tests run in a short form. With ENDMILL_FAULTS=long they run many times as often. ENDMILL_FAULT_RUNS names a file
+to which each test without a finding adds a line: its name and its number of runs."""
 import concurrent.futures
 import errno
 import os
@@ -18,6 +19,7 @@ from program import ENDMILL, ROOT  # noqa: E402
 
 IS_LONG = os.environ.get("ENDMILL_FAULTS") == "long"
 LIBRARY = os.environ.get("ENDMILL_FAILING_CALLS", "")
+RUNS = os.environ.get("ENDMILL_FAULT_RUNS", "")
 STAGING = ".endmill-"
 NOT_FINITE = re.compile(rb"(?i)(?<![a-z])-?(nan|inf)(?![a-z])")
 # A time that a run took, as a member of a summary.
@@ -99,6 +101,15 @@ class FaultTest(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, cls.place)
         subprocess.run([ENDMILL, "plan", PLANE, *PLAN, "--quiet", "-o", cls.place / "path"], check=True)
 
+    def setUp(self):
+        self.runs = 0
+
+    def tearDown(self):
+        failed = self._outcome.result.failures + self._outcome.result.errors
+        if RUNS and not any(self.id() == test.id().split(" ")[0] for test, _ in failed):
+            with open(RUNS, "a", encoding="utf-8") as file:
+                file.write(f"{self.id().rpartition('.')[2]} {self.runs}\n")
+
     def run_command(self, name, folder, *options, fault=None, counts=None, timeout=120, **settings):
         path = self.place / "path/u/toolpath.csv"
         words = [{"PATH": path, "FOLDER": folder}.get(word, word) for word in COMMANDS[name]]
@@ -124,6 +135,7 @@ class FaultTest(unittest.TestCase):
 
     def in_parallel(self, act, cases):
         """act(*case) for all cases, on as many threads as there are processors."""
+        self.runs += len(cases)
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             for done in [pool.submit(act, *case) for case in cases]:
                 done.result()

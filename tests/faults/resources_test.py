@@ -42,17 +42,14 @@ class ResourcesTest(FaultTest):
                 self.in_parallel(self.check_memory, cases)
 
     def test_a_small_address_space(self):
-        for name in COMMANDS:
-            for kib in (40_000, 60_000, 90_000, 200_000):
-                with self.subTest(name, kib=kib):
-                    def limit(kib=kib):
-                        resource.setrlimit(resource.RLIMIT_AS, (kib * 1024, kib * 1024))
-
-                    def act(folder, name=name, limit=limit):
-                        done = self.run_command(name, folder, preexec_fn=limit)
-                        if "error while loading shared libraries" not in done.error:
-                            self.assertIn(done.status, (0, 1, 6), done.error)
-                    self.in_new_place(act)
+        def check(name, kib):
+            def act(folder):
+                done = self.run_command(name, folder, preexec_fn=lambda: resource.setrlimit(
+                    resource.RLIMIT_AS, (kib * 1024, kib * 1024)))
+                if "error while loading shared libraries" not in done.error:
+                    self.assertIn(done.status, (0, 1, 6), f"{name}, {kib} KiB: {done.error}")
+            self.in_new_place(act)
+        self.in_parallel(check, [(name, kib) for name in COMMANDS for kib in (40_000, 60_000, 90_000, 200_000)])
 
 
 if __name__ == "__main__":
