@@ -136,11 +136,11 @@ private:
 }  // namespace
 
 ENDMILL_WIDEST_REGISTERS
-std::array<std::uint64_t, 4> facets_above(std::span<const GroupNormals> groups,
+std::array<std::uint64_t, 3> facets_above(std::span<const GroupNormals> groups,
                                           const Eigen::Vector3f& direction,
-                                          const std::array<float, 4>& limits)
+                                          const std::array<float, 3>& limits)
 {
-    std::array<std::uint64_t, 4> above{};
+    std::array<std::uint64_t, 3> above{};
     const WideFloats x = direction.x();
     const WideFloats y = direction.y();
     const WideFloats z = direction.z();
@@ -149,7 +149,7 @@ std::array<std::uint64_t, 4> facets_above(std::span<const GroupNormals> groups,
         const WideFloats cosine = WideFloats{normals.x.data()} * x +
                                   WideFloats{normals.y.data()} * y +
                                   WideFloats{normals.z.data()} * z;
-        for (int limit = 0; limit < 4; ++limit)
+        for (int limit = 0; limit < 3; ++limit)
             above[limit] |= std::uint64_t{(cosine > WideFloats{limits[limit]}).bits()}
                             << (float_lanes * k);
     }

@@ -54,9 +54,9 @@ struct FacetGroups {
 
 /// For each of three limits the facets of up to eight groups whose normal has a larger
 /// scalar product with a direction, computed in floats; bits as in FacetCluster.
-std::array<std::uint64_t, 4> facets_above(std::span<const GroupNormals> groups,
+std::array<std::uint64_t, 3> facets_above(std::span<const GroupNormals> groups,
                                           const Eigen::Vector3f& direction,
-                                          const std::array<float, 4>& limits);
+                                          const std::array<float, 3>& limits);
 
 /// Groups the facets of a part.
 /// \param part facets in mm. \param facets properties of the facets of `part`.

@@ -59,7 +59,6 @@ ShadowRaster::ShadowRaster(const TriangleMesh& part, const PartFacets& facets,
       corners_(groups.points.size(), Eigen::Vector4f::Zero()),
       asked_(groups.clusters.size()),
       facing_(groups.clusters.size()),
-      averted_(groups.clusters.size()),
       casting_(groups.clusters.size()),
       walled_(groups.clusters.size()),
       outside_(groups.clusters.size()),
@@ -105,22 +104,22 @@ void ShadowRaster::project_corners()
         corners_[k].head<3>() = seen(rows_, points[k] - centre_);
 }
 
-// Finds the facets in question, those that certainly face the viewer, and those that
-// certainly face away.
+// Finds the facets in question, those that certainly face the viewer, and the others,
+// which cast their shadows.
 void ShadowRaster::find_facing(const Vec3& direction, double least)
 {
-    const std::array<float, 4> limits{static_cast<float>(least - float_cosine_error),
+    const std::array<float, 3> limits{static_cast<float>(least - float_cosine_error),
                                       static_cast<float>(least + float_cosine_error),
-                                      least_certain_cosine, -least_certain_cosine};
+                                      least_certain_cosine};
     for (std::size_t cluster = 0; cluster < groups_->clusters.size(); ++cluster) {
         const FacetCluster& here = groups_->clusters[cluster];
         const std::size_t first = cluster * groups_a_cluster;
-        const auto [may_be_asked, is_asked, faces, does_not_face_away] = facets_above(
+        const auto [may_be_asked, is_asked, faces] = facets_above(
             std::span{groups_->normals}.subspan(
                 first, std::min(groups_a_cluster, groups_->normals.size() - first)),
             direction.cast<float>(), limits);
         facing_[cluster] = faces & here.well_shaped;
-        averted_[cluster] = ~does_not_face_away & here.well_shaped;
+        casting_[cluster] = here.facets & ~facing_[cluster];
         asked_[cluster] = is_asked & here.facets;
         for (std::uint64_t rest = may_be_asked & ~is_asked & here.facets; rest != 0;
              rest &= rest - 1) {
@@ -131,23 +130,6 @@ void ShadowRaster::find_facing(const Vec3& direction, double least)
                 asked_[cluster] |= std::uint64_t{1} << bit;
         }
     }
-}
-
-// Leaves out the facets that need not be tested for a ray that starts outside: those that
-// face the viewer, where rays leave the solid, or those that face away, where rays enter
-// it. A ray may leave an open part through a wall instead.
-void ShadowRaster::choose_casting()
-{
-    std::size_t facing = 0;
-    std::size_t averted = 0;
-    for (std::size_t cluster = 0; cluster < facing_.size(); ++cluster) {
-        facing += std::popcount(facing_[cluster]);
-        averted += std::popcount(averted_[cluster]);
-    }
-    const bool enough_to_leave = walls_.edges() == 0 && averted > facing;
-    const std::vector<std::uint64_t>& left_out = enough_to_leave ? averted_ : facing_;
-    for (std::size_t cluster = 0; cluster < casting_.size(); ++cluster)
-        casting_[cluster] = groups_->clusters[cluster].facets & ~left_out[cluster];
 }
 
 void ShadowRaster::find_boxes()
@@ -229,7 +211,6 @@ void ShadowRaster::mark_seen(const Vec3& direction, double least,
 {
     choose_rows(direction);
     find_facing(direction, least);
-    choose_casting();
     find_boxes();
     if (has_few_walls_)
         walls_.look_along(rows_, centre_, accuracy_);

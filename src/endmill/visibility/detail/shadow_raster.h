@@ -28,13 +28,12 @@ namespace endmill {
 ///    decides the others exactly.
 ///
 /// Most facets need not cast their shadow. Part and BorderWalls bound a solid. A ray that
-/// starts outside and ends far away enters this solid as often as it leaves it. So for
-/// such a ray it suffices
+/// starts outside and ends far away enters this solid as often as it leaves it, and it
+/// enters through facets that face away from the viewer. So for such a ray
 ///
-/// - to test the facets that face away from the viewer, where rays enter, or
-/// - in a closed part, to test those that face the viewer, where rays leave; and
-/// - if it leaves through more walls than it enters through, to test no facet: it has
-///   met one.
+/// - it suffices to test the facets that face away, if it leaves through as many walls as
+///   it enters through, and
+/// - no facet need be tested if it leaves through more walls: it has met a facet.
 ///
 /// A facet is known to lie outside once it has been seen by a ray through no wall; until
 /// then, all facets are tested. All this holds for a part that overlaps itself, because
@@ -59,7 +58,6 @@ public:
 private:
     void choose_rows(const Vec3& direction);
     void find_facing(const Vec3& direction, double least);
-    void choose_casting();
     void find_boxes();
     template <typename Start>
     std::optional<int> exits_of(const Start& start) const;
@@ -89,7 +87,6 @@ private:
     // Sets of facets: a word for each cluster.
     std::vector<std::uint64_t> asked_;    // in question
     std::vector<std::uint64_t> facing_;   // certainly face the viewer
-    std::vector<std::uint64_t> averted_;  // certainly face away
     std::vector<std::uint64_t> casting_;  // cast their shadows now
     std::vector<std::uint64_t> walled_;   // rays may go through walls
     std::vector<std::uint64_t> outside_;  // known to lie outside
