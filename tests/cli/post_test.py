@@ -270,6 +270,7 @@ class Controls(ProgramTest):
                 # The number of a program is not read by every version of the reader.
                 text = (self.folder / "once" / name).read_text()
                 self.file(text, "again.nc")
+                self.assertEqual(endmill("info", "again.nc", cwd=self.folder).stderr, "")  # no warning
                 facts = self.summary("post", "again.nc", "--control", control, "--units", unit, "--comments", "no",
                                      "-o", "twice", "--force")
                 moves = [moves_of(blocks(self.folder / file)) for file in (f"once/{name}", f"twice/{facts['file']}")]

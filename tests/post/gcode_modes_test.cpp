@@ -51,8 +51,6 @@ TEST(GcodeModes, StayInForceUntilTheNextOfTheirGroup)
     EXPECT_EQ(modes.centres, DistanceMode::Absolute);
     EXPECT_EQ(modes.feed, FeedRateMode::InverseTime);
     EXPECT_EQ(modes.coordinate_system, 550);
-    EXPECT_TRUE(modes.used_tool_length);
-    EXPECT_TRUE(modes.used_blending);
 
     const GcodeModes later = modes_after(
         "G1 G18 G20 G91 G90.1 G93\nG80 G17 G21 G90\n"

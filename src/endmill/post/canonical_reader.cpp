@@ -353,8 +353,6 @@ private:
                                    "CANON_UNITS_MM or CANON_UNITS_INCHES");
         is_unit_said_ = true;
         mm_per_unit_ = name == "CANON_UNITS_MM" ? 1 : mm_per_inch;
-        if (mm_per_unit_ != 1)
-            builder_.remark("inches converted to mm");
     }
 
     void set_g5x_offset()
