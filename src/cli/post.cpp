@@ -120,6 +120,13 @@ void require_writable(const Program& program, const PostOptions& options)
              "the spindle turns counterclockwise (M4) on the move to point " +
                  std::to_string(*point) + ", and the written program has M3",
              "a program with M3"}};
+    if (const auto point = program.tapping_from)
+        throw FormatError{
+            "E_GCODE",
+            {printable(options.path.file), "",
+             "a tapping cycle (G74, G84) reverses the spindle on the move to point " +
+                 std::to_string(*point) + ", and the written program does not",
+             "a program without tapping cycles"}};
     if (!options.safe_height)
         return;
     const auto extent = path_totals(program.path).extent;

@@ -495,6 +495,8 @@ private:
         go_rapidly(position_);
         for (const HoleMove& move : cycle.hole) {
             level = move.level;
+            if (move.is_reversed)
+                builder_.note_tapping();
             if (!move.is_feed)
                 go_rapidly(position_);
             else if (position_ != builder_.position())

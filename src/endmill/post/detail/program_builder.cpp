@@ -200,7 +200,8 @@ Program ProgramBuilder::take()
     Program program{.path = std::move(path_),
                     .cutter = {},
                     .remarks = std::move(remarks_),
-                    .counterclockwise_from = counterclockwise_from_};
+                    .counterclockwise_from = counterclockwise_from_,
+                    .tapping_from = tapping_from_};
     path_ = {};
     remarks_ = {};
     return program;
