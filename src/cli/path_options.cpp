@@ -194,6 +194,7 @@ PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter
 {
     PathReadOptions reading;
     reading.limits = options.limits;
+    reading.several_cutters = !path.tools.empty();
     if (path.interpreter == Interpreter::Endmill)
         refuse_idle_options(options, std::array{"--interpreter-seconds"},
                             "--interpreter endmill", "--interpreter linuxcnc");
