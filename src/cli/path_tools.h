@@ -27,6 +27,10 @@ PathTools tools_of_path(const ToolPath& path, const std::string& file,
                         const std::string& table_file,
                         const std::vector<NumberedTool>& table);
 
+/// Gives rapids with tool 0, an empty spindle, the tool of the move before them, or else of
+/// the first move with another one. A path in which tool 0 cuts does not change.
+void put_rapids_of_no_tool_to_others(ToolPath& path);
+
 /// Refuses a path in which several tools cut, if no table describes them, and a path that
 /// cuts before its first tool. \throws DomainError
 void refuse_several_tools(const ToolPath& path, const std::string& file);

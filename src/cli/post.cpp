@@ -10,6 +10,7 @@
 #include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/idle_options.h"
+#include "cli/path_tools.h"
 #include "cli/post_summary.h"
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
@@ -215,6 +216,7 @@ ExitCode run_post(const PostOptions& options)
         options.path, options.path.cutter ? options.path.cutter : beside.cutter,
         options.common);
     require_writable(program, options);
+    put_rapids_of_no_tool_to_others(program.path);
     PathSummary known = known_of(program, beside, options);
     const FeedSettings feeds{
         known.feed_mm_per_min,

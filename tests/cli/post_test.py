@@ -5,6 +5,7 @@ import json
 import os
 import re
 import resource
+import shutil
 import subprocess
 import unittest
 
@@ -596,6 +597,20 @@ class BadInput(ProgramTest):
     def test_tool_zero_is_refused(self):
         self.refuse("tip_x_mm,tip_y_mm,tip_z_mm,tool\n0,0,0,0\n9,0,0,0\n", 2, "point 0 of the path has tool 0",
                     "--tool-number")
+
+    def test_rapids_after_the_last_tool_is_put_away(self):
+        program = self.file("G21 G90\nT0 M6\nG0 X0 Y0 Z9\nT3 M6\nS100 M3\nG0 Z5\nG1 Z-1 F100\nX5\nG0 Z5\n"
+                            "T0 M6\nG0 Z9\nM2\n", "p.ngc")
+        facts = self.summary("post", program, "-o", "out")
+        self.assertEqual(facts["tools"], [3])
+        shutil.rmtree(self.folder / "out")
+        self.refuse("G21 G90\nT0 M6\nG0 X0 Y0 Z9\nG1 Z1 F9\nM2\n", 2, "point 0 of the path has tool 0",
+                    name="p.ngc")
+
+    def test_lines_that_end_with_a_carriage_return_are_refused(self):
+        text = "G21 G90\rG0 X0 Y0 Z5 ; start\rG1 Z-1 F100\rM2\r"
+        for options in ([], ["--interpreter", "linuxcnc"]):
+            self.refuse(text, 3, "p.ngc:1: a carriage return without a line feed", name="p.ngc", options=options)
 
     def test_tilted_axis_is_refused(self):
         header = "axis_x,axis_y,axis_z," + TIPS.splitlines()[0]

@@ -182,8 +182,8 @@ TEST(GcodeModes, RefuseUnknownCodes)
 {
     for (const std::string code :
          {"G6", "G43.1", "G43.2", "G54.1", "G59.4", "G64.1", "G0.1", "G999"})
-        EXPECT_EQ(refusal(code), "E_GCODE f:1: unknown code " + code +
-                                     "; expected a G code of the subset");
+        EXPECT_EQ(refusal(code), "E_GCODE f:1: unknown code " + code + "; expected " +
+                                     std::string{known_g_codes});
 }
 
 TEST(CheckMCodes, AcceptsCodesThatDoNotMove)

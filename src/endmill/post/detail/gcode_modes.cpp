@@ -178,7 +178,7 @@ Group group_of(int code)
     if (const Refusal* const refusal = refusal_of(code, refused_g_codes))
         throw lines.complaint(std::string{refusal->found} + ' ' + g_name(code),
                               std::string{refusal->expected});
-    throw lines.complaint("unknown code " + g_name(code), "a G code of the subset");
+    throw lines.complaint("unknown code " + g_name(code), std::string{known_g_codes});
 }
 
 // The machine, not the program, stores the distance between the origins of two coordinate

@@ -101,6 +101,11 @@ bool TextLines::next()
              "lines of at most 1048576 bytes"}};
     line_ = rest_.substr(0, length);
     rest_.remove_prefix(std::min(length + 1, rest_.size()));
+    const std::size_t end = line_.find('\r');
+    if (end != std::string_view::npos &&
+        line_.find_first_not_of('\r', end) != std::string_view::npos)
+        throw complaint("a carriage return without a line feed",
+                        "lines that end with LF or CRLF");
     return true;
 }
 
