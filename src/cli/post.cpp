@@ -2,6 +2,7 @@
 // endmill post: writes a tool path as a machine program.
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -82,6 +83,17 @@ PathSummary known_of(const Program& program, PathSummary known,
     return known;
 }
 
+// Calls `write`. Its errors are about a point of the path and get the name of the file.
+template <typename Write>
+WrittenProgram written_path(const PostOptions& options, Write write)
+{
+    try {
+        return write();
+    } catch (const DomainError& error) {
+        throw DomainError{printable(options.path.file) + ": " + error.what()};
+    }
+}
+
 // The G-code program.
 WrittenProgram written_gcode(const PostedPath& posted, const Control& control,
                              const PostOptions& options, const FeedSettings& feeds)
@@ -108,7 +120,7 @@ WrittenProgram written_gcode(const PostedPath& posted, const Control& control,
         program.ramp = Angle::degrees(options.ramp_angle_deg);
     if (options.arcs)
         program.arc_tolerance = arc_tolerance(known, options);
-    return gcode(posted.read.path, program);
+    return written_path(options, [&] { return gcode(posted.read.path, program); });
 }
 
 // Refuses what the written program could not do as the path and the options ask.
@@ -143,6 +155,8 @@ void warn_of(const PostedPath& posted, const PostOptions& options)
     for (const std::string& remark : posted.read.remarks)
         warn(options.common, options.path.file + ": " + remark);
     const auto tolerance = posted.known.tolerance_mm();
+    if (const auto remark = rounding_remark(posted.read, tolerance.value_or(HUGE_VAL)))
+        warn(options.common, options.path.file + ": " + *remark);
     const double error = posted.written.max_rounding_error_mm;
     if (tolerance && error > negligible_share * *tolerance)
         warn(options.common,
@@ -178,10 +192,13 @@ PostedPath posted_path(const Program& program, PathSummary known,
     const ProgressLine progress{"writing the program", options.common};
     if (options.format == PostFormat::Apt) {
         constexpr int apt_decimals = 4;
-        posted.written =
-            apt(program.path, {posted.name, posted.known.cutter,
-                               posted.known.feed_mm_per_min, posted.known.spindle_rpm,
-                               options.decimals.value_or(apt_decimals), options.multax});
+        const AptOptions format{posted.name,
+                                posted.known.cutter,
+                                posted.known.feed_mm_per_min,
+                                posted.known.spindle_rpm,
+                                options.decimals.value_or(apt_decimals),
+                                options.multax};
+        posted.written = written_path(options, [&] { return apt(program.path, format); });
         return posted;
     }
     posted.control = chosen_control(options);

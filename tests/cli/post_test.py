@@ -568,7 +568,7 @@ class BadInput(ProgramTest):
         self.assert_refused(done, 3, 'summary.json:/cutter: "bal:10"; expected ball:DIAMETER')
 
     def test_missing_or_bad_feed_is_refused(self):
-        self.refuse(TIPS, 2, "point 0 of the path has no feed", "--feed", options=())
+        self.refuse(TIPS, 2, "p.csv: point 0 of the path has no feed", "--feed", options=())
         self.refuse(TIPS, 2, "feed of 0.4 mm/min, which rounds to 0",
                     options=("--feed", "0.4", "--plunge-feed-mm-per-min", "0.4", "--decimals", "0"))
         for feed in ("0", "-1", "nan", "inf", "fast", "1e999"):
