@@ -139,6 +139,22 @@ void put_rapids_of_no_tool_to_others(ToolPath& path)
     }
 }
 
+Json cutters_json(const std::vector<NumberedTool>& tools)
+{
+    Json list = nullptr;
+    for (const auto& [number, tool] : tools)
+        list.push_back({{"tool", number}, {"cutter", cutter_word(tool.cutter)}});
+    return list;
+}
+
+std::optional<Cutter> only_cutter(const PathTools& tools)
+{
+    const Cutter& first = tools.first.cutter;
+    const bool is_only = std::ranges::all_of(
+        tools.changes, [&](const ToolChange& change) { return change.cutter == first; });
+    return is_only ? std::optional{first} : std::nullopt;
+}
+
 void refuse_several_tools(const ToolPath& path, const std::string& file)
 {
     require_known_tools(path, file);

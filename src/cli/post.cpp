@@ -94,6 +94,17 @@ WrittenProgram written_path(const PostOptions& options, Write write)
     }
 }
 
+// The cutter that is known before the path is read.
+std::optional<Cutter> cutter_before(const std::vector<NumberedTool>& table,
+                                    const PostOptions& options, const PathSummary& beside)
+{
+    if (table.size() == 1)
+        return table.front().tool.cutter;
+    if (!table.empty())
+        return std::nullopt;
+    return options.path.cutter ? options.path.cutter : beside.cutter;
+}
+
 // The G-code program.
 WrittenProgram written_gcode(const PostedPath& posted, const Control& control,
                              const PostOptions& options, const FeedSettings& feeds)
@@ -188,6 +199,7 @@ PostedPath posted_path(const Program& program, PathSummary known,
                       program,
                       {},
                       stem + ".apt",
+                      {},
                       {}};
     const ProgressLine progress{"writing the program", options.common};
     if (options.format == PostFormat::Apt) {
@@ -228,24 +240,35 @@ ExitCode run_post(const PostOptions& options)
 {
     refuse_idle_post_options(options);
     require_within_extent("--safe-height", options.safe_height, options.common.limits);
+    refuse_idle_tool_options(options.path, options.common);
+    const std::vector<NumberedTool> table = read_tools_for(options.path, options.common);
     const PathSummary beside = path_summary_of(options.path, options.common);
     Program program = read_program_for(
-        options.path, options.path.cutter ? options.path.cutter : beside.cutter,
-        options.common);
+        options.path, cutter_before(table, options, beside), options.common);
     require_writable(program, options);
     put_rapids_of_no_tool_to_others(program.path);
     PathSummary known = known_of(program, beside, options);
+    std::vector<NumberedTool> tools;
+    if (!table.empty()) {
+        PathTools used = tools_of_path(program.path, printable(options.path.file),
+                                       printable(options.path.tools), table);
+        known.cutter = only_cutter(used);
+        tools = std::move(used.used);
+    }
     const FeedSettings feeds{
         known.feed_mm_per_min,
         options.feed_mm_per_min ? FeedChoice::OfSettings : FeedChoice::OfPath,
         options.plunge_feed_mm_per_min, plunge_share};
     apply_options(program.path, options, feeds);
-    const PostedPath posted = posted_path(program, std::move(known), options, feeds);
+    PostedPath posted = posted_path(program, std::move(known), options, feeds);
+    posted.tools = std::move(tools);
     warn_of(posted, options);
 
     OutputFolder folder{output_folder(options.path.file, "post", options.common),
                         options.common.full_folder};
     folder.protect(options.path.file);
+    if (!options.path.tools.empty())
+        folder.protect(options.path.tools);
     Json summary = post_summary(posted, options);
     if (posted.known.part) {
         const auto& [file, units, up] = *posted.known.part;

@@ -316,6 +316,30 @@ class Controls(ProgramTest):
                        "1", cwd=self.folder)
         self.assert_refused(done, 2, "from tool 1 to tool 2 at point 2")
 
+    def test_tools_of_a_table_are_named(self):
+        apt = self.file("UNITS/MM\nFEDRAT/100,MMPM\nSPINDL/900,CLW\nLOADTL/1\nCUTTER/10\nRAPID\nGOTO/0,0,5\nGOTO/0,0,-1\n"
+                        "GOTO/9,0,-1\nRAPID\nGOTO/9,0,5\nLOADTL/2\nCUTTER/6,3\nRAPID\nGOTO/0,0,6\nGOTO/0,0,-2\nFINI\n",
+                        "p.apt")
+        table = self.file("T3 D4\nT2 D6 ;ball\nT1 D10\n", "t.tbl")
+        tools = ("--tools", table, "--tools-units", "mm")
+        cutters = [{"tool": 1, "cutter": "flat:10"}, {"tool": 2, "cutter": "ball:6"}]
+        for format_options in ([], ["--format", "apt"]):
+            facts = self.summary("post", apt, *tools, *format_options, "-o", "out", "--force")
+            self.assertEqual((facts["cutter"], facts["cutters"], facts["tools"]), (None, cutters, [1, 2]))
+        facts = self.summary("info", apt, *tools)
+        self.assertEqual((facts["cutter"], facts["cutters"]), (None, cutters))
+        self.assertIn("tools 1 flat:10, 2 ball:6\n", endmill("info", apt, *tools).stdout)
+        same = self.file("T2 D10\nT1 D10\n", "same.tbl")
+        self.assertEqual(self.summary("info", apt, "--tools", same, "--tools-units", "mm")["cutter"], "flat:10")
+        self.assertIsNone(self.summary("post", self.path, "-o", "plain")["cutters"])
+        one = self.file("T1 D10\n", "one.tbl")
+        for command in ("post", "info"):
+            for status, words, options in ((3, "--tools FILE", ()), (2, "--tools-units", ("--tools", table)),
+                                           (3, "no row with a cutter for tool 2", ("--tools", one, *tools[2:])),
+                                           (2, "--cutter: has no effect with --tools", (*tools, "--cutter", "ball:6"))):
+                self.assert_refused(endmill(command, apt, *options, cwd=self.folder), status, words)
+        self.assert_refused(endmill("info", SURFACES / "saddle.json", *tools), 2, "--tools: has no effect with a part")
+
     def test_wrong_controls_are_refused(self):
         def refuse(status, *words, options):
             self.assert_refused(endmill("post", self.path, *options, cwd=self.folder), status, *words)
