@@ -2,6 +2,7 @@
 #include "endmill/post/detail/canonical_tapping.h"
 
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,13 +15,18 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr EarlierCommands into_the_hole{"DISABLE_FEED_OVERRIDE", "DISABLE_SPEED_OVERRIDE",
-                                        "STRAIGHT_FEED", "STOP_SPINDLE_TURNING"};
+const std::vector<std::string> into_the_hole{"DISABLE_FEED_OVERRIDE",
+                                             "DISABLE_SPEED_OVERRIDE", "STRAIGHT_FEED",
+                                             "STOP_SPINDLE_TURNING"};
 constexpr std::string_view reversal = "START_SPINDLE_COUNTERCLOCKWISE";
 
-bool is_tapping(const std::string& rest, const EarlierCommands& before = into_the_hole)
+bool is_tapping(const std::string& rest,
+                const std::vector<std::string>& before = into_the_hole)
 {
-    return reverses_for_tapping(before, reversal, rest);
+    TappedHole hole;
+    for (const std::string& name : before)
+        hole.note(name);
+    return reverses_for_tapping(hole, reversal, rest);
 }
 
 TEST(CanonicalTapping, IsTheWholeSequenceOnly)
@@ -35,10 +41,15 @@ TEST(CanonicalTapping, IsTheWholeSequenceOnly)
           out + stop + "4 N..... START_SPINDLE_COUNTERCLOCKWISE(0)", "\n" + out + stop})
         EXPECT_FALSE(is_tapping(other)) << other;
     for (std::size_t k = 0; k < into_the_hole.size(); ++k) {
-        EarlierCommands before = into_the_hole;
+        std::vector<std::string> before = into_the_hole;
         before.at(k) = "COMMENT";
         EXPECT_FALSE(is_tapping(out + stop + start, before));
     }
+    std::vector<std::string> twice{into_the_hole.front(), into_the_hole[1]};
+    twice.insert(twice.end(), into_the_hole.begin(), into_the_hole.end());
+    EXPECT_TRUE(is_tapping(out + stop + start, twice));
+    twice.emplace_back("COMMENT");
+    EXPECT_FALSE(is_tapping(out + stop + start, twice));
 }
 
 // Output of rs274 for the blocks of `taps`, from the tool change on.

@@ -18,8 +18,8 @@
 
 // The reader handles one statement per line, or per group of lines of which all but the
 // last end with $:
-// 1. `next_statement` removes comments and joins lines, `statement_of` splits the text into
-//    a word and its rest.
+// 1. `statement_of` splits the text without comment into a word and its rest, after
+//    `continued_statement` has joined the lines.
 // 2. GOTO appends a point with the feed and speed in force. FEDRAT and SPINDL change
 //    these until the next such statement; RAPID makes the next GOTO a rapid.
 // 3. FINI ends the path. After it, `finish` checks that there is a path and adds remarks
@@ -120,7 +120,11 @@ public:
     Program read_all()
     {
         while (!is_finished_ && lines_.next()) {
-            const Statement statement = next_statement();
+            first_line_ = lines_.number();
+            text_ = without_comment(lines_.line());
+            Statement statement = statement_of(text_);
+            if (text_.ends_with('$') && !statement.is_any(text_words))
+                statement = continued_statement();
             if (!statement.word.empty() || !statement.rest.empty() || statement.has_slash)
                 read_statement(statement);
         }
@@ -129,15 +133,10 @@ public:
     }
 
 private:
-    // The statement that begins in the current line. A text is not continued, because a $
-    // at its end may belong to it.
-    Statement next_statement()
+    // The statement that begins in the current line and goes on in the next one. Texts are
+    // not continued, because a $ at their end may belong to them.
+    Statement continued_statement()
     {
-        first_line_ = lines_.number();
-        text_ = without_comment(lines_.line());
-        const Statement statement = statement_of(text_);
-        if (!text_.ends_with('$') || statement.is_any(text_words))
-            return statement;
         joined_.clear();
         for (; text_.ends_with('$'); text_ = without_comment(lines_.line())) {
             text_.remove_suffix(1);

@@ -91,8 +91,7 @@ private:
         else if (!is_idle_command(name_))
             throw lines_.complaint("canonical command " + quoted(name_),
                                    "a straight move, an arc or a command without motion");
-        std::ranges::rotate(earlier_, earlier_.begin() + 1);
-        earlier_.back() = name_;
+        hole_.note(name_);
     }
 
     // The handler of a command, or null.
@@ -424,7 +423,7 @@ private:
     // program. Until its end the spindle counts as turning in the sense of the program.
     void start_spindle(SpindleSense sense, SpindleSense opposite)
     {
-        const bool is_tapping = reverses_for_tapping(earlier_, name_, lines_.rest());
+        const bool is_tapping = reverses_for_tapping(hole_, name_, lines_.rest());
         if (is_tapping)
             builder_.note_tapping();
         builder_.start_spindle(is_tapping ? opposite : sense);
@@ -467,7 +466,7 @@ private:
     GcodeReadOptions options_;
     ProgramBuilder builder_;
     ReferenceMoves references_{builder_, lines_};
-    EarlierCommands earlier_ = {};
+    TappedHole hole_;
     std::string_view name_;         // of the command in the current line
     std::string_view arguments_;    // of the current line, not yet read
     Vec3 position_ = Vec3::Zero();  // of the programmed point, mm

@@ -2,6 +2,7 @@
 #include "endmill/post/detail/canonical_tapping.h"
 
 #include <algorithm>
+#include <array>
 
 #include "endmill/post/detail/canonical_line.h"
 
@@ -10,9 +11,6 @@ namespace {
 
 constexpr std::string_view clockwise = "START_SPINDLE_CLOCKWISE";
 constexpr std::string_view counterclockwise = "START_SPINDLE_COUNTERCLOCKWISE";
-
-constexpr EarlierCommands into_the_hole{"DISABLE_FEED_OVERRIDE", "DISABLE_SPEED_OVERRIDE",
-                                        "STRAIGHT_FEED", "STOP_SPINDLE_TURNING"};
 
 // Removes the first line of `text`. \return the name of its command; empty if it has none.
 std::string_view take_command(std::string_view& text)
@@ -25,10 +23,10 @@ std::string_view take_command(std::string_view& text)
 
 }  // namespace
 
-bool reverses_for_tapping(const EarlierCommands& before, std::string_view name,
+bool reverses_for_tapping(const TappedHole& hole, std::string_view name,
                           std::string_view rest)
 {
-    if (before != into_the_hole)
+    if (!hole.is_reached())
         return false;
     const std::array<std::string_view, 4> out_of_the_hole{
         "DWELL", "STRAIGHT_FEED", "STOP_SPINDLE_TURNING",

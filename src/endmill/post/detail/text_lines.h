@@ -45,8 +45,11 @@ public:
                                 const std::string& expected) const;
 
 private:
+    void refuse_lone_return() const;
+
     std::string_view rest_;
     Kind kind_;
+    bool has_returns_ = false;  // whether the text has a CR
     std::string_view line_;
     std::size_t number_ = 0;
 };
