@@ -12,7 +12,6 @@
 #include "cli/idle_options.h"
 #include "cli/path_facts.h"
 #include "cli/path_tools.h"
-#include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/machining_data.h"
@@ -291,10 +290,7 @@ FeedInput read_feed_input(const FeedCommandOptions& options)
                                             : known.cutter;
     std::string text = read_file(file, limits);
     const PathReadOptions reading = path_reading(options.path, cutter, options.common);
-    Program program = [&] {
-        const ProgressLine progress{"reading " + printable(file), options.common};
-        return program_of_text(text, options.path, reading, options.common);
-    }();
+    Program program = program_of_text(text, options.path, reading, options.common);
     require_order(program, file, text);
     number_points(program.path);
     if (!options.path.tools.empty())

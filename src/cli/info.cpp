@@ -20,9 +20,9 @@ namespace endmill {
 namespace {
 
 // The options that apply to tool paths only.
-constexpr std::array path_option_names{"--cutter",        "--programmed-point",
-                                       "--arc-tolerance", "--block-delete",
-                                       "--interpreter",   "--interpreter-seconds"};
+constexpr std::array path_option_names{
+    "--cutter",      "--programmed-point",    "--arc-tolerance", "--block-delete",
+    "--interpreter", "--interpreter-seconds", "--tools",         "--tools-units"};
 
 struct InfoOptions {
     CommonOptions common;
@@ -99,6 +99,7 @@ void add_info_command(CLI::App& program, Action& action)
     add_axis_option(*command, options->axis);
     add_require_option(*command, options->required);
     add_cutter_option(*command, options->path);
+    add_tools_options(*command, options->path);
     add_reading_options(*command, options->path);
     add_common_options(*command, options->common);
     command->footer(

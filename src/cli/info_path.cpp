@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,6 +15,7 @@
 #include "cli/answer.h"
 #include "cli/console.h"
 #include "cli/path_facts.h"
+#include "cli/path_tools.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -69,17 +73,26 @@ void add_conditions(Json& summary, const ToolPath& path)
     add_range(summary, "spindle_rpm", speeds);
 }
 
-Json path_summary(const PathOptions& options, PathFormat format, const Program& program,
-                  const PathSummary& known)
+// What is known of a path beside its moves.
+struct PathData {
+    PathFormat format;
+    std::optional<std::string> name;
+    std::optional<Cutter> cutter;  // of all moves
+    std::vector<NumberedTool> tools;
+};
+
+Json path_summary(const PathOptions& options, const Program& program,
+                  const PathData& known)
 {
     const std::string stem = std::filesystem::path{options.file}.stem().string();
-    const auto& cutter = program.cutter ? program.cutter : known.cutter;
+    const auto& cutter = known.cutter;
     Json summary{{"name", printable(known.name.value_or(stem))},
                  {"endmill", program_version},
                  {"toolpath", printable(options.file)},
-                 {"format", format_word(format)},
+                 {"format", format_word(known.format)},
                  {"points", program.path.points.size()},
                  {"cutter", cutter ? Json(cutter_word(*cutter)) : Json(nullptr)}};
+    summary["cutters"] = cutters_json(known.tools);
     add_path_totals(summary, path_totals(program.path));
     add_conditions(summary, program.path);
     add_reading(summary, options);
@@ -100,11 +113,18 @@ std::string range_text(const Json& s, const std::string& key, const std::string&
     return (low == high ? low : low + " to " + high) + unit;
 }
 
-std::string tools_text(const Json& tools)
+// "1, 2", or with a tool table "1 flat:10, 2 ball:6".
+std::string tools_text(const Json& s)
 {
     std::string text;
-    for (const Json& tool : tools)
-        text += (text.empty() ? "" : ", ") + std::to_string(tool.get<int>());
+    if (s["cutters"].is_null())
+        for (const Json& tool : s["tools"])
+            text += (text.empty() ? "" : ", ") + std::to_string(tool.get<int>());
+    else
+        for (const Json& tool : s["cutters"])
+            text +=
+                fmt::format("{}{} {}", text.empty() ? "" : ", ", tool["tool"].get<int>(),
+                            tool["cutter"].get<std::string>());
     return text.empty() ? "not named" : text;
 }
 
@@ -118,7 +138,7 @@ std::string path_text(const Json& s)
         s["name"].get<std::string>(), s["format"].get<std::string>(),
         counted(s["points"].get<std::size_t>(), "point"), path_totals_text(s),
         extent_text(s), range_text(s, "feed_mm_per_min", " mm/min"),
-        range_text(s, "spindle_rpm", " rpm"), tools_text(s["tools"]));
+        range_text(s, "spindle_rpm", " rpm"), tools_text(s));
 }
 
 }  // namespace
@@ -142,15 +162,30 @@ ExitCode report_path(const PathOptions& path, const CommonOptions& options)
     // A report on a path judges nothing, so a summary of another path needs no warning.
     CommonOptions silent = options;
     silent.quiet = true;
-    const PathSummary known = path_summary_of(path, silent);
-    const Program program =
-        read_program_for(path, path.cutter ? path.cutter : known.cutter, options);
+    refuse_idle_tool_options(path, options);
+    const std::vector<NumberedTool> table = read_tools_for(path, options);
+    const PathSummary beside = path_summary_of(path, silent);
+    std::optional<Cutter> cutter = path.cutter ? path.cutter : beside.cutter;
+    if (!table.empty())
+        cutter =
+            table.size() == 1 ? std::optional{table.front().tool.cutter} : std::nullopt;
+    const Program program = read_program_for(path, cutter, options);
     for (const std::string& remark : program.remarks)
         warn(options, path.file + ": " + remark);
-    const PathFormat format =
-        path_format(read_file(path.file, options.limits), path.file);
-    const Json summary = path_summary(path, format, program, known);
-    give_answer(options, {path.file}, summary, path_text(summary));
+    PathData known{.format = path_format(read_file(path.file, options.limits), path.file),
+                   .name = beside.name,
+                   .cutter = program.cutter ? program.cutter : beside.cutter,
+                   .tools = {}};
+    std::vector<std::string> files{path.file};
+    if (!table.empty()) {
+        PathTools used = tools_of_path(program.path, printable(path.file),
+                                       printable(path.tools), table);
+        known.cutter = only_cutter(used);
+        known.tools = std::move(used.used);
+        files.push_back(path.tools);
+    }
+    const Json summary = path_summary(path, program, known);
+    give_answer(options, files, summary, path_text(summary));
     return ExitCode::Yes;
 }
 

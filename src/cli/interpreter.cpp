@@ -58,6 +58,24 @@ std::vector<std::string> squeezed_lines(std::string_view text)
     return lines;
 }
 
+// Refuses a CR within a line: rs274 would skip it, and a comment would not end there.
+void refuse_lone_returns(const InterpreterTask& task)
+{
+    std::size_t number = 1;
+    for (std::size_t at = 0; at < task.text.size(); ++at) {
+        if (task.text[at] == '\n')
+            ++number;
+        if (task.text[at] != '\r')
+            continue;
+        const std::size_t next = task.text.find_first_not_of('\r', at);
+        if (next != std::string_view::npos && task.text[next] != '\n')
+            throw FormatError{"E_GCODE",
+                              {task.file, std::to_string(number),
+                               "a carriage return without a line feed",
+                               "lines that end with LF or CRLF"}};
+    }
+}
+
 // Whether the line names a subprogram with a folder, as in o<../other> call.
 bool names_folder(std::string_view line)
 {
@@ -303,6 +321,7 @@ std::string canonical_output(const InterpreterTask& task)
         throw DomainError{
             "--interpreter linuxcnc: the program rs274 is not installed; expected the "
             "Debian package linuxcnc-uspace"};
+    refuse_lone_returns(task);
     const std::string text =
         with_far_machine_positions(without_comments(task.text), task.file);
     const std::vector<std::string> lines = squeezed_lines(text);

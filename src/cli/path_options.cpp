@@ -6,10 +6,13 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/idle_options.h"
 #include "cli/progress.h"
+#include "cli/shown_numbers.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/read_file.h"
@@ -194,6 +197,7 @@ PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter
 {
     PathReadOptions reading;
     reading.limits = options.limits;
+    reading.several_cutters = !path.tools.empty();
     if (path.interpreter == Interpreter::Endmill)
         refuse_idle_options(options, std::array{"--interpreter-seconds"},
                             "--interpreter endmill", "--interpreter linuxcnc");
@@ -223,25 +227,42 @@ std::vector<NumberedTool> read_tools_for(const PathOptions& path,
 Program program_of_text(std::string_view text, const PathOptions& path,
                         const PathReadOptions& reading, const CommonOptions& options)
 {
-    if (path.interpreter == Interpreter::Endmill)
+    const std::string file = printable(path.file);
+    if (path.interpreter == Interpreter::Endmill) {
+        const ProgressLine progress{"reading " + file, options};
         return parse_program(text, path.file, reading);
+    }
+    ProgressLine progress{fmt::format("running {} in LinuxCNC's rs274, at most {:g} s",
+                                      file, path.interpreter_seconds),
+                          options};
     const std::string moves = canonical_output({.text = text,
-                                                .file = printable(path.file),
+                                                .file = file,
                                                 .folder = existing_folder(options.output),
                                                 .block_delete = path.block_delete,
                                                 .most_seconds = path.interpreter_seconds,
                                                 .limits = options.limits,
                                                 .tools = read_tools_for(path, options)});
+    progress.begin("reading the moves of " + file);
     GcodeReadOptions canonical_reading = gcode_reading(reading);
     canonical_reading.machine_position_mm = least_machine_position_mm;
-    return parse_canonical(moves, printable(path.file) + " (output of rs274)",
-                           canonical_reading);
+    return parse_canonical(moves, file + " (output of rs274)", canonical_reading);
+}
+
+std::optional<std::string> rounding_remark(const Program& program, double tolerance_mm)
+{
+    constexpr double negligible_share = 0.1;
+    if (!(program.position_error_mm > negligible_share * tolerance_mm))
+        return std::nullopt;
+    return fmt::format(
+        "the output of rs274 has four decimals, so that positions are known to {} mm; "
+        "the "
+        "tolerance is {} mm",
+        shown_bound(program.position_error_mm), shown_limit(tolerance_mm));
 }
 
 Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
                          const CommonOptions& options)
 {
-    const ProgressLine progress{"reading " + printable(path.file), options};
     const PathReadOptions reading = path_reading(path, cutter, options);
     return program_of_text(read_file(path.file, options.limits), path, reading, options);
 }

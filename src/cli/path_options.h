@@ -68,10 +68,15 @@ PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter
 std::vector<NumberedTool> read_tools_for(const PathOptions& path,
                                          const CommonOptions& options);
 
-/// Parses the content of the path's file, or runs the interpreter of the options on it.
+/// Parses the content of the path's file, or runs the interpreter of the options on it,
+/// with a line of progress.
 /// \throws as `read_program_for`.
 Program program_of_text(std::string_view text, const PathOptions& path,
                         const PathReadOptions& reading, const CommonOptions& options);
+
+/// A remark if the positions of `program` are known less precisely than a tenth of the
+/// tolerance, as in the output of LinuxCNC's interpreter; else nothing.
+std::optional<std::string> rounding_remark(const Program& program, double tolerance_mm);
 
 /// Reads the path.
 /// \param cutter the cutter, if it is known before the path is read.

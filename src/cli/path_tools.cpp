@@ -93,7 +93,8 @@ const NumberedTool& row_of(const ToolSpan& span, const std::string& file,
                           {table_file, "",
                            "no row with a cutter for tool " +
                                std::to_string(*span.number) + ", which " + file + " uses",
-                           "a row for each tool of the path"}};
+                           "a row for each tool of the path, in a .tbl with a diameter D "
+                           "above 0"}};
     return *found;
 }
 
@@ -117,6 +118,41 @@ PathTools tools_of_path(const ToolPath& path, const std::string& file,
         if (used.contains(row.number))
             tools.used.push_back(row);
     return tools;
+}
+
+void put_rapids_of_no_tool_to_others(ToolPath& path)
+{
+    const auto has_no_tool = [](const PathPoint& point) {
+        return point.conditions.tool == 0;
+    };
+    for (const PathPoint& point : path.points)
+        if (has_no_tool(point) && point.move != Move::Rapid)
+            return;
+    const auto first = std::ranges::find_if_not(path.points, has_no_tool);
+    if (first == path.points.end())
+        return;
+    std::optional<int> tool = first->conditions.tool;
+    for (PathPoint& point : path.points) {
+        if (has_no_tool(point))
+            point.conditions.tool = tool;
+        tool = point.conditions.tool;
+    }
+}
+
+Json cutters_json(const std::vector<NumberedTool>& tools)
+{
+    Json list = nullptr;
+    for (const auto& [number, tool] : tools)
+        list.push_back({{"tool", number}, {"cutter", cutter_word(tool.cutter)}});
+    return list;
+}
+
+std::optional<Cutter> only_cutter(const PathTools& tools)
+{
+    const Cutter& first = tools.first.cutter;
+    const bool is_only = std::ranges::all_of(
+        tools.changes, [&](const ToolChange& change) { return change.cutter == first; });
+    return is_only ? std::optional{first} : std::nullopt;
 }
 
 void refuse_several_tools(const ToolPath& path, const std::string& file)

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/command.h"
 #include "endmill/files/machining_data.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/stock/removal.h"
@@ -26,6 +27,16 @@ struct PathTools {
 PathTools tools_of_path(const ToolPath& path, const std::string& file,
                         const std::string& table_file,
                         const std::vector<NumberedTool>& table);
+
+/// Gives rapids with tool 0, an empty spindle, the tool of the move before them, or else of
+/// the first move with another one. A path in which tool 0 cuts does not change.
+void put_rapids_of_no_tool_to_others(ToolPath& path);
+
+/// Number and cutter of each tool of a summary; null for none.
+Json cutters_json(const std::vector<NumberedTool>& tools);
+
+/// The cutter of all tools, if they have the same one.
+std::optional<Cutter> only_cutter(const PathTools& tools);
 
 /// Refuses a path in which several tools cut, if no table describes them, and a path that
 /// cuts before its first tool. \throws DomainError

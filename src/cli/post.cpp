@@ -2,6 +2,7 @@
 // endmill post: writes a tool path as a machine program.
 
 #include <array>
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/idle_options.h"
+#include "cli/path_tools.h"
 #include "cli/post_summary.h"
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
@@ -81,6 +83,28 @@ PathSummary known_of(const Program& program, PathSummary known,
     return known;
 }
 
+// Calls `write`. Its errors are about a point of the path and get the name of the file.
+template <typename Write>
+WrittenProgram written_path(const PostOptions& options, Write write)
+{
+    try {
+        return write();
+    } catch (const DomainError& error) {
+        throw DomainError{printable(options.path.file) + ": " + error.what()};
+    }
+}
+
+// The cutter that is known before the path is read.
+std::optional<Cutter> cutter_before(const std::vector<NumberedTool>& table,
+                                    const PostOptions& options, const PathSummary& beside)
+{
+    if (table.size() == 1)
+        return table.front().tool.cutter;
+    if (!table.empty())
+        return std::nullopt;
+    return options.path.cutter ? options.path.cutter : beside.cutter;
+}
+
 // The G-code program.
 WrittenProgram written_gcode(const PostedPath& posted, const Control& control,
                              const PostOptions& options, const FeedSettings& feeds)
@@ -107,7 +131,7 @@ WrittenProgram written_gcode(const PostedPath& posted, const Control& control,
         program.ramp = Angle::degrees(options.ramp_angle_deg);
     if (options.arcs)
         program.arc_tolerance = arc_tolerance(known, options);
-    return gcode(posted.read.path, program);
+    return written_path(options, [&] { return gcode(posted.read.path, program); });
 }
 
 // Refuses what the written program could not do as the path and the options ask.
@@ -120,6 +144,13 @@ void require_writable(const Program& program, const PostOptions& options)
              "the spindle turns counterclockwise (M4) on the move to point " +
                  std::to_string(*point) + ", and the written program has M3",
              "a program with M3"}};
+    if (const auto point = program.tapping_from)
+        throw FormatError{
+            "E_GCODE",
+            {printable(options.path.file), "",
+             "a tapping cycle (G74, G84) reverses the spindle on the move to point " +
+                 std::to_string(*point) + ", and the written program does not",
+             "a program without tapping cycles"}};
     if (!options.safe_height)
         return;
     const auto extent = path_totals(program.path).extent;
@@ -135,6 +166,8 @@ void warn_of(const PostedPath& posted, const PostOptions& options)
     for (const std::string& remark : posted.read.remarks)
         warn(options.common, options.path.file + ": " + remark);
     const auto tolerance = posted.known.tolerance_mm();
+    if (const auto remark = rounding_remark(posted.read, tolerance.value_or(HUGE_VAL)))
+        warn(options.common, options.path.file + ": " + *remark);
     const double error = posted.written.max_rounding_error_mm;
     if (tolerance && error > negligible_share * *tolerance)
         warn(options.common,
@@ -166,14 +199,18 @@ PostedPath posted_path(const Program& program, PathSummary known,
                       program,
                       {},
                       stem + ".apt",
+                      {},
                       {}};
     const ProgressLine progress{"writing the program", options.common};
     if (options.format == PostFormat::Apt) {
         constexpr int apt_decimals = 4;
-        posted.written =
-            apt(program.path, {posted.name, posted.known.cutter,
-                               posted.known.feed_mm_per_min, posted.known.spindle_rpm,
-                               options.decimals.value_or(apt_decimals), options.multax});
+        const AptOptions format{posted.name,
+                                posted.known.cutter,
+                                posted.known.feed_mm_per_min,
+                                posted.known.spindle_rpm,
+                                options.decimals.value_or(apt_decimals),
+                                options.multax};
+        posted.written = written_path(options, [&] { return apt(program.path, format); });
         return posted;
     }
     posted.control = chosen_control(options);
@@ -203,23 +240,35 @@ ExitCode run_post(const PostOptions& options)
 {
     refuse_idle_post_options(options);
     require_within_extent("--safe-height", options.safe_height, options.common.limits);
+    refuse_idle_tool_options(options.path, options.common);
+    const std::vector<NumberedTool> table = read_tools_for(options.path, options.common);
     const PathSummary beside = path_summary_of(options.path, options.common);
     Program program = read_program_for(
-        options.path, options.path.cutter ? options.path.cutter : beside.cutter,
-        options.common);
+        options.path, cutter_before(table, options, beside), options.common);
     require_writable(program, options);
+    put_rapids_of_no_tool_to_others(program.path);
     PathSummary known = known_of(program, beside, options);
+    std::vector<NumberedTool> tools;
+    if (!table.empty()) {
+        PathTools used = tools_of_path(program.path, printable(options.path.file),
+                                       printable(options.path.tools), table);
+        known.cutter = only_cutter(used);
+        tools = std::move(used.used);
+    }
     const FeedSettings feeds{
         known.feed_mm_per_min,
         options.feed_mm_per_min ? FeedChoice::OfSettings : FeedChoice::OfPath,
         options.plunge_feed_mm_per_min, plunge_share};
     apply_options(program.path, options, feeds);
-    const PostedPath posted = posted_path(program, std::move(known), options, feeds);
+    PostedPath posted = posted_path(program, std::move(known), options, feeds);
+    posted.tools = std::move(tools);
     warn_of(posted, options);
 
     OutputFolder folder{output_folder(options.path.file, "post", options.common),
                         options.common.full_folder};
     folder.protect(options.path.file);
+    if (!options.path.tools.empty())
+        folder.protect(options.path.tools);
     Json summary = post_summary(posted, options);
     if (posted.known.part) {
         const auto& [file, units, up] = *posted.known.part;

@@ -145,6 +145,7 @@ void add_post_options(CLI::App& command, PostOptions& options)
     add_choice<PostFormat>(command, "--format", options.format, formats,
                            "language of the program (default gcode)");
     add_feed_options(command, options);
+    add_tools_options(command, options.path);
     add_reading_options(command, options.path);
     add_machine_options(command, options);
     add_motion_options(command, options);

@@ -8,6 +8,7 @@
 
 #include "build_facts.h"
 #include "cli/path_facts.h"
+#include "cli/path_tools.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 
@@ -122,6 +123,7 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
     summary["interpolation"] = written.arcs > 0 ? "linear and circular" : "linear";
     summary["cutter"] =
         posted.known.cutter ? Json(cutter_word(*posted.known.cutter)) : Json(nullptr);
+    summary["cutters"] = cutters_json(posted.tools);
     add_known(summary, "chord_tolerance_mm", posted.known.chord_tolerance_mm);
     add_known(summary, "inner_tolerance_mm", posted.known.inner_tolerance_mm);
     add_known(summary, "outer_tolerance_mm", posted.known.outer_tolerance_mm);

@@ -3,8 +3,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/post_options.h"
+#include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
 #include "endmill/post/program.h"
 
@@ -16,8 +18,9 @@ struct PostedPath {
     PathSummary known;  ///< completed by the options
     const Program& read;
     WrittenProgram written;
-    std::string file;                ///< its name in the output folder
-    std::optional<Control> control;  ///< of G-code; nothing for APT CL data
+    std::string file;                 ///< its name in the output folder
+    std::optional<Control> control;   ///< of G-code; nothing for APT CL data
+    std::vector<NumberedTool> tools;  ///< of the table of --tools that the path uses
 };
 
 /// summary.json of `post`. It has the keys of the path's own summary, so that `verify`

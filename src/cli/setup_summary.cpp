@@ -270,8 +270,12 @@ std::string missed_text(const Json& s)
     if (missed.is_null())
         return {};
     if (missed.empty())
-        return "  reason       this mode finds no pose within the limits, though one "
-               "exists; try --mode set\n";
+        return fmt::format(
+            "  reason       mode {} finds no pose within the limits, though one exists; "
+            "{}\n",
+            s["mode"].get<std::string>(),
+            s["mode"] == "set" ? "expected a larger --max-nodes"
+                               : "expected --mode set, which searches all poses");
     const Json& empty = s["empty_cones"];
     std::string text = "  reason       ";
     if (!empty.empty())

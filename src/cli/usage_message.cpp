@@ -64,6 +64,31 @@ std::string suggestion(const CLI::App& command, const std::string& word)
     return "; did you mean " + meant->written + "?";
 }
 
+// An option that is given more often than once; nothing if there is none.
+std::optional<std::string> repeated_option(const CLI::App& command)
+{
+    for (const CLI::Option* option : command.get_options())
+        if (option->get_expected_max() == 1 && option->results().size() > 1)
+            return option->get_name() + ": given " +
+                   std::to_string(option->results().size()) + " times; expected once";
+    return std::nullopt;
+}
+
+// An option without its value, for which the parser's message has the form
+// "--part: 1 required FILE missing"; nothing for other messages.
+std::optional<std::string> missing_value(const std::string& message)
+{
+    constexpr std::string_view middle = ": 1 required ";
+    constexpr std::string_view end = " missing";
+    const std::size_t at = message.find(middle);
+    if (at == std::string::npos || !message.ends_with(end))
+        return std::nullopt;
+    const std::size_t type = at + middle.size();
+    const std::string name = message.substr(0, at);
+    return name + ": no value; expected " + name + ' ' +
+           message.substr(type, message.size() - end.size() - type);
+}
+
 }  // namespace
 
 bool names_unknown_command(const CLI::App& program)
@@ -94,7 +119,12 @@ std::string usage_message(const CLI::App& program, const CLI::ParseError& error)
     if (is_unknown && !unknown.empty())
         return "found \"" + unknown.front() + "\", which " + full_name(command) +
                " does not know" + suggestion(command, unknown.front());
-    return std::string{error.what()} + "; see " + full_name(command) + " --help";
+    const std::string message = error.what();
+    const auto counted = dynamic_cast<const CLI::ArgumentMismatch*>(&error)
+                             ? repeated_option(command)
+                             : std::nullopt;
+    return counted.value_or(missing_value(message).value_or(message)) + "; see " +
+           full_name(command) + " --help";
 }
 
 }  // namespace endmill

@@ -212,6 +212,9 @@ VerifyInput read_verify_input(const VerifyOptions& options)
                       .changes = std::move(tools.changes),
                       .tools = std::move(tools.used)};
     add_part(input, options, known);
+    if (const auto remark = rounding_remark(input.program, input.limits.tolerance);
+        remark && input.part)
+        input.program.remarks.push_back(*remark);
     if (!input.part)
         refuse_options_without_part(options.common);
     input.inaccessible = inaccessible_of(options, known, input.part);

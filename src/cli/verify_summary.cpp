@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/verify_summary.h"
+#include "cli/path_tools.h"
 
 #include <algorithm>
 
@@ -217,15 +218,6 @@ std::string deviation_text(const Json& s)
         area("judged_area_mm2"), earlier_text(s),
         extreme_text(s, "scallop", "scallop_limit_mm"), area("uncut_area_mm2"),
         length_text(s["mean_scallop_mm"]));
-}
-
-// Number and cutter of each tool; null without --tools.
-Json cutters_json(const std::vector<NumberedTool>& tools)
-{
-    Json list = nullptr;
-    for (const auto& [number, tool] : tools)
-        list.push_back({{"tool", number}, {"cutter", cutter_word(tool.cutter)}});
-    return list;
 }
 
 // "ball:6", or "T1 flat:10, T2 ball:6".

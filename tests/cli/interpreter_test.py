@@ -14,7 +14,7 @@ import time
 import unittest
 from pathlib import Path
 
-from program import ENDMILL, ProgramTest, endmill
+from program import ENDMILL, ProgramTest, endmill, on_terminal, plane
 
 HEAD = "G21 G90 G94 G17 F100\n"
 LOOP = "#1=0\no100 while [#1 lt 3]\nG0 X[#1*10] Y0 Z5\nG1 Z-1\nX[#1*10+5]\nG0 Z5\n#1=[#1+1]\no100 endwhile\nM2\n"
@@ -133,6 +133,25 @@ class LinuxCnc(ProgramTest):
         self.refuse(HEAD + "o1 while [1]\no1 endwhile\nM2\n", 6, "ended after 1 s (--interpreter-seconds)",
                     options=("--interpreter-seconds", "1"))
         self.assertLess(time.monotonic() - start, 10)
+
+    def test_progress_states_the_time_and_its_limit(self):
+        path = self.file(HEAD + "o1 while [1]\no1 endwhile\nM2\n", "p.ngc")
+        status, shown = on_terminal(self.folder, "info", path, "--interpreter", "linuxcnc", "--interpreter-seconds", "2")
+        self.assertEqual(status, 6)
+        self.assertRegex(shown, r"running \S*p.ngc in LinuxCNC's rs274, at most 2 s: 1 s")
+
+    def test_rounded_positions_are_a_remark_where_the_tolerance_makes_them_matter(self):
+        part = self.file(plane(size=(30, 20)))
+        for unit, tolerance, words in (("G21", 0.01, None), ("G21", 0.0004, "known to 0.00005 mm"),
+                                       ("G20", 0.01, "known to 0.00127 mm; the tolerance is 0.01 mm"),
+                                       ("G20", 0.1, None)):
+            path = self.file(f"{unit} G90 F100\nG0 X0 Y0 Z2\n#1=1\nG1 Z0\nX[#1]\nM2\n", "p.ngc")
+            with self.subTest(unit, tolerance=tolerance):
+                done = endmill("verify", path, "--interpreter", "linuxcnc", "--cutter", "ball:6", "--part", part,
+                               "--tolerance", tolerance, "-o", "seen", "--force", cwd=self.folder)
+                self.assertIn(done.returncode, (0, 1), done.stderr)
+                self.assertEqual("rs274 has four decimals" in done.stderr, words is not None, done.stderr)
+                self.assertIn(words or "", done.stderr)
 
     def test_huge_output_is_ended(self):
         self.refuse(HEAD + "o1 while [1]\nG0 X1\nG0 X2\no1 endwhile\nM2\n", 6, "GiB; expected a program without",

@@ -2,10 +2,11 @@
 """Moves of canned cycles, compared with those of LinuxCNC's interpreter. rs274 expands each program, our reader
 reads both the program and the output of rs274, and the two paths must be equal but for repeated points.
 scripts/setup.sh installs rs274; without it these tests fail."""
+import json
 import subprocess
 import unittest
 
-from program import ProgramTest
+from program import ProgramTest, endmill
 
 # It prints four decimals; sums of increments are rounded in addition.
 INTERPRETER_ROUNDING = 1.5e-4
@@ -58,10 +59,10 @@ class Cycles(ProgramTest):
         except FileNotFoundError:
             self.fail("rs274 is missing: scripts/setup.sh installs it (Debian package linuxcnc-uspace)")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        # Taps reverse the spindle, which no written program does. The moves are compared, so it keeps its sense.
+        # Taps reverse the spindle, which no written program does. G89 makes the same moves without it.
         canonical = self.folder / "canonical.txt"
         canonical.write_text(canonical.read_text().replace("COUNTERCLOCKWISE", "CLOCKWISE"))
-        program.write_text(program.read_text().replace("M4\n", ""))
+        program.write_text(program.read_text().replace("M4\n", "").replace("G74", "G89").replace("G84", "G89"))
         expected = self.read(canonical, "expected")
         found = self.read(program, "found")
         self.assertEqual(len(found), len(expected), (found, expected))
@@ -79,6 +80,23 @@ class Cycles(ProgramTest):
                     if (self.folder / used).exists():
                         (self.folder / used).rmdir()
                 self.compare(blocks)
+
+    def test_taps_are_read_alike_and_never_written(self):
+        """The reversal that a tapping cycle makes itself is no M4 of the program; M4 before a left-hand tap is one."""
+        for tap, m4 in (("G98 G84 X1 Z-3 R2\nX2", False), ("G99 G84 X1 Z-3 R2 P1", False),
+                        ("M49\nG99 G84 X1 Z-3 R2", False), ("M5\nM4\nG98 G74 X1 Z-3 R2\nM5\nM3", True)):
+            program = self.file(START + tap + "\nG80\nG1 X9\nM2\n", "taps.ngc")
+            with self.subTest(tap):
+                readers = ([], ["--interpreter", "linuxcnc"])
+                reports = [endmill("info", program, "--json", *reader) for reader in readers]
+                found = [json.loads(report.stdout) for report in reports]
+                for key in ("cut_mm", "plunge_mm", "rapid_mm", "time_min", "min_mm", "max_mm", "min_spindle_rpm"):
+                    self.assertEqual(found[0][key], found[1][key])
+                for reader, report in zip(readers, reports):
+                    self.assertEqual("counterclockwise" in report.stderr, m4, report.stderr)
+                    done = endmill("post", program, *reader, "-o", self.folder / "out")
+                    self.assert_refused(done, 3, "(M4)" if m4 else "a tapping cycle (G74, G84) reverses the spindle on "
+                                        "the move to point ")
 
     def test_programs_with_offsets_are_in_the_coordinates_of_the_first_move(self):
         """G92 and a turned G54 in the middle of a program: rs274 states the same places of the machine."""

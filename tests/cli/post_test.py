@@ -5,6 +5,7 @@ import json
 import os
 import re
 import resource
+import shutil
 import subprocess
 import unittest
 
@@ -270,6 +271,7 @@ class Controls(ProgramTest):
                 # The number of a program is not read by every version of the reader.
                 text = (self.folder / "once" / name).read_text()
                 self.file(text, "again.nc")
+                self.assertEqual(endmill("info", "again.nc", cwd=self.folder).stderr, "")  # no warning
                 facts = self.summary("post", "again.nc", "--control", control, "--units", unit, "--comments", "no",
                                      "-o", "twice", "--force")
                 moves = [moves_of(blocks(self.folder / file)) for file in (f"once/{name}", f"twice/{facts['file']}")]
@@ -313,6 +315,30 @@ class Controls(ProgramTest):
         done = endmill("post", path, "--feed", "90", "--control", "grbl", "--lead-in", "ramp", "--approach-distance",
                        "1", cwd=self.folder)
         self.assert_refused(done, 2, "from tool 1 to tool 2 at point 2")
+
+    def test_tools_of_a_table_are_named(self):
+        apt = self.file("UNITS/MM\nFEDRAT/100,MMPM\nSPINDL/900,CLW\nLOADTL/1\nCUTTER/10\nRAPID\nGOTO/0,0,5\nGOTO/0,0,-1\n"
+                        "GOTO/9,0,-1\nRAPID\nGOTO/9,0,5\nLOADTL/2\nCUTTER/6,3\nRAPID\nGOTO/0,0,6\nGOTO/0,0,-2\nFINI\n",
+                        "p.apt")
+        table = self.file("T3 D4\nT2 D6 ;ball\nT1 D10\n", "t.tbl")
+        tools = ("--tools", table, "--tools-units", "mm")
+        cutters = [{"tool": 1, "cutter": "flat:10"}, {"tool": 2, "cutter": "ball:6"}]
+        for format_options in ([], ["--format", "apt"]):
+            facts = self.summary("post", apt, *tools, *format_options, "-o", "out", "--force")
+            self.assertEqual((facts["cutter"], facts["cutters"], facts["tools"]), (None, cutters, [1, 2]))
+        facts = self.summary("info", apt, *tools)
+        self.assertEqual((facts["cutter"], facts["cutters"]), (None, cutters))
+        self.assertIn("tools 1 flat:10, 2 ball:6\n", endmill("info", apt, *tools).stdout)
+        same = self.file("T2 D10\nT1 D10\n", "same.tbl")
+        self.assertEqual(self.summary("info", apt, "--tools", same, "--tools-units", "mm")["cutter"], "flat:10")
+        self.assertIsNone(self.summary("post", self.path, "-o", "plain")["cutters"])
+        one = self.file("T1 D10\n", "one.tbl")
+        for command in ("post", "info"):
+            for status, words, options in ((3, "--tools FILE", ()), (2, "--tools-units", ("--tools", table)),
+                                           (3, "no row with a cutter for tool 2", ("--tools", one, *tools[2:])),
+                                           (2, "--cutter: has no effect with --tools", (*tools, "--cutter", "ball:6"))):
+                self.assert_refused(endmill(command, apt, *options, cwd=self.folder), status, words)
+        self.assert_refused(endmill("info", SURFACES / "saddle.json", *tools), 2, "--tools: has no effect with a part")
 
     def test_wrong_controls_are_refused(self):
         def refuse(status, *words, options):
@@ -566,7 +592,7 @@ class BadInput(ProgramTest):
         self.assert_refused(done, 3, 'summary.json:/cutter: "bal:10"; expected ball:DIAMETER')
 
     def test_missing_or_bad_feed_is_refused(self):
-        self.refuse(TIPS, 2, "point 0 of the path has no feed", "--feed", options=())
+        self.refuse(TIPS, 2, "p.csv: point 0 of the path has no feed", "--feed", options=())
         self.refuse(TIPS, 2, "feed of 0.4 mm/min, which rounds to 0",
                     options=("--feed", "0.4", "--plunge-feed-mm-per-min", "0.4", "--decimals", "0"))
         for feed in ("0", "-1", "nan", "inf", "fast", "1e999"):
@@ -595,6 +621,20 @@ class BadInput(ProgramTest):
     def test_tool_zero_is_refused(self):
         self.refuse("tip_x_mm,tip_y_mm,tip_z_mm,tool\n0,0,0,0\n9,0,0,0\n", 2, "point 0 of the path has tool 0",
                     "--tool-number")
+
+    def test_rapids_after_the_last_tool_is_put_away(self):
+        program = self.file("G21 G90\nT0 M6\nG0 X0 Y0 Z9\nT3 M6\nS100 M3\nG0 Z5\nG1 Z-1 F100\nX5\nG0 Z5\n"
+                            "T0 M6\nG0 Z9\nM2\n", "p.ngc")
+        facts = self.summary("post", program, "-o", "out")
+        self.assertEqual(facts["tools"], [3])
+        shutil.rmtree(self.folder / "out")
+        self.refuse("G21 G90\nT0 M6\nG0 X0 Y0 Z9\nG1 Z1 F9\nM2\n", 2, "point 0 of the path has tool 0",
+                    name="p.ngc")
+
+    def test_lines_that_end_with_a_carriage_return_are_refused(self):
+        text = "G21 G90\rG0 X0 Y0 Z5 ; start\rG1 Z-1 F100\rM2\r"
+        for options in ([], ["--interpreter", "linuxcnc"]):
+            self.refuse(text, 3, "p.ngc:1: a carriage return without a line feed", name="p.ngc", options=options)
 
     def test_tilted_axis_is_refused(self):
         header = "axis_x,axis_y,axis_z," + TIPS.splitlines()[0]

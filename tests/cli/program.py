@@ -2,6 +2,7 @@
 """Shared code of the tests of the program: runs it, and makes surfaces for it."""
 import json
 import os
+import pty
 import re
 import subprocess
 import tempfile
@@ -17,6 +18,26 @@ def endmill(*arguments, **options):
     command = [ENDMILL, *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, check=False, timeout=600,
                           stdin=subprocess.DEVNULL, **options)
+
+
+def on_terminal(folder, *arguments):
+    """Runs the program in a folder. Returns the exit status, and the output on a terminal that is standard error."""
+    parent, child = pty.openpty()
+    with subprocess.Popen([ENDMILL, *map(str, arguments)], cwd=folder, stdin=subprocess.DEVNULL,
+                          stdout=subprocess.DEVNULL, stderr=child) as process:
+        os.close(child)
+        shown = b""
+        while True:
+            try:
+                piece = os.read(parent, 4096)
+            except OSError:  # the program has closed its end
+                break
+            if not piece:
+                break
+            shown += piece
+        status = process.wait(timeout=600)
+    os.close(parent)
+    return status, shown.decode()
 
 
 def plane(patches_u=1, patches_v=1, size=(60, 30), slope=0):

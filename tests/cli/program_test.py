@@ -111,6 +111,14 @@ class Program(ProgramTest):
         self.assert_refused(endmill("plam"), 2, 'found "plam"', "did you mean plan?")
         self.assert_refused(endmill(), 2, "subcommand is required", "endmill --help")
 
+    def test_repeated_options_and_missing_values_are_told_in_words(self):
+        for options, words in ((["--part", "a.stl", "--part", "b.stl"], "--part: given 2 times; expected once"),
+                               (["--scallop", "1", "--scallop", "2", "--scallop", "3"],
+                                "--scallop: given 3 times; expected once"),
+                               (["--part"], "--part: no value; expected --part FILE"),
+                               (["--scallop"], "--scallop: no value; expected --scallop MM")):
+            self.assert_refused(endmill("verify", "p.csv", *options), 2, words + "; see endmill verify --help")
+
     def test_formula_without_eval_gets_a_suggestion(self):
         for arguments in ([], ["--help"], ["--radius", "5", "--curvature", "0", "--scallop", "1"]):
             self.assert_refused(endmill("path-interval", *arguments), 2, '"path-interval", which endmill does not know',

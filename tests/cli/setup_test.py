@@ -326,6 +326,13 @@ class Setup(ProgramTest):
         good = self.found(cube, "--family", "AB", "--incidence-deg", 80)
         self.assertEqual((good["missed_facets"], good["missed_area_share"]), (None, None))
 
+    def test_mode_that_finds_no_pose_is_named_with_a_better_one(self):
+        machine = ROOT / "datasets/machines/ca-table-table.json"
+        done = endmill("setup", TEAPOT, "--units", "mm", "--machine", machine, "-o", "paper", cwd=self.folder)
+        self.assertIn("  reason       mode paper finds no pose within the limits, though one exists; expected --mode set, "
+                      "which searches all poses\n", done.stdout)
+        self.assertTrue(self.found(TEAPOT, "--units", "mm", "--machine", machine, "--mode", "set")["machinable"])
+
     def test_points_are_reported_in_sentences(self):
         """Three directions on a circle of 30 degrees: a pose of C,A tilts by 30 to both sides and turns C by 60."""
         points = self.file(HEADER + "0,30\n120,30\n240,30\n", "points.csv")

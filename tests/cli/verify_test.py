@@ -465,6 +465,20 @@ class SeveralTools(VerifyTest):
             self.assertEqual((facts["cutter"], facts["tools"]), (None, [1, 2]))
             self.assertEqual([entry["tool"] for entry in facts["cutters"]], [1, 2])
 
+    def test_tools_of_apt(self):
+        path = self.file(self.SLOTS, "p.csv")
+        table = self.file(self.TABLE, "t.json")
+        expected = self.verify(path, *self.OPTIONS, "--tools", table)
+        goto = [f"{'RAPID' if move == 'rapid' else '$$'}\nGOTO/{x},{y},{z}\n" for move, x, y, z, _ in
+                (row.split(",") for row in self.SLOTS.splitlines()[1:])]
+        apt = self.file("UNITS/MM\nLOADTL/1,$\nLENGTH,100\nCUTTER/10\nFEDRAT/100,MMPM\n" + "".join(goto[:3]) +
+                        "RAPID\n" + "LOADTL/2\nCUTTER/4\n" + "".join(goto[3:]) + "FINI\n", "p.apt")
+        found = self.verify(apt, *self.OPTIONS, "--tools", table)
+        for key in ("removed_mm3", "tools", "cutters", "points"):
+            self.assertEqual(found[key], expected[key])
+        self.assert_refused(endmill("verify", apt, *self.OPTIONS, "--cutter", "flat:10", cwd=self.folder), 3,
+                            'p.apt:14: "CUTTER/4"', "--tools FILE")
+
     def test_holder_of_the_second_tool_collides(self):
         table = json.loads(json.dumps(self.TABLE))
         table["tools"][0]["tool"]["holder"] = [{"diameter_mm": 20, "from_mm": 3, "to_mm": 30}]
@@ -518,7 +532,12 @@ class SeveralTools(VerifyTest):
         one = self.file("T1 D10\n", "one.tbl")
         for status, words, options in (
                 (2, ("several tools cut (T1, T2)", "--tools FILE"), ("--cutter", "flat:10")),
-                (3, ("one.tbl: no row with a cutter for tool 2",), ("--tools", one, "--tools-units", "mm")),
+                (3, ("one.tbl: no row with a cutter for tool 2", "with a diameter D above 0"),
+                 ("--tools", one, "--tools-units", "mm")),
+                (3, ("none.tbl: no row with a diameter; expected rows such as T1 P1 D6.0",),
+                 ("--tools", self.file("T1 P1\nT2 D0\n", "none.tbl"), "--tools-units", "mm")),
+                (3, ("mac.tbl:1: a carriage return without a line feed",),
+                 ("--tools", self.file("T1 D10\rT2 D4\r", "mac.tbl"), "--tools-units", "mm")),
                 (2, ("one.tbl", "does not state its unit", "--tools-units"), ("--tools", one)),
                 (2, ("--tools-units: has no effect",), ("--tools", table, "--tools-units", "mm")),
                 (2, ("--tools-units: has no effect", "expected --tools"), ("--tools-units", "mm")),

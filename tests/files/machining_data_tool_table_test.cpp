@@ -62,8 +62,9 @@ TEST(ToolTable, IsReadStrictly)
     EXPECT_THAT(tool_table_complaint(replaced(two_tools, "tools/1", "tools/2")),
                 HasSubstr("newer version"));
     EXPECT_THAT(tool_table_complaint(R"({"format": "endmill-tools/1", "tools": []})"),
-                HasSubstr("no tool with a cutter"));
-    EXPECT_THAT(tool_table_complaint("T1 P1\n"), HasSubstr("no tool with a cutter"));
+                HasSubstr("no tool; expected at least one"));
+    EXPECT_THAT(tool_table_complaint("T1 P1\n"),
+                HasSubstr("no row with a diameter; expected rows such as"));
     EXPECT_THAT(tool_table_complaint("T1 ;ball:6\nT1 ;ball:8\n"),
                 HasSubstr("tools.json:2: tool 1 a second time"));
     EXPECT_THROW(parse_tool_table(two_tools, "t.json", {{}, 25.4}), DomainError);

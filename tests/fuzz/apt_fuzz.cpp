@@ -7,7 +7,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
     using namespace endmill;
     const auto parse = [](std::string_view text, const std::string& file,
                           const GcodeReadOptions& options) {
-        return parse_apt(text, file, {options.max_extent_mm, options.most_points});
+        return parse_apt(text, file, {options.max_extent_mm, options.most_points, true});
     };
     return fuzz_program(bytes, size, parse);
 }

@@ -98,6 +98,9 @@ TEST(AptReader, RefusesOtherStatementsWithTheLine)
                                   "GO TO/1,2,3",
                                   "X1 Y2",
                                   "GOTO/1,2,3 $",
+                                  "GOTO/1,2 $ 3",
+                                  "GOTO/1,2$\n3",
+                                  "$",
                                   "END",
                                   "/1,2",
                                   "RAPID/1",
@@ -106,7 +109,16 @@ TEST(AptReader, RefusesOtherStatementsWithTheLine)
                                   "%",
                                   "UNITS/INCH",
                                   "UNITS",
-                                  "SPINDL/OFF",
+                                  "SPINDL/ON",
+                                  "SPINDL",
+                                  "SPINDL/",
+                                  "SPINDL/RPM,CLW",
+                                  "SPINDL/100,100",
+                                  "SPINDL/100,RPM,RPM",
+                                  "SPINDL/100,CLW,CLW",
+                                  "SPINDL/100,SFM",
+                                  "SPINDL/100,RPM,CLW,RANGE,2",
+                                  "SPINDL/OFF,CLW",
                                   "LOADTL",
                                   "LOADTL/drill",
                                   "LOADTL/1.5",
@@ -161,10 +173,79 @@ TEST(AptReader, RefusesBadPoints)
     EXPECT_EQ(refusal("GOTO/1,2,1000001", {.max_extent_mm = 2e6}), "accepted");
 }
 
+// The same statements, on a line each and over several lines.
+TEST(AptReader, JoinsLinesThatEndWithADollar)
+{
+    const std::string around = "UNITS/MM\nCUTTER/10,5\n*SPINDL/900,RPM,CLW\n*FINI\n";
+    const auto points = [&](const std::string& statement) {
+        std::string text = around;
+        text.replace(text.rfind('*'), 1, statement + "\n");
+        text.replace(text.find('*'), 1, "");
+        std::vector<std::pair<Vec3, Vec3>> found;
+        for (const PathPoint& point : parse_apt(text, "f.apt").path.points)
+            found.emplace_back(point.location.tip, point.location.axis);
+        return found;
+    };
+    const auto expected = points("GOTO/1,-2.5,3,0,0.6,0.8\nGOTO/4,5,6");
+    for (const std::string statement :
+         {"GOTO/1,-2.5,3,$\n0,0.6,0.8\nGOTO/4,5,6",
+          "GOTO$\n/1,-2.5$ $$ comment\r\n,3,0,0.6, $  \r\n$\n0.8\nGOTO/4,$\n5,6",
+          "REMARK costs 5 $\nGOTO/1,-2.5,3,0,0.6,0.8\nPPRINT $\nGOTO/4,5,6"})
+        EXPECT_EQ(points(statement), expected) << statement;
+    EXPECT_EQ(refusal("UNITS/MM\nGOTO/1,$\n\n2,$\nnone\nFINI"),
+              "E_APT f.apt:2: \"GOTO/1,\"; expected GOTO/x,y,z or GOTO/x,y,z,i,j,k");
+    EXPECT_EQ(
+        refusal("UNITS/MM\nGOTO/1,$\n2,$"),
+        "E_APT f.apt:2: a $ in the last line; expected the rest of the statement in "
+        "another line");
+    std::string endless = "UNITS/MM\nGOTO/1";
+    for (int k = 0; k < 1100; ++k)
+        endless += std::string(1000, '0') + "$\n";
+    EXPECT_THAT(refusal(endless), HasSubstr("E_LIMIT f.apt:2: a statement is longer"));
+}
+
+TEST(AptReader, ReadsTheFormsOfSpindl)
+{
+    const auto speed = [](const std::string& statements) {
+        return parse_apt(statements + "\nGOTO/1,2,3", "f")
+            .path.points.front()
+            .conditions.spindle_rpm;
+    };
+    for (const std::string words :
+         {"900,RPM,CLW", "900,CLW", "900,CLW,RPM", "RPM,900,CLW", "rpm, 900.0", "900"})
+        EXPECT_EQ(speed("SPINDL/" + words), 900) << words;
+    EXPECT_EQ(speed("SPINDL/900\nSPINDL/OFF"), std::nullopt);
+    EXPECT_EQ(speed("SPINDL/900\nSPINDL/OFF\nSPINDL/ON"), 900);
+}
+
+TEST(AptReader, AllowsSeveralCuttersBesideAToolTable)
+{
+    const std::string text =
+        "LOADTL/1\nCUTTER/10,5\nGOTO/1,2,3\nLOADTL/2\nCUTTER/8\nGOTO/1,2,3";
+    EXPECT_EQ(refusal(text, {.several_cutters = true}), "accepted");
+    EXPECT_FALSE(parse_apt(text, "f", {.several_cutters = true}).cutter);
+    EXPECT_EQ(refusal("CUTTER/10,5\nLOADTL/1\nGOTO/1,2,3\nLOADTL/2\nRAPID\nGOTO/1,2,9\n"
+                      "CUTTER/8\nGOTO/1,2,3\nCUTTER/10,5\nRAPID\nGOTO/1,2,9\nLOADTL/1\n"
+                      "GOTO/1,2,3",
+                      {.several_cutters = true}),
+              "accepted");
+    EXPECT_EQ(
+        refusal("CUTTER/10,5\nGOTO/1,2,3\nCUTTER/8\nGOTO/1,2,4",
+                {.several_cutters = true}),
+        "E_APT f.apt:4: another CUTTER without a tool number, flat:8 after ball:10; "
+        "expected LOADTL with another number before it");
+    EXPECT_THAT(
+        refusal(text + "\nLOADTL/1\nCUTTER/8\nGOTO/1,2,4", {.several_cutters = true}),
+        HasSubstr("f.apt:9: another CUTTER for tool 1, flat:8 after ball:10"));
+    EXPECT_EQ(parse_apt("CUTTER/8\nGOTO/1,2,3", "f", {.several_cutters = true}).cutter,
+              Cutter::flat(4));
+}
+
 TEST(AptReader, RefusesTwoCuttersAndNoPath)
 {
-    EXPECT_THAT(refusal("CUTTER/10,5\nCUTTER/10,5\nCUTTER/8\nGOTO/1,2,3"),
-                HasSubstr("f.apt:3: \"CUTTER/8\"; expected one cutter"));
+    EXPECT_EQ(refusal("CUTTER/10,5\nCUTTER/10,5\nCUTTER/8\nGOTO/1,2,3"),
+              "E_APT f.apt:3: \"CUTTER/8\"; expected one cutter for the whole path, or "
+              "--tools FILE, a table with the cutter of each tool");
     EXPECT_THAT(refusal("UNITS/MM\nFINI\n"), HasSubstr("E_APT f.apt: no GOTO"));
     EXPECT_THAT(refusal(" \n"), HasSubstr("E_EMPTY"));
 }

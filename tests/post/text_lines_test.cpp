@@ -102,5 +102,27 @@ TEST(CheckExtent, RefusesCoordinatesBeyondIt)
                  FormatError);
 }
 
+// Some programs end lines with CR alone. In a program that is read as one line, a move or
+// a comment would swallow those after it.
+TEST(TextLines, RefusesACarriageReturnWithinALine)
+{
+    const auto refusal = [](const std::string& text) {
+        TextLines lines{text, {"f", "E_GCODE"}};
+        try {
+            while (lines.next()) {
+            }
+            return std::string{"accepted"};
+        } catch (const FormatError& error) {
+            return error.code() + ' ' + error.what();
+        }
+    };
+    const std::string told =
+        ": a carriage return without a line feed; expected lines that end with LF or "
+        "CRLF";
+    EXPECT_EQ(refusal("G21\rG0 X1\rM2\r"), "E_GCODE f:1" + told);
+    EXPECT_EQ(refusal("G21\n\r\nG1 X1\rY2\nM2"), "E_GCODE f:3" + told);
+    EXPECT_EQ(refusal("G21\r\nG0 X1\r\r\nM2\r"), "accepted");
+}
+
 }  // namespace
 }  // namespace endmill

@@ -138,7 +138,9 @@ Program parse_program(std::string_view content, const std::filesystem::path& pat
         case PathFormat::Canonical:
             return parse_canonical(content, file, gcode);
         case PathFormat::Apt:
-            return parse_apt(content, file, {gcode.max_extent_mm, gcode.most_points});
+            return parse_apt(
+                content, file,
+                {gcode.max_extent_mm, gcode.most_points, options.several_cutters});
         case PathFormat::Gcode:
             break;
     }

@@ -37,6 +37,8 @@ enum class PathFormat {
 struct PathReadOptions {
     ReadLimits limits = {};  ///< on coordinates and memory; they replace those of `gcode`
     GcodeReadOptions gcode = {};  ///< for machine programs
+    /// Whether APT CL data may name several cutters (`AptReadOptions`).
+    bool several_cutters = false;
 };
 
 /// The format of a file. The content determines the format if it is unambiguous.

@@ -110,8 +110,10 @@ std::vector<NumberedTool> parse_tool_table(std::string_view content,
                                        ? rows_of_json(content, path, options.limits)
                                        : rows_of_text(content, file, options);
     if (rows.empty())
-        throw FormatError{"E_TOOLS",
-                          {file, "", "no tool with a cutter", "at least one tool"}};
+        throw FormatError{
+            "E_TOOLS",
+            {file, "", is_json(content) ? "no tool" : "no row with a diameter",
+             is_json(content) ? "at least one tool" : "rows such as T1 P1 D6.0"}};
     std::ranges::stable_sort(rows, {},
                              [](const PlacedTool& tool) { return tool.row.number; });
     const auto twice = std::ranges::adjacent_find(

@@ -17,10 +17,13 @@
 
 namespace endmill {
 
-/// Limits of what the APT reader accepts.
+/// What the APT reader accepts.
 struct AptReadOptions {
     double max_extent_mm = 1e6;            ///< mm, largest magnitude of a coordinate
     std::size_t most_points = 10'000'000;  ///< largest number of path points
+    /// Whether CUTTER may name several cutters, because a tool table gives that of each
+    /// tool. The program then has none.
+    bool several_cutters = false;
 };
 
 /// Whether the first statement of `text` is one that `parse_apt` knows.
@@ -29,7 +32,9 @@ bool is_apt(std::string_view text);
 /// Reads CL data with the statements that `apt` writes, and with REMARK, PPRINT and `$$`
 /// (comments) and COOLNT and STOP (no effect). Upper and lower case are equal,
 /// and blanks between words are ignored. Numbers are plain decimals. CUTTER without a
-/// corner radius is a flat end mill.
+/// corner radius is a flat end mill. A `$` at the end of a line continues the statement
+/// in the next line, but not a text. SPINDL takes its words in any order, and may leave
+/// out RPM or CLW; SPINDL/OFF stops the spindle, SPINDL/ON starts it again.
 ///
 /// A move straight down is a plunge, straight up a retract, otherwise a cut; after RAPID
 /// it is a rapid. The first move is a plunge unless it is a rapid. All points belong to
@@ -39,7 +44,7 @@ bool is_apt(std::string_view text);
 /// \param options limits.
 /// \throws FormatError with file and line. E_APT for any other statement or unit, a wrong
 ///         count of numbers, a feed or speed that is not above 0, an impossible cutter or
-///         one that differs from the first, an axis whose length is not 1 within 1e-4, or
+///         one that differs from the first unless the options allow it, an axis whose length is not 1 within 1e-4, or
 ///         if there is no GOTO. E_RANGE for a coordinate beyond the limit, E_LIMIT for a
 ///         line over 1 MiB, E_EMPTY for an empty text.
 /// \throws LimitError for more points than the limit.

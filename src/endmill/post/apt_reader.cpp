@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,8 +16,10 @@
 #include "endmill/post/detail/text_lines.h"
 #include "endmill/post/detail/unit_axis.h"
 
-// The reader handles one statement per line:
-// 1. `statement_of` removes a comment and splits the line into a word and its rest.
+// The reader handles one statement per line, or per group of lines of which all but the
+// last end with $:
+// 1. `statement_of` splits the text without comment into a word and its rest, after
+//    `continued_statement` has joined the lines.
 // 2. GOTO appends a point with the feed and speed in force. FEDRAT and SPINDL change
 //    these until the next such statement; RAPID makes the next GOTO a rapid.
 // 3. FINI ends the path. After it, `finish` checks that there is a path and adds remarks
@@ -65,12 +68,17 @@ struct Statement {
     }
 };
 
-// The statement of a line. The word is the run of letters at its beginning, which handles
-// "RAPID/", "PARTNO x" and "GOTO /1" alike. A line that does not begin with a letter has
-// an empty word.
+// The line without its comment and without surrounding blanks.
+std::string_view without_comment(std::string_view line)
+{
+    return trimmed(line.substr(0, line.find("$$")));
+}
+
+// The statement of a line without comment. The word is the run of letters at its
+// beginning, which handles "RAPID/", "PARTNO x" and "GOTO /1" alike. A line that does not
+// begin with a letter has an empty word.
 Statement statement_of(std::string_view line)
 {
-    line = trimmed(line.substr(0, line.find("$$")));
     const auto end = std::ranges::find_if_not(
         line, [](char c) { return 'A' <= upper(c) && upper(c) <= 'Z'; });
     const auto length = static_cast<std::size_t>(end - line.begin());
@@ -112,7 +120,11 @@ public:
     Program read_all()
     {
         while (!is_finished_ && lines_.next()) {
-            const Statement statement = statement_of(lines_.line());
+            first_line_ = lines_.number();
+            text_ = without_comment(lines_.line());
+            Statement statement = statement_of(text_);
+            if (text_.ends_with('$') && !statement.is_any(text_words))
+                statement = continued_statement();
             if (!statement.word.empty() || !statement.rest.empty() || statement.has_slash)
                 read_statement(statement);
         }
@@ -121,6 +133,42 @@ public:
     }
 
 private:
+    // The statement that begins in the current line and goes on in the next one. Texts are
+    // not continued, because a $ at their end may belong to them.
+    Statement continued_statement()
+    {
+        joined_.clear();
+        for (; text_.ends_with('$'); text_ = without_comment(lines_.line())) {
+            text_.remove_suffix(1);
+            append(text_);
+            if (!lines_.next())
+                throw complaint("a $ in the last line",
+                                "the rest of the statement in another line");
+        }
+        append(text_);
+        text_ = joined_;
+        return statement_of(text_);
+    }
+
+    // Appends a line to the statement that is put together.
+    void append(std::string_view line)
+    {
+        constexpr std::size_t longest = std::size_t{1} << 20U;  // bytes, as of a line
+        joined_ += line;
+        joined_ += ' ';
+        if (joined_.size() > longest)
+            throw FormatError{"E_LIMIT",
+                              {lines_.file(), std::to_string(first_line_),
+                               "a statement is longer than 1 MiB",
+                               "statements of at most 1048576 bytes"}};
+    }
+
+    // An error at the first line of the statement.
+    FormatError complaint(const std::string& found, const std::string& expected) const
+    {
+        return {"E_APT", {lines_.file(), std::to_string(first_line_), found, expected}};
+    }
+
     void read_statement(const Statement& statement)
     {
         if (statement.is("GOTO"))
@@ -140,8 +188,7 @@ private:
         else if (statement.is("MULTAX"))
             read_multax(statement);
         else if (!statement.is_any(text_words) && !statement.is_any(ignored_words))
-            throw lines_.complaint("statement " + quoted(trimmed(lines_.line())),
-                                   known_statements);
+            throw complaint("statement " + quoted(text_), known_statements);
     }
 
     // The parts between the commas after the slash, valid until the next call.
@@ -164,13 +211,13 @@ private:
     {
         const std::optional<double> value = plain_number(text);
         if (!value)
-            throw lines_.complaint(quoted(text), "a number in plain decimals");
+            throw complaint(quoted(text), "a number in plain decimals");
         return *value;
     }
 
     [[noreturn]] void refuse(const std::string& expected) const
     {
-        throw lines_.complaint(quoted(trimmed(lines_.line())), expected);
+        throw complaint(quoted(text_), expected);
     }
 
     // GOTO is the only statement that moves the tool.
@@ -204,9 +251,24 @@ private:
         const Vec3 read{number(parts[0]), number(parts[1]), number(parts[2])};
         const std::optional<Vec3> unit = unit_axis(read);
         if (!unit)
-            throw lines_.complaint("axis of length " + brief(read.norm()),
-                                   "length 1 within " + to_text(axis_length_tolerance));
+            throw complaint("axis of length " + brief(read.norm()),
+                            "length 1 within " + to_text(axis_length_tolerance));
         return *unit;
+    }
+
+    // A tool table gives one cutter for each tool number, so that CUTTER must not change
+    // without LOADTL.
+    void check_cutter()
+    {
+        const Cutter cutter = *std::exchange(stated_cutter_, std::nullopt);
+        const auto [known, is_new] = cutters_.try_emplace(conditions_.tool, cutter);
+        if (!is_new && known->second != cutter)
+            throw complaint(
+                "another CUTTER " +
+                    (conditions_.tool ? "for tool " + std::to_string(*conditions_.tool)
+                                      : std::string{"without a tool number"}) +
+                    ", " + cutter_word(cutter) + " after " + cutter_word(known->second),
+                "LOADTL with another number before it");
     }
 
     // A rapid has no feed. The feed in force is kept for the move after it.
@@ -217,6 +279,8 @@ private:
             throw LimitError{lines_.file() + ": more than " +
                              std::to_string(options_.most_points) +
                              " points; a higher --max-memory takes more"};
+        if (stated_cutter_ && !is_rapid_)
+            check_cutter();
         Move move = Move::Plunge;
         if (is_rapid_)
             move = Move::Rapid;
@@ -256,12 +320,32 @@ private:
 
     void read_speed(const Statement& statement)
     {
+        constexpr const char* expected = "SPINDL/speed,RPM,CLW, SPINDL/ON or SPINDL/OFF";
         const auto parts = arguments(statement);
-        if (parts.size() != 3 || !is_word(parts[1], "RPM") || !is_word(parts[2], "CLW"))
-            refuse("SPINDL/speed,RPM,CLW");
-        conditions_.spindle_rpm = number(parts[0]);
-        if (!(*conditions_.spindle_rpm > 0))
+        if (parts.size() == 1 && is_word(parts[0], "OFF"))
+            return conditions_.spindle_rpm.reset();
+        if (parts.size() == 1 && is_word(parts[0], "ON") && speed_rpm_) {
+            conditions_.spindle_rpm = speed_rpm_;
+            return;
+        }
+        std::optional<double> speed;
+        std::size_t units = 0;
+        std::size_t senses = 0;
+        for (const std::string_view part : parts) {
+            if (is_word(part, "RPM"))
+                ++units;
+            else if (is_word(part, "CLW"))
+                ++senses;
+            else if (const auto value = plain_number(part); value && !speed)
+                speed = value;
+            else
+                refuse(expected);
+        }
+        if (!speed || units > 1 || senses > 1)
+            refuse(expected);
+        if (!(*speed > 0))
             refuse("a speed above 0");
+        speed_rpm_ = conditions_.spindle_rpm = speed;
     }
 
     // What follows the number, such as LENGTH, is for the machine.
@@ -272,6 +356,7 @@ private:
         if (!(0 <= tool && tool <= greatest_tool && tool == std::floor(tool)))
             refuse("LOADTL/number, a whole number from 0 to 99999");
         conditions_.tool = static_cast<int>(tool);
+        stated_cutter_.reset();
     }
 
     void read_cutter(const Statement& statement)
@@ -285,9 +370,14 @@ private:
             refuse("a diameter above 0 and a corner radius from 0 to half of it");
         // A path has one cutter; the same statement may be repeated.
         const Cutter cutter{radius, corner};
-        if (program_.cutter && *program_.cutter != cutter)
-            refuse("one cutter for the whole path");
-        program_.cutter = cutter;
+        const bool is_another = first_cutter_ && *first_cutter_ != cutter;
+        if (is_another && !options_.several_cutters)
+            refuse(
+                "one cutter for the whole path, or --tools FILE, a table with the cutter "
+                "of each tool");
+        has_several_cutters_ = has_several_cutters_ || is_another;
+        first_cutter_ = first_cutter_.value_or(cutter);
+        stated_cutter_ = cutter;
     }
 
     // Other units are refused: they would also change the words of the feeds.
@@ -320,6 +410,8 @@ private:
                 "E_APT",
                 {lines_.file(), "", "no GOTO in " + counted(lines_.number(), "line"),
                  "at least one GOTO/x,y,z"}};
+        if (!has_several_cutters_)
+            program_.cutter = first_cutter_;
         if (!has_units_)
             program_.remarks.emplace_back("no UNITS statement: lengths are taken as mm");
         if (!is_finished_)
@@ -331,9 +423,17 @@ private:
 
     TextLines lines_;
     const AptReadOptions& options_;
+    std::size_t first_line_ = 0;  // of the current statement
+    std::string_view text_;       // of the current statement, without comments
+    std::string joined_;          // of its lines, if there are several
     std::vector<std::string_view> arguments_;
     Program program_;
-    CuttingConditions conditions_;  // in force
+    CuttingConditions conditions_;     // in force
+    std::optional<double> speed_rpm_;  // of the last SPINDL with a speed
+    std::optional<Cutter> first_cutter_;
+    std::optional<Cutter> stated_cutter_;           // since the last LOADTL or cut
+    std::map<std::optional<int>, Cutter> cutters_;  // by tool number
+    bool has_several_cutters_ = false;
     bool is_rapid_ = false;
     bool is_finished_ = false;
     bool has_units_ = false;
@@ -349,7 +449,7 @@ bool is_apt(std::string_view text)
         text.remove_prefix(byte_order_mark.size());
     while (!text.empty()) {
         const std::string_view line = text.substr(0, text.find('\n'));
-        const Statement statement = statement_of(line);
+        const Statement statement = statement_of(without_comment(line));
         if (!statement.word.empty() || !statement.rest.empty())
             return statement.is_any(text_words) || statement.is_any(ignored_words) ||
                    statement.is_any(read_words);

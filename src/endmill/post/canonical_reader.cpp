@@ -13,6 +13,7 @@
 #include "endmill/core/text.h"
 #include "endmill/post/detail/arc.h"
 #include "endmill/post/detail/canonical_line.h"
+#include "endmill/post/detail/canonical_tapping.h"
 #include "endmill/post/detail/gcode_arc.h"
 #include "endmill/post/detail/idle_commands.h"
 #include "endmill/post/detail/plain_number.h"
@@ -83,12 +84,14 @@ private:
         if (!line)
             throw lines_.complaint(quoted(lines_.line()),
                                    "a line of rs274 -g, as \"12 N..... NAME(...)\"");
+        name_ = line->name;
         arguments_ = line->arguments;
-        if (const Handler handler = handler_of(line->name))
+        if (const Handler handler = handler_of(name_))
             (this->*handler)();
-        else if (!is_idle_command(line->name))
-            throw lines_.complaint("canonical command " + quoted(line->name),
+        else if (!is_idle_command(name_))
+            throw lines_.complaint("canonical command " + quoted(name_),
                                    "a straight move, an arc or a command without motion");
+        hole_.note(name_);
     }
 
     // The handler of a command, or null.
@@ -353,8 +356,6 @@ private:
                                    "CANON_UNITS_MM or CANON_UNITS_INCHES");
         is_unit_said_ = true;
         mm_per_unit_ = name == "CANON_UNITS_MM" ? 1 : mm_per_inch;
-        if (mm_per_unit_ != 1)
-            builder_.remark("inches converted to mm");
     }
 
     void set_g5x_offset()
@@ -409,10 +410,23 @@ private:
         builder_.set_spindle_speed(has_surface_speed_ ? 0 : std::abs(speed));
     }
 
-    void start_clockwise() { builder_.start_spindle(SpindleSense::Clockwise); }
+    void start_clockwise()
+    {
+        start_spindle(SpindleSense::Clockwise, SpindleSense::Counterclockwise);
+    }
     void start_counterclockwise()
     {
-        builder_.start_spindle(SpindleSense::Counterclockwise);
+        start_spindle(SpindleSense::Counterclockwise, SpindleSense::Clockwise);
+    }
+
+    // A tapping cycle reverses the spindle for one move, which is no M3 or M4 of the
+    // program. Until its end the spindle counts as turning in the sense of the program.
+    void start_spindle(SpindleSense sense, SpindleSense opposite)
+    {
+        const bool is_tapping = reverses_for_tapping(hole_, name_, lines_.rest());
+        if (is_tapping)
+            builder_.note_tapping();
+        builder_.start_spindle(is_tapping ? opposite : sense);
     }
     void stop_spindle() { builder_.stop_spindle(); }
 
@@ -452,6 +466,8 @@ private:
     GcodeReadOptions options_;
     ProgramBuilder builder_;
     ReferenceMoves references_{builder_, lines_};
+    TappedHole hole_;
+    std::string_view name_;         // of the command in the current line
     std::string_view arguments_;    // of the current line, not yet read
     Vec3 position_ = Vec3::Zero();  // of the programmed point, mm
     std::optional<Vec3> start_;     // the first rapid, until the next move

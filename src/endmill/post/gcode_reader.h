@@ -17,7 +17,7 @@ namespace endmill {
 
 /// The path that a three-axis program of RS-274 (G-code) describes. A code or word that
 /// would move the tool and is not supported is an error. Codes that move nothing are
-/// skipped; a remark counts them.
+/// skipped; one remark counts them, unless all stand in almost every program.
 ///
 /// Words, modes and the order of execution within a block follow LinuxCNC. Lengths become
 /// mm and feeds mm/min.
@@ -26,8 +26,9 @@ namespace endmill {
 /// - *Arcs*: the radii at the two ends may differ by the larger of 0.01 mm and 0.1 %, and
 ///   a radius R may be too small by as much.
 /// - *Start*: the position is unknown until the program has given each axis an absolute
-///   position. Earlier moves are left out; a remark reports them.
-/// - *Canned cycles* are the moves that LinuxCNC makes (`detail/canned_cycle.h`).
+///   position. Earlier moves are left out; a remark reports them if they may have cut.
+/// - *Canned cycles* are the moves that LinuxCNC makes (`detail/canned_cycle.h`). The
+///   reversal of the spindle that leaves a tapped hole is no M4 of the program.
 /// - *Reference moves*: G28, G30 and G53 go to positions that only the machine knows. The
 ///   path rises straight to 5 mm above all points before, and stays there until the axes
 ///   that moved have an absolute position again; a remark counts these moves. A cut before

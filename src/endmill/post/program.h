@@ -26,6 +26,9 @@ struct Program {
     /// Index of the first point that a move at feed reaches while the spindle turns
     /// counterclockwise (M4); a path has no place for it.
     std::optional<std::size_t> counterclockwise_from = {};
+    /// Index of the first point to which a tapping cycle (G74, G84) returns with the
+    /// spindle reversed; a path has no place for it either.
+    std::optional<std::size_t> tapping_from = {};
 };
 
 /// Options for reading a G-code program or canonical output, and limits of what is

@@ -41,9 +41,20 @@ public:
         : file_{file},
           line_{line}
     {
+        while (text.ends_with('\r'))
+            text.remove_suffix(1);
+        has_return_ = text.find('\r') != std::string_view::npos;
         const std::size_t end = std::min(text.find(';'), text.size());
         words_ = text.substr(0, end);
         comment_ = text.substr(std::min(end + 1, text.size()));
+    }
+
+    // A CR within the line is the end of a line for some programs.
+    void refuse_lone_return() const
+    {
+        if (has_return_)
+            throw complaint("a carriage return without a line feed",
+                            "lines that end with LF or CRLF");
     }
 
     // The values of the words by their letters.
@@ -106,6 +117,7 @@ private:
     std::size_t line_;
     std::string_view words_;
     std::string_view comment_;
+    bool has_return_ = false;
 };
 
 // The whole number after T.
@@ -171,6 +183,7 @@ std::vector<ToolRow> tool_rows(std::string_view text, const std::string& file,
         if (end > longest_line)
             throw row.complaint("a line of more than 1 MiB", "a tool table");
         text.remove_prefix(std::min(end + 1, text.size()));
+        row.refuse_lone_return();
         const std::map<char, double> words = row.words();
         if (words.empty())
             continue;

@@ -64,6 +64,7 @@ std::vector<HoleMove> hole_moves(int code, const CannedCycle& cycle, double bott
             return pecked_hole(cycle, bottom, peck, code == 83);
         case 74:
         case 84:
+            return {{bottom, true}, {cycle.clear, true, true}};
         case 89:
             return {{bottom, true}, {cycle.clear, true}};
         case 85:

@@ -14,8 +14,9 @@ namespace endmill {
 
 /// A move of a canned cycle along the axis of the hole.
 struct HoleMove {
-    double level;  ///< mm, where it ends
-    bool is_feed;  ///< whether it is at feed; otherwise it is a rapid
+    double level;              ///< mm, where it ends
+    bool is_feed;              ///< whether it is at feed; otherwise it is a rapid
+    bool is_reversed = false;  ///< whether the spindle is reversed on it alone (tapping)
 };
 
 /// The moves of a block with a canned cycle: at every hole a rapid at the level of

@@ -168,7 +168,7 @@ private:
         if (!(code / steps == value && 0 <= value && value <= largest))
             throw lines_.complaint(
                 "unknown code " + (letter + brief(value)),
-                letter == 'G' ? "a G code of the subset" : "M0 to M999");
+                letter == 'G' ? std::string{known_g_codes} : "M0 to M999");
         GcodeCodes& codes = letter == 'G' ? block_.g : block_.m;
         if (codes.is_full() || codes.contains(static_cast<int>(code)))
             throw lines_.complaint(

@@ -11,6 +11,12 @@
 
 namespace endmill {
 
+/// The G codes that programs of three axes need, for messages. The reader knows a few more.
+inline constexpr std::string_view known_g_codes =
+    "a G code of three-axis milling: G0 to G4, G17 to G21, G28, G30, G40, G43, G49, G53 "
+    "to "
+    "G59, G61, G64, G73, G74, G80 to G86, G88 to G94, G96 to G99";
+
 /// The codes of one letter (G or M) in a block, in order. The capacity exceeds the number
 /// of modal groups, so a block with more codes is wrong in any case.
 class GcodeCodes {

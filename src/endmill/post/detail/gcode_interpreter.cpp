@@ -159,8 +159,10 @@ private:
         has_words_ = true;
         if (block.has('G'))
             change_modes(block);
-        if (block.has('M'))
+        if (block.has('M')) {
             check_m_codes(block, lines_);
+            remarks_.note_m_codes(block, lines_);
+        }
         check_words(block, modes_, lines_);
         if (!modes_.unit)
             remarks_.note_unstated_lengths(block);
@@ -284,7 +286,7 @@ private:
         if (along_arc)
             arcs.check_words();
         if (!is_known())
-            go_on_unknown();
+            go_on_unknown(is_rapid);
         else if (!builder_.has_position())
             start_path(is_rapid);
         else if (references_.is_away())
@@ -357,17 +359,17 @@ private:
     void start_path(bool is_rapid)
     {
         if (!is_rapid)
-            remarks_.note_left_out();
-        remarks_.note_start(lines_.number());
+            remarks_.note_left_out(is_rapid);
+        remarks_.note_start(lines_.number(), position_.z());
         builder_.go_to(position_, std::nullopt);
     }
 
     // A move to a position that is not known in all axes: left out before the path begins,
     // afterwards at the safe height.
-    void go_on_unknown()
+    void go_on_unknown(bool is_rapid)
     {
         if (!builder_.has_position())
-            return remarks_.note_left_out();
+            return remarks_.note_left_out(is_rapid);
         Vec3 over = builder_.position();
         for (const int axis : {0, 1})
             if (is_axis_known_[static_cast<std::size_t>(axis)])
@@ -378,7 +380,7 @@ private:
     void go_rapidly(const Vec3& target)
     {
         if (!builder_.has_position())
-            remarks_.note_start(lines_.number());
+            remarks_.note_start(lines_.number(), target.z());
         references_.go_rapidly(target);
     }
 
@@ -449,7 +451,7 @@ private:
         if (is_known())
             go_rapidly(position_);
         else if (builder_.has_position())
-            go_on_unknown();
+            go_on_unknown(true);
     }
 
     void forget(std::size_t axis)
@@ -493,6 +495,8 @@ private:
         go_rapidly(position_);
         for (const HoleMove& move : cycle.hole) {
             level = move.level;
+            if (move.is_reversed)
+                builder_.note_tapping();
             if (!move.is_feed)
                 go_rapidly(position_);
             else if (position_ != builder_.position())

@@ -178,7 +178,7 @@ Group group_of(int code)
     if (const Refusal* const refusal = refusal_of(code, refused_g_codes))
         throw lines.complaint(std::string{refusal->found} + ' ' + g_name(code),
                               std::string{refusal->expected});
-    throw lines.complaint("unknown code " + g_name(code), "a G code of the subset");
+    throw lines.complaint("unknown code " + g_name(code), std::string{known_g_codes});
 }
 
 // The machine, not the program, stores the distance between the origins of two coordinate
@@ -241,12 +241,6 @@ void set_mode(GcodeModes& modes, int code)
         case 210:
             modes.unit = ProgramUnit::Mm;
             break;
-        case 430:
-            modes.used_tool_length = true;
-            break;
-        case 640:
-            modes.used_blending = true;
-            break;
         case 900:
         case 910:
             modes.distance =
@@ -270,7 +264,7 @@ void set_mode(GcodeModes& modes, int code)
         case 990:
             modes.retract = code == 980 ? RetractLevel::Initial : RetractLevel::R;
             break;
-        default:  // others, such as G4, G40, G49 and G61, do not change the path
+        default:  // others, such as G4, G40, G43 and G64, do not change the path
             break;
     }
 }

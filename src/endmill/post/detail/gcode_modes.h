@@ -57,8 +57,6 @@ struct GcodeModes {
     int cycle = 0;  ///< G code of the canned cycle, such as 81; 0 before the first one
     RetractLevel retract = RetractLevel::Unstated;  ///< group 10
     bool has_surface_speed = false;  ///< G96: S is a cutting speed, not a spindle speed
-    bool used_tool_length = false;   ///< whether a G43 occurred
-    bool used_blending = false;      ///< whether a G64 occurred
 
     /// mm per unit of length.
     double mm_per_unit() const { return millimetres_per(unit.value_or(ProgramUnit::Mm)); }

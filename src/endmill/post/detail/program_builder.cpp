@@ -193,10 +193,15 @@ Program ProgramBuilder::take()
     if (!has_changes_)
         fill_selected_tools();
     close_last_pass();
+    if (counterclockwise_from_)
+        remark("the spindle turns counterclockwise (M4) from the move to point " +
+               std::to_string(*counterclockwise_from_) +
+               " on; the path does not store the direction");
     Program program{.path = std::move(path_),
                     .cutter = {},
                     .remarks = std::move(remarks_),
-                    .counterclockwise_from = counterclockwise_from_};
+                    .counterclockwise_from = counterclockwise_from_,
+                    .tapping_from = tapping_from_};
     path_ = {};
     remarks_ = {};
     return program;

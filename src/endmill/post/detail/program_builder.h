@@ -91,6 +91,10 @@ public:
     void start_spindle(SpindleSense sense);                   ///< M3, M4
     void stop_spindle() { spindle_stopped_ = true; }          ///< M5
 
+    /// Notes that the spindle is reversed on the next move alone, which leaves a hole of a
+    /// tapping cycle.
+    void note_tapping() { tapping_from_ = tapping_from_.value_or(path_.points.size()); }
+
     void select_tool(int number);  ///< T
     void change_tool();            ///< M6: to the tool selected last, if any
     void change_tool(int number);  ///< to the tool with this number
@@ -124,6 +128,7 @@ private:
     bool spindle_stopped_ = false;
     SpindleSense spindle_sense_ = SpindleSense::Clockwise;
     std::optional<std::size_t> counterclockwise_from_;
+    std::optional<std::size_t> tapping_from_;
     bool has_changes_ = false;
     std::optional<int> tool_;
 };

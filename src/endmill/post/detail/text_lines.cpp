@@ -86,6 +86,7 @@ TextLines::TextLines(std::string_view text, Kind kind)
     if (without_indent(rest_).empty())
         throw FormatError{"E_EMPTY",
                           {kind_.file, "", "file is empty", "a file with content"}};
+    has_returns_ = rest_.find('\r') != std::string_view::npos;
 }
 
 bool TextLines::next()
@@ -101,7 +102,18 @@ bool TextLines::next()
              "lines of at most 1048576 bytes"}};
     line_ = rest_.substr(0, length);
     rest_.remove_prefix(std::min(length + 1, rest_.size()));
+    if (has_returns_)
+        refuse_lone_return();
     return true;
+}
+
+void TextLines::refuse_lone_return() const
+{
+    const std::size_t end = line_.find('\r');
+    if (end != std::string_view::npos &&
+        line_.find_first_not_of('\r', end) != std::string_view::npos)
+        throw complaint("a carriage return without a line feed",
+                        "lines that end with LF or CRLF");
 }
 
 FormatError TextLines::complaint(const std::string& found,

@@ -10,7 +10,7 @@
 namespace endmill {
 
 /// Iterates over the lines of a program and makes errors at the current line. A line ends
-/// with LF; a CR before it belongs to the line. A byte order mark at the beginning is
+/// with LF; CRs before it belong to the line. A byte order mark at the beginning is
 /// skipped.
 class TextLines {
 public:
@@ -27,7 +27,9 @@ public:
     TextLines(std::string_view text, Kind kind);
 
     /// Goes to the next line. \return false if there is none.
-    /// \throws FormatError E_LIMIT if the line is longer than 1 MiB.
+    /// \throws FormatError E_LIMIT if the line is longer than 1 MiB; with the code of the
+    ///         text if it has a CR that is not at its end, because some programs take it
+    ///         for the end of a line.
     bool next();
 
     std::string_view line() const { return line_; }  ///< current line without its LF
@@ -43,8 +45,11 @@ public:
                                 const std::string& expected) const;
 
 private:
+    void refuse_lone_return() const;
+
     std::string_view rest_;
     Kind kind_;
+    bool has_returns_ = false;  // whether the text has a CR
     std::string_view line_;
     std::size_t number_ = 0;
 };
