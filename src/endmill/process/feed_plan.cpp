@@ -15,8 +15,6 @@
 // A plan treats every move by itself, in three steps:
 // 1. The geometry of the cut gives the engagement, and this gives the load: sums of the
 //    edges and bounds of the feed per tooth (detail/segment_load.h, detail/front_load.h).
-//    For PeakRule::Constant the coefficients of all moves are computed first, in one
-//    batch.
 // 2. `segment_feed` runs the stages I to IV for the move.
 // 3. `feed_plan_totals` adds up the rows in the order of the moves.
 // Steps 1 and 2 run on all threads. Their results are stored by the number of the move,
@@ -47,23 +45,14 @@ void add(FeedPlanTotals& totals, const SegmentFeed& row, double length)
     totals.max_power_w = std::max(totals.max_power_w, row.table.power_w);
 }
 
-// Coefficients of every cut, from the table if the options name one.
-std::vector<CuttingCoefficients> all_coefficients(std::span<const SegmentCut> cuts,
-                                                  double radius,
-                                                  const FeedPlanOptions& options)
+// Coefficients and engaged angle of a cut, from the table if the options name one.
+EngagedCoefficients coefficients_of(const SegmentCut& cut, double radius,
+                                    const FeedPlanOptions& options)
 {
-    std::vector<BallEngagement> engagements;
-    engagements.reserve(cuts.size());
-    for (const SegmentCut& cut : cuts)
-        engagements.push_back(ball_engagement(cut, radius));
+    const BallEngagement engagement = ball_engagement(cut, radius);
     if (options.table == nullptr)
-        return cutting_coefficients(engagements, options.chip, options.accuracy);
-    std::vector<CuttingCoefficients> all(engagements.size());
-    parallel_for(all.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            all[i] = options.table->coefficients(engagements[i]);
-    });
-    return all;
+        return engaged_coefficients(engagement, options.chip, options.accuracy);
+    return {options.table->coefficients(engagement), engaged_angle(engagement)};
 }
 
 // The smaller of two limits; a missing limit does not bind.
@@ -244,13 +233,12 @@ FeedPlan feed_plan(std::span<const SegmentCut> cuts, const MillingJob& job,
                 return direct_peak_load(cuts[i], job.tool, options.chip, rules);
             },
             rules);
-    const std::vector<CuttingCoefficients> coefficients =
-        all_coefficients(cuts, job.tool.radius, options);
     return feed_plan(
         cuts.size(),
         [&](std::size_t i) {
-            return constant_peak_load(cuts[i], coefficients[i], options.peak_factor,
-                                      rules);
+            return constant_peak_load(cuts[i],
+                                      coefficients_of(cuts[i], job.tool.radius, options),
+                                      options.peak_factor, rules);
         },
         rules);
 }
