@@ -16,7 +16,7 @@
 // 1. The geometry of the cut gives the engagement, and this gives the load: sums of the
 //    edges and bounds of the feed per tooth (detail/segment_load.h, detail/front_load.h).
 // 2. `segment_feed` runs the stages I to IV for the move.
-// 3. `feed_plan_totals` adds up the rows in the order of the moves.
+// 3. FeedTotalsSum adds up the rows in the order of the moves.
 // Steps 1 and 2 run on all threads. Their results are stored by the number of the move,
 // so the plan does not depend on the number of threads.
 
@@ -32,17 +32,6 @@ void raise(std::optional<double>& needed, double load, const std::optional<doubl
 {
     if (limit && load > *limit)
         needed = std::max(needed.value_or(0), (1 + needed_margin) * load);
-}
-
-// Adds a row to the totals; the shares are lengths until the end.
-void add(FeedPlanTotals& totals, const SegmentFeed& row, double length)
-{
-    totals.length_mm += length;
-    totals.cut_min += length / row.table.feed_mm_per_min;
-    totals.limit_shares[static_cast<std::size_t>(reported_limit(row))] += length;
-    totals.speed_limit_shares[static_cast<std::size_t>(row.table.speed_limit)] += length;
-    totals.max_torque_n_m = std::max(totals.max_torque_n_m, row.loads.torque_n_m);
-    totals.max_power_w = std::max(totals.max_power_w, row.table.power_w);
 }
 
 // Coefficients and engaged angle of a cut, from the table if the options name one.
@@ -169,31 +158,45 @@ MeasuredFeeds measured_feed_plan(
     return measured;
 }
 
+void FeedTotalsSum::add(const SegmentFeed& row, double length_mm)
+{
+    sum_.length_mm += length_mm;
+    sum_.cut_min += length_mm / row.table.feed_mm_per_min;
+    sum_.limit_shares[static_cast<std::size_t>(reported_limit(row))] += length_mm;
+    sum_.speed_limit_shares[static_cast<std::size_t>(row.table.speed_limit)] += length_mm;
+    sum_.max_torque_n_m = std::max(sum_.max_torque_n_m, row.loads.torque_n_m);
+    sum_.max_power_w = std::max(sum_.max_power_w, row.table.power_w);
+    if (!row.tooth.is_infeasible)
+        return;
+    ++sum_.infeasible;
+    LoadLimits& needed = sum_.needed;
+    raise(needed.cutting_force_n, row.loads.cutting_force_n, limits_.cutting_force_n);
+    raise(needed.thrust_n, row.loads.thrust_n, limits_.thrust_n);
+    raise(needed.torque_n_m, row.loads.torque_n_m, limits_.torque_n_m);
+}
+
+FeedPlanTotals FeedTotalsSum::totals() const
+{
+    FeedPlanTotals totals = sum_;
+    if (!(totals.length_mm > 0))
+        return totals;
+    for (double& share : totals.limit_shares)
+        share /= totals.length_mm;
+    for (double& share : totals.speed_limit_shares)
+        share /= totals.length_mm;
+    return totals;
+}
+
 FeedPlanTotals feed_plan_totals(const std::vector<SegmentFeed>& rows,
                                 const std::vector<double>& lengths_mm,
                                 const LoadLimits& limits)
 {
     require(rows.size() == lengths_mm.size(),
             "feed_plan_totals: need one length per row");
-    FeedPlanTotals totals;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        add(totals, rows[i], lengths_mm[i]);
-        if (!rows[i].tooth.is_infeasible)
-            continue;
-        ++totals.infeasible;
-        raise(totals.needed.cutting_force_n, rows[i].loads.cutting_force_n,
-              limits.cutting_force_n);
-        raise(totals.needed.thrust_n, rows[i].loads.thrust_n, limits.thrust_n);
-        raise(totals.needed.torque_n_m, rows[i].loads.torque_n_m, limits.torque_n_m);
-    }
-    // Lengths become shares.
-    if (totals.length_mm > 0) {
-        for (double& share : totals.limit_shares)
-            share /= totals.length_mm;
-        for (double& share : totals.speed_limit_shares)
-            share /= totals.length_mm;
-    }
-    return totals;
+    FeedTotalsSum sum{limits};
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        sum.add(rows[i], lengths_mm[i]);
+    return sum.totals();
 }
 
 FeedPlan feed_plan(std::size_t count,

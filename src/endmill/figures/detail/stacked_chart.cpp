@@ -69,8 +69,8 @@ std::vector<double> ticks_of(const ChartPanel& panel)
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
     for (const ChartLine& line : panel.lines)
-        for (const auto& value : line.values)
-            if (value) {
+        for (std::size_t i = 0; i < line.values.size(); ++i)
+            if (const auto value = line.values[i]) {
                 low = std::min(low, *value);
                 high = std::max(high, *value);
             }
@@ -137,13 +137,14 @@ void draw_line(SvgPicture& picture, const ChartLine& line, std::span<const doubl
         column = {};
     };
     for (std::size_t i = 0; i < places.size(); ++i) {
-        if (!line.values[i]) {
+        const std::optional<double> value = line.values[i];
+        if (!value) {
             close();
             picture.add_polyline(points, line.style);
             points.clear();
             continue;
         }
-        const PixelPoint point{x.px(places[i]), y.px(*line.values[i])};
+        const PixelPoint point{x.px(places[i]), y.px(*value)};
         if (!column.is_empty && std::floor(point.x()) != std::floor(column.first.x()))
             close();
         column.add(point);
@@ -274,8 +275,9 @@ void check(std::span<const double> places, std::span<const ChartPanel> panels,
     for (const ChartStrip& strip : strips) {
         require(strip.cause.size() == places.size(),
                 "stacked_chart: need one cause for each place");
-        for (const std::size_t cause : strip.cause)
-            require(cause < strip.causes.size(), "stacked_chart: need a known cause");
+        for (std::size_t i = 0; i < places.size(); ++i)
+            require(strip.cause[i] < strip.causes.size(),
+                    "stacked_chart: need a known cause");
     }
     require(!panels.empty(), "stacked_chart: need a panel");
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -285,9 +287,11 @@ void check(std::span<const double> places, std::span<const ChartPanel> panels,
         for (const ChartLine& line : panel.lines) {
             require(line.values.size() == places.size(),
                     "stacked_chart: need one value for each place");
-            for (const auto& value : line.values)
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                const std::optional<double> value = line.values[i];
                 require(!value || std::isfinite(*value),
                         "stacked_chart: a number is not finite");
+            }
         }
 }
 
