@@ -32,7 +32,7 @@ std::string feed_svg(std::span<const SegmentCut> cuts, std::span<const SegmentFe
 /// A value of each cutting move by its number; nothing where it is unknown.
 using MoveValue = std::function<std::optional<double>(std::size_t move)>;
 
-/// What the chart shows of `count` moves. Each function is called several times for each
+/// What the chart shows of `count` moves. Each function is called once or twice for each
 /// move.
 struct FeedCurves {
     std::size_t count;                             ///< number of moves
