@@ -544,7 +544,7 @@ private:
     bool has_number_ = false;
     bool has_words_ = false;
     bool has_ended_ = false;
-    MoveVisit visit_;  // empty: none
+    MoveVisit visit_;         // empty: none
     std::optional<Arc> arc_;  // of the current line
 };
 
