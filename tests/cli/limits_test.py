@@ -112,6 +112,13 @@ class Extent(ProgramTest):
                 self.assert_refused(done, 2, f"{word}: found ", "at most 1e+06 mm (--max-extent)")
                 self.assert_nothing_left("p.csv")
 
+    def test_tolerance_below_the_resolution_of_a_mesh(self):
+        """The curves would be divided down to the rounding of their coordinates."""
+        done = endmill("trim", ROOT / "datasets/meshes/prism.obj", "--cutter", "ball:6", "--planes", 5, "--grid", 20,
+                       "--tolerance", "1e-320", "-o", "out", cwd=self.folder)
+        self.assert_refused(done, 2, "--tolerance: found 1e-320 mm", "at least 6e-11 mm")
+        self.assert_nothing_left()
+
 
 if __name__ == "__main__":
     unittest.main()
