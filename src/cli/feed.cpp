@@ -2,6 +2,7 @@
 // endmill feed: feed and spindle speed for each move of a path.
 
 #include <memory>
+#include <utility>
 
 #include "cli/console.h"
 #include "cli/feed_cuts.h"
@@ -11,6 +12,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/output_folder.h"
+#include "endmill/files/result_csv.h"
 #include "endmill/process/fed_path.h"
 
 namespace endmill {
@@ -19,62 +21,69 @@ namespace {
 constexpr double mm_per_m = 1000;
 constexpr double s_per_min = 60;
 
-std::optional<double> planned_minutes(const ToolPath& path, const SegmentCuts& cuts,
-                                      const FeedInput& input,
+std::optional<double> planned_minutes(const FedCuts& cuts, const FeedInput& input,
                                       const FeedCommandOptions& options)
 {
     if (options.mode != FeedMode::Planned)
         return std::nullopt;
     const double acceleration = input.job.machine.acceleration_m_per_s2.value();
-    const std::vector<double> times =
-        planned_times(path, {mm_per_m * acceleration, options.corner_tolerance});
+    const std::vector<double> times = planned_times(
+        cuts.fed.path(), {mm_per_m * acceleration, options.corner_tolerance});
     double sum = 0;
     for (const std::size_t point : cuts.points)
         sum += times[point];
     return sum / s_per_min;
 }
 
-FeedTimes times_of(const FeedPlan& plan, const ToolPath& path, const SegmentCuts& cuts,
-                   const FeedCommandOptions& options)
+FeedTimes times_of(const FedCuts& cuts, const FeedCommandOptions& options)
 {
     std::optional<double> noncut = options.noncut_min;
     if (options.rapid_mm_per_min)
-        noncut = noncut_minutes(path, cuts.points, *options.rapid_mm_per_min);
-    return feed_times({plan.totals.length_mm, plan.totals.cut_min, noncut,
+        noncut = cuts.fed.noncut_minutes(*options.rapid_mm_per_min);
+    return feed_times({cuts.totals.length_mm, cuts.totals.cut_min, noncut,
                        options.constant_feed_mm_per_min});
+}
+
+// Plans the feeds and writes engagement.csv, whose rows are not kept.
+void plan_and_write(FedCuts& cuts, std::unique_ptr<const SegmentCutFinder> finder,
+                    const FeedInput& input, const FeedCommandOptions& options,
+                    OutputFolder& folder)
+{
+    folder.write_pieces("engagement.csv", [&](const OutputFolder::Sink& sink) {
+        write_feed_csv({}, {}, sink);  // the header
+        plan_feeds(cuts, std::move(finder), input, options, sink);
+    });
 }
 
 ExitCode run_feed(const FeedCommandOptions& options)
 {
-    const FeedInput input = read_feed_input(options);
+    FeedInput input = read_feed_input(options);
     for (const std::string& remark : input.program.remarks)
         warn(options.common, options.path.file + ": " + remark);
-    const SegmentCuts cuts = [&] {
+    // There is one path only, which receives the feeds: it may have millions of points.
+    FedCuts cuts{.fed = FedPath{std::move(input.program.path)}};
+    auto finder = [&] {
         const ProgressLine progress{"finding the engagement", options.common};
-        return feed_cuts(input, options);
+        return cut_finder(input, cuts.fed.path(), options);
     }();
-    const CutsPlan planned = cuts_plan(input, cuts, options);
-    const FeedPlan& plan = planned.feeds;
-    std::vector<std::string> remarks = input.program.remarks;
-    for (const std::string& remark : feed_remarks(input, cuts, planned)) {
-        warn(options.common, options.path.file + ": " + remark);
-        remarks.push_back(remark);
-    }
-    const ToolPath path = fed_path(input.program.path, cuts.points, plan.rows,
-                                   options.plunge_feed_mm_per_min);
     OutputFolder folder{output_folder(options.path.file, "feed", options.common),
                         options.common.full_folder};
     for (const std::string& file : files_of(input, options))
         folder.protect(file);
+    plan_and_write(cuts, std::move(finder), input, options, folder);
+    std::vector<std::string> remarks = input.program.remarks;
+    for (const std::string& remark : feed_remarks(input, cuts)) {
+        warn(options.common, options.path.file + ": " + remark);
+        remarks.push_back(remark);
+    }
     const Json summary = [&] {
         const ProgressLine progress{"writing the results", options.common};
-        return write_feed(
-            {input, options, cuts, plan, path, times_of(plan, path, cuts, options),
-             planned_minutes(path, cuts, input, options), folder.path(), remarks},
-            folder);
+        return write_feed({input, options, cuts, times_of(cuts, options),
+                           planned_minutes(cuts, input, options), folder.path(), remarks},
+                          folder);
     }();
     folder.publish();
-    const bool is_infeasible = plan.totals.infeasible > 0;
+    const bool is_infeasible = cuts.totals.infeasible > 0;
     // With --allow-infeasible this is a result and no fault.
     const std::string allowed = is_infeasible && options.allow_infeasible
                                     ? "  infeasible    " + infeasible_text(summary) + "\n"

@@ -2,7 +2,9 @@
 #include "cli/feed_cuts.h"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,11 +12,18 @@
 #include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/files/result_csv.h"
 #include "endmill/process/cutting_coefficients.h"
 #include "endmill/stock/stock_engagement.h"
 
+// Cuts are found, planned and written in blocks, so that the memory for a cut and its loads
+// does not grow with the path. With the stock they are kept together, since the stock is
+// simulated once for all of them.
+
 namespace endmill {
 namespace {
+
+constexpr std::size_t cuts_a_block = 1U << 15U;
 
 HeightStock stock_of(const FeedInput& input, const FeedCommandOptions& options)
 {
@@ -33,22 +42,25 @@ std::string stock_text(const FeedInput& input)
            " to " + to_text(high.z()) + " mm";
 }
 
-void require_meeting(const FeedInput& input, const SegmentCuts& cuts)
+void require_meeting(const FeedInput& input, const ToolPath& path,
+                     const SegmentCutFinder& finder)
 {
-    const double gap =
-        stock_gap(input.program.path, cuts.points, input.tool.cutter, input.stock.block);
+    std::vector<std::size_t> points;
+    for (std::size_t i = 0; i < finder.size(); ++i)
+        points.push_back(finder.point(i));
+    const double gap = stock_gap(path, points, input.tool.cutter, input.stock.block);
     if (gap > 0)
         throw GeometryError{"no cutting move meets " + stock_text(input) +
                             ": the cutter stays " + to_text(gap) +
                             " mm away; expected a --stock where the path cuts"};
 }
 
-CutsPlan stock_plan(const FeedInput& input, const SegmentCuts& cuts,
-                    const FeedCommandOptions& options)
+MeasuredFeeds stock_plan(const FeedInput& input, const ToolPath& path,
+                         const SegmentCuts& cuts, const FeedCommandOptions& options)
 {
     HeightStock stock = stock_of(input, options);
     ProgressLine progress{"removing material and planning feeds", options.common};
-    const BallFrontTask task{.path = &input.program.path,
+    const BallFrontTask task{.path = &path,
                              .cutter = input.tool.cutter,
                              .points = cuts.points,
                              .progress = [&](double share) { progress.show(share); }};
@@ -59,12 +71,90 @@ CutsPlan stock_plan(const FeedInput& input, const SegmentCuts& cuts,
         throw GeometryError{"no cutting move finds material in " + stock_text(input) +
                             ", though the cutter goes through its box; expected a "
                             "--stock with material where the path cuts"};
-    return {std::move(measured.plan), std::move(measured.milling)};
+    return measured;
+}
+
+double number_or_nan(const std::optional<double>& number)
+{
+    return number.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+// Consecutive cuts with their plan.
+struct PlannedCuts {
+    std::span<const SegmentCut> cuts;
+    std::span<const std::size_t> points;
+    std::span<const SegmentFeed> rows;
+};
+
+// Adds planned cuts to the result, block by block, and writes their rows.
+class FedCutsBuilder {
+public:
+    FedCutsBuilder(FedCuts& result, const FeedRules& rules,
+                   const std::function<void(std::string_view)>& sink)
+        : result_{result},
+          totals_{rules.limits},
+          sink_{sink}
+    {
+    }
+
+    // `milling_of` returns the milling of the cut with an index in this block.
+    template <typename MillingOf>
+    void add(const PlannedCuts& block, const MillingOf& milling_of)
+    {
+        result_.fed.plan(block.points, block.rows);
+        for (std::size_t i = 0; i < block.cuts.size(); ++i) {
+            const SegmentCut& cut = block.cuts[i];
+            totals_.add(block.rows[i], cut.length_mm);
+            result_.points.push_back(static_cast<std::uint32_t>(block.points[i]));
+            result_.mu.push_back(number_or_nan(cut.mu));
+            result_.pick_feed_mm.push_back(number_or_nan(cut.pick_feed_mm));
+            result_.horizontal_mm.push_back(number_or_nan(cut.pick_feed_horizontal_mm));
+            result_.between += cut.has_two_neighbours ? 1 : 0;
+            if (cut.previous != PreviousPass::None)
+                ++(milling_of(i) == Milling::Down ? result_.down : result_.up);
+        }
+        write_feed_rows(block.cuts, block.rows, sink_);
+    }
+
+    void finish(double plunge_feed_mm_per_min)
+    {
+        result_.totals = totals_.totals();
+        result_.fed.complete(plunge_feed_mm_per_min);
+    }
+
+private:
+    FedCuts& result_;
+    FeedTotalsSum totals_;
+    const std::function<void(std::string_view)>& sink_;
+};
+
+void plan_by_geometry(FedCuts& result, FedCutsBuilder& builder,
+                      const SegmentCutFinder& finder, const FeedInput& input,
+                      const FeedCommandOptions& options)
+{
+    ProgressLine progress{"planning feeds", options.common};
+    FeedPlanOptions plan = input.plan;
+    std::optional<CoefficientTable> table;
+    if (options.coefficients == CoefficientSource::Table)
+        plan.table = &table.emplace(plan.chip);
+    for (std::size_t first = 0; first < finder.size(); first += cuts_a_block) {
+        const SegmentCuts block =
+            finder.cuts(first, std::min(cuts_a_block, finder.size() - first));
+        const FeedPlan planned = feed_plan(block.cuts, input.job, plan);
+        result.by_contact += block.by_contact;
+        result.by_passes += block.by_passes;
+        builder.add({block.cuts, block.points, planned.rows},
+                    [&](std::size_t i) { return block.cuts[i].milling; });
+        progress.show(static_cast<double>(first + block.cuts.size()) /
+                      static_cast<double>(finder.size()));
+    }
 }
 
 }  // namespace
 
-SegmentCuts feed_cuts(const FeedInput& input, const FeedCommandOptions& options)
+std::unique_ptr<const SegmentCutFinder> cut_finder(const FeedInput& input,
+                                                   const ToolPath& path,
+                                                   const FeedCommandOptions& options)
 {
     SegmentCutOptions cut{.radius = input.job.tool.radius,
                           .stock_top = input.stock_top,
@@ -75,34 +165,37 @@ SegmentCuts feed_cuts(const FeedInput& input, const FeedCommandOptions& options)
         cut.source = CutSource::Contact;
     if (options.engagement == EngagementChoice::Passes)
         cut.source = CutSource::Passes;
-    SegmentCuts cuts = segment_cuts(input.program.path, cut);
-    if (cuts.cuts.empty())
+    auto finder = std::make_unique<const SegmentCutFinder>(path, cut);
+    if (finder->size() == 0)
         throw GeometryError{
             "no move of the path cuts; expected a cutting move of some length"};
-    const auto is_deep = [](const SegmentCut& move) { return move.depth_mm > 0; };
-    if (std::ranges::none_of(cuts.cuts, is_deep))
+    if (!finder->has_depth())
         throw GeometryError{"the whole path lies above the stock, whose top is at z = " +
                             to_text(input.stock_top) +
                             " mm; expected a higher --stock-top or --stock"};
     if (options.stock != "block")
-        require_meeting(input, cuts);
-    return cuts;
+        require_meeting(input, path, *finder);
+    return finder;
 }
 
-CutsPlan cuts_plan(const FeedInput& input, const SegmentCuts& cuts,
-                   const FeedCommandOptions& options)
+void plan_feeds(FedCuts& result, std::unique_ptr<const SegmentCutFinder> finder,
+                const FeedInput& input, const FeedCommandOptions& options,
+                const std::function<void(std::string_view piece)>& sink)
 {
-    if (options.engagement == EngagementChoice::Stock)
-        return stock_plan(input, cuts, options);
-    const ProgressLine progress{"planning feeds", options.common};
-    FeedPlanOptions plan = input.plan;
-    std::optional<CoefficientTable> table;
-    if (options.coefficients == CoefficientSource::Table)
-        plan.table = &table.emplace(plan.chip);
-    std::vector<Milling> milling;
-    for (const SegmentCut& cut : cuts.cuts)
-        milling.push_back(cut.milling);
-    return {feed_plan(cuts.cuts, input.job, plan), std::move(milling)};
+    FedCutsBuilder builder{result, feed_rules(input.job, input.plan), sink};
+    result.zero_length = finder->zero_length();
+    if (options.engagement == EngagementChoice::Stock) {
+        const SegmentCuts cuts = finder->cuts(0, finder->size());
+        finder.reset();
+        const MeasuredFeeds measured =
+            stock_plan(input, result.fed.path(), cuts, options);
+        builder.add({cuts.cuts, cuts.points, measured.plan.rows},
+                    [&](std::size_t i) { return measured.milling[i]; });
+    } else {
+        plan_by_geometry(result, builder, *finder, input, options);
+        finder.reset();
+    }
+    builder.finish(options.plunge_feed_mm_per_min);
 }
 
 }  // namespace endmill

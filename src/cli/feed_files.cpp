@@ -2,8 +2,10 @@
 #include "cli/feed_files.h"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <functional>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -14,10 +16,9 @@
 #include "endmill/core/text.h"
 #include "endmill/figures/feed_svg.h"
 #include "endmill/files/path_file.h"
-#include "endmill/files/result_csv.h"
 #include "endmill/post/fed_gcode.h"
 #include "endmill/post/gcode_writer.h"
-#include "endmill/process/fed_path.h"
+#include "endmill/process/segment_cuts.h"
 
 namespace endmill {
 namespace {
@@ -27,17 +28,19 @@ std::string program_name(const FeedResult& result)
     return std::filesystem::path{result.options.path.file}.stem().string() + "-feed.ngc";
 }
 
-std::string program_text(const FeedResult& result)
+// Passes the program with its feeds to `sink`.
+void write_program(const FeedResult& result, const OutputFolder::Sink& sink)
 {
     const FeedInput& input = result.input;
+    const ToolPath& path = result.cuts.fed.path();
     if (input.format == PathFormat::Gcode)
-        return fed_gcode(input.text, printable(result.options.path.file), input.reading,
-                         result.path);
+        return write_fed_gcode(input.text, printable(result.options.path.file),
+                               input.reading, path, sink);
     GcodeOptions options;
     options.name = input.name;
     options.cutter = input.tool.cutter;
     options.tolerance = input.known.tolerance_mm();
-    return gcode(result.path, options).text;
+    sink(gcode(path, options).text);
 }
 
 FeedFigure figure_of(const Json& s)
@@ -51,41 +54,58 @@ FeedFigure figure_of(const Json& s)
                 s["mode"].get<std::string>(), shown(s["stock_top_mm"].get<double>()))}};
 }
 
-// The contents of two output files.
-struct FeedTexts {
-    std::string figure;
-    std::string program;  // only if the input is a machine program
-};
-
-// Creates the texts in parallel. Each one takes long and is sequential in itself.
-FeedTexts texts_of(const FeedResult& result, const Json& summary)
+std::optional<double> known(double number)
 {
-    FeedTexts texts;
-    const std::array<std::function<void()>, 2> works{
-        [&] {
-            texts.figure =
-                feed_svg(result.cuts.cuts, result.plan.rows, figure_of(summary));
-        },
-        [&] {
-            if (result.input.format != PathFormat::Csv)
-                texts.program = program_text(result);
-        }};
-    parallel_for(works.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            works[i]();
-    });
-    return texts;
+    return std::isnan(number) ? std::nullopt : std::optional{number};
 }
 
-// Writes the path and adds its length and content to the summary. Its text is released
-// before the others are made.
-void write_path(const FeedResult& result, OutputFolder& folder, Json& summary)
+// What the chart shows. Slope and depth of a move follow again from its ends.
+FeedCurves curves_of(const FeedResult& result)
 {
-    const std::size_t points = result.path.points.size();
-    const std::string text = tool_path_csv(
-        result.path, limit_words(points, result.cuts.points, result.plan.rows));
-    identify_path(summary, points, text);
-    folder.write("toolpath.csv", text);
+    const FedCuts& cuts = result.cuts;
+    const FedPath& fed = cuts.fed;
+    const auto tip = [&](std::size_t point) -> const Vec3& {
+        return fed.path().points[point].location.tip;
+    };
+    const auto slope = [&cuts, tip, top = result.input.stock_top](std::size_t i) {
+        return move_slope(tip(cuts.points[i] - 1), tip(cuts.points[i]), top);
+    };
+    const auto conditions = [&](std::size_t i) -> const CuttingConditions& {
+        return fed.path().points[cuts.points[i]].conditions;
+    };
+    return {
+        .count = cuts.points.size(),
+        .length_mm =
+            [&cuts, tip](std::size_t i) {
+                return (tip(cuts.points[i]) - tip(cuts.points[i] - 1)).norm();
+            },
+        .mu = [&](std::size_t i) { return known(cuts.mu[i]); },
+        .lambda = [slope](std::size_t i) { return slope(i).lambda; },
+        .pick_feed_mm = [&](std::size_t i) { return known(cuts.pick_feed_mm[i]); },
+        .pick_feed_horizontal_mm =
+            [&](std::size_t i) { return known(cuts.horizontal_mm[i]); },
+        .depth_mm = [slope](std::size_t i) { return slope(i).depth_mm; },
+        .feed_mm_per_min =
+            [conditions](std::size_t i) { return conditions(i).feed_mm_per_min; },
+        .spindle_rpm = [conditions](std::size_t i) { return conditions(i).spindle_rpm; },
+        .limit = [&](std::size_t i) { return fed.limit(cuts.points[i]); },
+        .speed_limit = [&](std::size_t i) { return fed.speed_limit(cuts.points[i]); }};
+}
+
+using Produce = std::function<void(const OutputFolder::Sink&)>;
+
+// Writes a file in pieces. Returns the SHA-256 of its content.
+std::string write_identified(OutputFolder& folder, const std::string& name,
+                             const Produce& produce)
+{
+    ContentSha256 sum;
+    folder.write_pieces(name, [&](const OutputFolder::Sink& sink) {
+        produce([&](std::string_view piece) {
+            sum.add(piece);
+            sink(piece);
+        });
+    });
+    return sum.word();
 }
 
 }  // namespace
@@ -93,16 +113,35 @@ void write_path(const FeedResult& result, OutputFolder& folder, Json& summary)
 Json write_feed(const FeedResult& result, OutputFolder& folder)
 {
     Json summary = feed_summary(result);
-    write_path(result, folder, summary);
-    folder.write_pieces("engagement.csv", [&](const OutputFolder::Sink& sink) {
-        write_feed_csv(result.cuts.cuts, result.plan.rows, sink);
+    const FedPath& fed = result.cuts.fed;
+    const bool has_program = result.input.format != PathFormat::Csv;
+    std::string path_sum;
+    std::string program_sum;
+    // The files are made in parallel, since the program and the figure each take one thread
+    // for long.
+    const std::array<std::function<void()>, 3> works{
+        [&] {
+            path_sum = write_identified(folder, "toolpath.csv", [&](const auto& sink) {
+                write_tool_path_csv(
+                    fed.path(), [&](std::size_t i) { return fed.limit_word(i); }, sink);
+            });
+        },
+        [&] {
+            if (has_program)
+                program_sum = write_identified(
+                    folder, program_name(result),
+                    [&](const auto& sink) { write_program(result, sink); });
+        },
+        [&] {
+            folder.write("feed.svg", feed_svg(curves_of(result), figure_of(summary)));
+        }};
+    parallel_for(works.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            works[i]();
     });
-    const FeedTexts texts = texts_of(result, summary);
-    if (!texts.program.empty())
-        summary["program_sha256"] = content_sha256(texts.program);
-    folder.write("feed.svg", texts.figure);
-    if (result.input.format != PathFormat::Csv)
-        folder.write(program_name(result), texts.program);
+    identify_path(summary, fed.path().points.size(), path_sum);
+    if (has_program)
+        summary["program_sha256"] = program_sum;
     folder.write("summary.json", summary.dump(2) + "\n");
     folder.remove_unless_written(program_name(result));
     return summary;

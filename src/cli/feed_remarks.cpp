@@ -1,24 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/feed_remarks.h"
 
-#include <algorithm>
-
 #include "endmill/core/text.h"
 
 namespace endmill {
 namespace {
-
-// The number of moves on which a right-hand cutter has the opposite helix in the model.
-// Slots do not count: both helices have the same peaks there.
-std::size_t other_hand_moves(const SegmentCuts& cuts, const CutsPlan& plan, double helix)
-{
-    const Milling other = helix > 0 ? Milling::Down : Milling::Up;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < cuts.cuts.size(); ++i)
-        if (cuts.cuts[i].previous != PreviousPass::None && plan.milling[i] == other)
-            ++count;
-    return count;
-}
 
 std::string helix_remark(std::size_t moves, std::size_t of, double helix_deg)
 {
@@ -32,26 +18,25 @@ std::string helix_remark(std::size_t moves, std::size_t of, double helix_deg)
 
 }  // namespace
 
-std::vector<std::string> feed_remarks(const FeedInput& input, const SegmentCuts& cuts,
-                                      const CutsPlan& plan)
+std::vector<std::string> feed_remarks(const FeedInput& input, const FedCuts& cuts)
 {
     std::vector<std::string> remarks;
     if (cuts.zero_length > 0)
         remarks.push_back(counted(cuts.zero_length, "cutting move") +
                           (cuts.zero_length == 1 ? " has" : " have") +
                           " zero length and no planned feed");
-    const auto between =
-        std::ranges::count_if(cuts.cuts, &SegmentCut::has_two_neighbours);
-    if (between > 0)
-        remarks.push_back(counted(static_cast<std::size_t>(between), "segment") +
-                          (between == 1 ? " has" : " have") +
+    if (cuts.between > 0)
+        remarks.push_back(counted(cuts.between, "segment") +
+                          (cuts.between == 1 ? " has" : " have") +
                           " earlier passes on both sides; the plan uses the nearer pass");
     const bool is_turning = input.plan.peak != PeakRule::Constant;
     const double helix = input.job.tool.helix;
-    const std::size_t moves = other_hand_moves(cuts, plan, helix);
+    // The moves on which a right-hand cutter has the opposite helix in the model. Slots do
+    // not count: both helices have the same peaks there.
+    const std::size_t moves = helix > 0 ? cuts.down : cuts.up;
     if (is_turning && helix != 0 && moves > 0)
         remarks.push_back(
-            helix_remark(moves, cuts.cuts.size(), input.tool.helix->written_degrees()));
+            helix_remark(moves, cuts.points.size(), input.tool.helix->written_degrees()));
     return remarks;
 }
 

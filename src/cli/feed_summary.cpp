@@ -199,16 +199,17 @@ Json feed_summary(const FeedResult& result)
     add_part(summary, result);
     add_tool(summary, input);
     add_choices(summary, result);
-    summary["points"] = input.program.path.points.size();
-    summary["segments"] = result.cuts.cuts.size();
+    summary["points"] = result.cuts.fed.path().points.size();
+    const std::size_t segments = result.cuts.points.size();
+    summary["segments"] = segments;
     const bool is_by_stock = result.options.engagement == EngagementChoice::Stock;
     summary["segments_by_contact"] = is_by_stock ? 0 : result.cuts.by_contact;
     summary["segments_by_passes"] = is_by_stock ? 0 : result.cuts.by_passes;
-    summary["segments_by_stock"] = is_by_stock ? result.cuts.cuts.size() : 0;
+    summary["segments_by_stock"] = is_by_stock ? segments : 0;
     summary["zero_length_segments"] = result.cuts.zero_length;
-    summary["cut_mm"] = result.plan.totals.length_mm;
+    summary["cut_mm"] = result.cuts.totals.length_mm;
     add_times(summary, result);
-    add_plan(summary, result.plan.totals);
+    add_plan(summary, result.cuts.totals);
     add_known(summary, result);
     return summary;
 }

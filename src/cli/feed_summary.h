@@ -6,10 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/feed_cuts.h"
 #include "cli/feed_input.h"
 #include "endmill/process/fed_path.h"
-#include "endmill/process/feed_plan.h"
-#include "endmill/process/segment_cuts.h"
 
 namespace endmill {
 
@@ -17,9 +16,7 @@ namespace endmill {
 struct FeedResult {
     const FeedInput& input;
     const FeedCommandOptions& options;
-    const SegmentCuts& cuts;
-    const FeedPlan& plan;
-    ToolPath path;  ///< with feeds and speeds
+    const FedCuts& cuts;
     FeedTimes times;
     std::optional<double>
         planned_min;               ///< time of the cuts with the machine's acceleration

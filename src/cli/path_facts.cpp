@@ -5,7 +5,6 @@
 
 #include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
-#include "endmill/files/path_file.h"
 
 namespace endmill {
 
@@ -51,10 +50,10 @@ void number_points(ToolPath& path)
         path.points[k].point = static_cast<int>(k);
 }
 
-void identify_path(Json& summary, std::size_t points, std::string_view content)
+void identify_path(Json& summary, std::size_t points, const std::string& sha256)
 {
     summary["toolpath_points"] = points;
-    summary["toolpath_sha256"] = content_sha256(content);
+    summary["toolpath_sha256"] = sha256;
 }
 
 }  // namespace endmill

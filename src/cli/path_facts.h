@@ -25,7 +25,7 @@ void number_points(ToolPath& path);
 
 /// Adds what identifies the path file beside a summary: toolpath_points and
 /// toolpath_sha256. A summary beside another file is not used, see `path_summary_of`.
-/// \param content of the file.
-void identify_path(Json& summary, std::size_t points, std::string_view content);
+/// \param sha256 `content_sha256` of the file.
+void identify_path(Json& summary, std::size_t points, const std::string& sha256);
 
 }  // namespace endmill

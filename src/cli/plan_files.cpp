@@ -172,7 +172,7 @@ DirectionResult write_direction(const PlanTask& task, MeasuredPath plan,
     summary["path"]["points"] = plan.path.points.size();
     name_part(summary, {options.part}, folder.path() / prefix);
     const std::string table = tool_path_csv(plan.path);
-    identify_path(summary, plan.path.points.size(), table);
+    identify_path(summary, plan.path.points.size(), content_sha256(table));
     folder.write(prefix + "toolpath.csv", table);
     folder.write(prefix + "toolpath.vtp", tool_path_vtp(plan.path));
     folder.write(prefix + "toolpath.svg",

@@ -114,7 +114,7 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
                  {"position_error_mm", posted.read.position_error_mm}};
     add_interpreter(summary, options.path);
     add_path_totals(summary, written.totals);
-    identify_path(summary, posted.read.path.points.size(), written.text);
+    identify_path(summary, posted.read.path.points.size(), content_sha256(written.text));
     add_range(summary, "feed_mm_per_min", written.feed_mm_per_min);
     add_range(summary, "plunge_feed_mm_per_min", written.plunge_feed_mm_per_min);
     add_range(summary, "spindle_rpm", written.spindle_rpm);

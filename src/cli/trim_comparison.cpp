@@ -43,8 +43,10 @@ void time_methods(const TrimInput& input, const TrimmingOptions& options, int re
         for (std::size_t k = 0; k < known.size(); ++k) {
             const std::size_t number = (repetition + k) % known.size();
             MethodRuns& method = methods[number];
+            const auto done = static_cast<double>(repetition * known.size() + k);
             progress.show(fmt::format("repetition {} of {}, method {}", repetition + 1,
-                                      repetitions, method.name));
+                                      repetitions, method.name),
+                          done / static_cast<double>(count * known.size()));
             method.times_ms.push_back(run(known[number], input, options, method.trimmed));
         }
 }

@@ -242,7 +242,7 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
     Json summary = trim_summary(input, options, result);
     if (input.part) {
         name_part(summary, options.part, folder.path() / prefix);
-        identify_path(summary, result.path.points.size(), table);
+        identify_path(summary, result.path.points.size(), content_sha256(table));
     }
     folder.write(prefix + "summary.json", summary.dump(2) + "\n");
     return summary;

@@ -172,6 +172,22 @@ MeshPasses passes_over(const DropCutter& larger, const DrivePlanes& planes,
                        sampling);
 }
 
+// Coordinates of a part differ by at least about this share of their size. A smaller tolerance
+// cannot be kept, and would halve the steps of a curve down to the rounding.
+constexpr double resolution_share = 1e-12;
+
+void require_resolved_tolerance(const TriangleMesh& mesh, double tolerance)
+{
+    double size = 0;
+    for (const Vec3& point : mesh.points())
+        size = std::max(size, point.cwiseAbs().maxCoeff());
+    require_option(tolerance >= resolution_share * size,
+                   "--tolerance: found " + to_text(tolerance) +
+                       " mm; expected at least " + to_text(resolution_share * size) +
+                       " mm, the resolution of coordinates up to " + to_text(size) +
+                       " mm");
+}
+
 // A mesh has no continuous normals to offset along. The drop cutter gives curves that
 // need no trimming.
 void add_mesh_sections(TriangleMesh part, const TrimOptions& options, TrimInput& input)
@@ -183,6 +199,7 @@ void add_mesh_sections(TriangleMesh part, const TrimOptions& options, TrimInput&
         boundary_contact(options) == BoundaryContact::Contact,
         "--boundary none: the drop cutter always touches the borders of a mesh; expected "
         "--boundary contact");
+    require_resolved_tolerance(part, options.tolerance);
     auto mesh = std::make_unique<const TriangleMesh>(std::move(part));
     const DriveFrame frame{Angle::degrees(options.direction_deg)};
     DrivePlanes planes = planes_over(extent_across(*mesh, frame), options);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """No command takes more memory than its limit allows, and lengths beyond the extent are refused at once."""
 import json
+import math
 import os
 import subprocess
 import unittest
@@ -44,10 +45,44 @@ class Memory(ProgramTest):
     def test_fine_sampling_of_a_setup(self):
         self.limited(0.05, "setup", TEAPOT, "--chord-tolerance", 0.002, "--family", "CA")
 
+    def test_many_directions_of_a_setup(self):
+        self.limited(0.05, "setup", TEAPOT, "--sphere", "hex:60", "--family", "CA")
+
     def test_tetrahedron_with_a_far_vertex(self):
         part = self.file("v 0 0 0\nv 10 0 0\nv 0 1000000 0\nv 0 0 10\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n", "far.obj")
         path = self.file("tip_x_mm,tip_y_mm,tip_z_mm\n0,0,12\n1,0,12\n", "path.csv")
         self.limited(0.3, "verify", path, "--part", part, "--cutter", "ball:4")
+
+    def feed(self, moves, gib):
+        """Plans the feeds of a raster over a wave; the exit status, the errors and the resident memory in bytes."""
+        program = [f"G1 X{i % 500 * 0.2:.4f} Y{i // 500 * 0.2:.4f} Z{5 + math.sin(i % 500 * 0.06):.4f}\n"
+                   for i in range(moves)]
+        path = self.file(f"G21 G90 G0 X0 Y0 Z30\nG1 Z4 F800\n{''.join(program)}M30\n", f"feed-{moves}.ngc")
+        with subprocess.Popen([ENDMILL, "feed", path, "--cutter", "ball:6", "--material",
+                               ROOT / "datasets/materials/steel.json", "--flutes", "2", "--stock-top", "8",
+                               "--threads", "2", "--quiet", "--force", "--max-memory", str(gib), "-o",
+                               self.folder / "out"], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True) as process:
+            errors = process.stderr.read()
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+        return process.returncode, errors, usage.ru_maxrss * 1024
+
+    def test_a_move_in_feed_takes_little_memory(self):
+        """The path, its text and an index remain; cuts, loads and files do not."""
+        most_bytes = 450
+        small, large = 50_000, 250_000
+        before, after = self.feed(small, 8), self.feed(large, 8)
+        self.assertEqual([before[0], after[0]], [0, 0], after[1])
+        self.assertLess((after[2] - before[2]) / (large - small), most_bytes)
+
+    def test_long_program_in_feed(self):
+        for gib in (0.2, 0.1):
+            with self.subTest(gib=gib):
+                status, errors, memory = self.feed(250_000, gib)
+                self.assertEqual(status, 0 if gib > 0.15 else 6, errors)
+                self.assertIn("" if status == 0 else "(--max-memory)", errors)
+                self.assertLess(memory, MOST_SHARE * gib * GIB + ROOM)
 
     def test_message_as_json(self):
         done = endmill("trim", VALLEY, "--cutter", "ball:20", "--allowance", 65536, "--max-memory", 0.3, "--quiet",
@@ -76,6 +111,13 @@ class Extent(ProgramTest):
                 done = endmill(*arguments, "-o", "out", cwd=self.folder)
                 self.assert_refused(done, 2, f"{word}: found ", "at most 1e+06 mm (--max-extent)")
                 self.assert_nothing_left("p.csv")
+
+    def test_tolerance_below_the_resolution_of_a_mesh(self):
+        """The curves would be divided down to the rounding of their coordinates."""
+        done = endmill("trim", ROOT / "datasets/meshes/prism.obj", "--cutter", "ball:6", "--planes", 5, "--grid", 20,
+                       "--tolerance", "1e-320", "-o", "out", cwd=self.folder)
+        self.assert_refused(done, 2, "--tolerance: found 1e-320 mm", "at least 6e-11 mm")
+        self.assert_nothing_left()
 
 
 if __name__ == "__main__":

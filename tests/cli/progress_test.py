@@ -53,13 +53,20 @@ class Progress(ProgramTest):
 
     def test_long_work_estimates_its_time_at_once_without_a_terminal(self):
         """The first line comes long before ten seconds have passed, and states the time left."""
-        plan = (SURFACES / "sheared-plane.json", "--chord-tolerance", "1e-5")
-        with subprocess.Popen([ENDMILL, "plan", *plan, "-o", "early"], cwd=self.folder, stdout=subprocess.DEVNULL,
-                              stderr=subprocess.PIPE, text=True) as process:
-            first = process.stderr.readline()
-            process.terminate()
-            process.communicate(timeout=600)
-        self.assertRegex(first, r"^endmill: planning: .* %, \d+ s, about .* left$")
+        plane = (SURFACES / "plane.json", "--cutter", "ball:20", "--scallop", "1")
+        for work, arguments in (
+                ("planning", ("plan", SURFACES / "sheared-plane.json", "--chord-tolerance", "1e-5")),
+                ("planning", ("plan", *plane, "--chord-tolerance", "1e-9")),  # a few passes, each of which takes long
+                ("planning", ("plan", *plane, "--inner-tolerance", "1e-9")),
+                ("comparing the methods", ("trim", SURFACES / "plane.json", "--cutter", "ball:6", "--planes", "3", "--grid",
+                                           "9", "--method", "all", "--repeat", "65536"))):
+            with self.subTest(arguments=arguments), subprocess.Popen(
+                    [ENDMILL, *map(str, arguments), "-o", "early"], cwd=self.folder, stdout=subprocess.DEVNULL,
+                    stderr=subprocess.PIPE, text=True) as process:
+                first = process.stderr.readline()
+                process.terminate()
+                process.communicate(timeout=600)
+                self.assertRegex(first, rf"^endmill: {work}: .*, \d+ s, about .* left$")
 
     def test_quiet_or_quick_work_shows_no_line(self):
         status, shown = on_terminal(self.folder, "plan", NET, "--chord-tolerance", "0.05", "--quiet", "-o", "quiet")

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/core/text.h"
 
+#include <array>
 #include <bit>
+#include <charconv>
 #include <clocale>
 #include <cmath>
 #include <cstdint>
@@ -72,6 +74,36 @@ TEST(Numbers, TextIsTheShortest)
         const double value = (random() % 1000000) / 1000.0;
         EXPECT_LE(to_text(value).size(), 7U) << to_text(value);
     }
+}
+
+// Decimals of few digits have a conversion of their own, which must give the same text as
+// the standard library. Their neighbours have no short text.
+TEST(Numbers, OfFewDecimalsHaveTheTextOfTheStandardLibrary)
+{
+    std::mt19937_64 random{7};
+    const auto check = [](double value) {
+        std::array<char, 40> buffer;
+        const auto end =
+            std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+        ASSERT_EQ(to_text(value), std::string(buffer.data(), end.ptr));
+    };
+    for (int k = 0; k < 300'000; ++k) {
+        const double scale = std::pow(10, static_cast<int>(random() % 13));
+        const auto units = static_cast<std::int64_t>(random() >> (random() % 60)) %
+                           1'000'000'000'000'000;
+        const double value =
+            (k % 2 == 0 ? 1 : -1) * (static_cast<double>(units) + 1) / scale;
+        check(value);
+        check(std::nextafter(value, 0));
+        check(std::nextafter(value, 2 * value));
+    }
+    for (const double bound :
+         {0.001, 0.01, 0.05, 0.1, 1.0, 9999.0, 10'000.0, 99'999.5, 1e5, 1e6, 123'456.789})
+        for (const double value :
+             {bound, std::nextafter(bound, 0), std::nextafter(bound, 1e9)}) {
+            check(value);
+            check(-value);
+        }
 }
 
 TEST(Numbers, MinusZeroIsWrittenWithoutItsSign)

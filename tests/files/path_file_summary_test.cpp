@@ -69,6 +69,10 @@ TEST(PathSummary, HasTheDigestOfTheStandard)
               "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     EXPECT_EQ(content_sha256(""),
               "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    ContentSha256 pieces;
+    for (const char* piece : {"a", "", "bc"})
+        pieces.add(piece);
+    EXPECT_EQ(pieces.word(), content_sha256("abc"));
 }
 
 TEST(PathSummary, BelongsToTheFileWhoseDigestItNames)

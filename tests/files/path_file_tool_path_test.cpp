@@ -145,5 +145,27 @@ TEST(ToolPathCsv, RefusesANumberThatIsNotFinite)
     EXPECT_THROW(tool_path_csv(path), DomainError);
 }
 
+TEST(ToolPathCsv, InPiecesIsTheWholeTextWithTheWordsOfAFunction)
+{
+    ToolPath path;
+    for (int i = 0; i < 40'000; ++i)
+        path.points.push_back(
+            {0, i, Move::Cut, 0, {{0.001 * i, 1.0 / (1 + i), 3}, {0, 0, 1}}});
+    std::vector<std::string_view> limits;
+    for (std::size_t i = 0; i < path.points.size(); ++i)
+        limits.emplace_back(i % 3 == 0 ? "cap" : "");
+    std::string text;
+    std::size_t pieces = 0;
+    write_tool_path_csv(
+        path, [&](std::size_t i) { return limits[i]; },
+        [&](std::string_view piece) {
+            text += piece;
+            ++pieces;
+        });
+    EXPECT_GT(pieces, 10U);
+    EXPECT_TRUE(text ==
+                tool_path_csv(path, limits));  // not EXPECT_EQ, which would print both
+}
+
 }  // namespace
 }  // namespace endmill

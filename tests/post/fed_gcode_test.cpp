@@ -231,5 +231,29 @@ TEST(FedGcode, RefusesAnotherPathAndFeedsThatVanish)
     EXPECT_THROW(fed_gcode("G1 X", "p.ngc", {}, path), FormatError);
 }
 
+// A long program is passed on in several pieces, each of whole lines.
+TEST(FedGcode, OfALongProgramComesInPieces)
+{
+    std::string text = "G21 G90\nG0 X0 Y0 Z5\nG1 Z0 F10\n";
+    for (int i = 1; i <= 60'000; ++i)
+        text += "X" + std::to_string(i) + "." + std::to_string(i % 10) + " (a comment)\n";
+    text += "M2\n";
+    ToolPath path;
+    const std::string whole = fed(text, constant, &path);
+    std::string joined;
+    std::size_t pieces = 0;
+    write_fed_gcode(text, "p.ngc", {}, path, [&](std::string_view piece) {
+        EXPECT_TRUE(piece.ends_with('\n'));
+        joined += piece;
+        ++pieces;
+    });
+    EXPECT_GT(pieces, 1U);
+    EXPECT_TRUE(joined == whole);  // not EXPECT_EQ, which would print both
+    ToolPath again = parse_gcode(joined, "p.ngc").path;
+    ASSERT_EQ(again.points.size(), path.points.size());
+    EXPECT_EQ(again.points.back().conditions.feed_mm_per_min, 812.5);
+    EXPECT_EQ(again.points.back().location.tip, path.points.back().location.tip);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -48,5 +48,22 @@ TEST(GcodeMoves, KeepTheModesAndTheArcOfTheirLine)
     EXPECT_EQ(moves[3].modes.motion, GcodeMotion::Rapid);
 }
 
+// Points that were forgotten still count, also those of arcs and against the limit.
+TEST(GcodeMoves, OneByOneAreThoseOfTheList)
+{
+    const std::vector<GcodeMove> moves = gcode_moves(program, "f.ngc", {});
+    std::size_t number = 0;
+    const std::size_t points =
+        for_each_gcode_move(program, "f.ngc", {}, [&](const GcodeMove& move) {
+            EXPECT_EQ(move.line, moves[number].line);
+            EXPECT_EQ(move.end, moves[number++].end);
+        });
+    EXPECT_EQ(number, moves.size());
+    EXPECT_EQ(points, read_gcode(program).path.points.size());
+    const GcodeReadOptions few{.most_points = points - 1};
+    EXPECT_THROW(for_each_gcode_move(program, "f.ngc", few, [](const GcodeMove&) {}),
+                 LimitError);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -49,6 +49,21 @@ TEST(EngagedAngle, IsThatAtTheTopOfTheStock)
     EXPECT_EQ(engaged_angle({0, 0, 0.5, 0}), 0);
 }
 
+// The angle is that of `engaged_ranges` at the same latitude, which knows no coefficients.
+TEST(EngagedCoefficients, HaveTheAngleOfTheRangesAtTheTop)
+{
+    for (const double depth : {0.05, 0.4, 1.0, 2.0})
+        for (const double mu : {-0.7, 0.0, 0.5}) {
+            const BallEngagement engagement{mu, 0.2, 0.3, depth};
+            double sum = 0;
+            for (const AzimuthRange& range :
+                 engaged_ranges(engagement, std::acos(std::max(0.0, 1 - depth))))
+                sum += range.to - range.from;
+            EXPECT_NEAR(engaged_coefficients(engagement).engaged_angle, sum, 1e-12);
+        }
+    EXPECT_EQ(engaged_coefficients({0, 0.2, 0.3, 0}).engaged_angle, 0);
+}
+
 TEST(CuttingCoefficients, OfALevelSlotAreClosed)
 {
     const auto found = listed(cutting_coefficients(slot(0)));

@@ -101,5 +101,48 @@ TEST(FedPath, RefusesRowsThatAreNotThePaths)
                  DomainError);
 }
 
+// The blocks of a plan follow each other; each sets its own moves.
+TEST(FedPath, InBlocksHasTheFeedsOfTheWholePlan)
+{
+    FedPath fed{path};
+    fed.plan(std::span{points}.first(1), std::span{rows}.first(1));
+    EXPECT_TRUE(fed.is_planned(2));
+    EXPECT_FALSE(fed.is_planned(4));
+    fed.plan(std::span{points}.last(1), std::span{rows}.last(1));
+    fed.complete(200);
+    const ToolPath whole = fed_path(path, points, rows, 200);
+    const auto words = limit_words(7, points, rows);
+    for (std::size_t i = 0; i < whole.points.size(); ++i) {
+        EXPECT_EQ(fed.path().points[i].conditions, whole.points[i].conditions);
+        EXPECT_EQ(fed.limit_word(i), words[i]);
+    }
+    EXPECT_EQ(fed.noncut_minutes(1000), noncut_minutes(whole, points, 1000));
+}
+
+// Both limits of a move share one byte.
+TEST(FedPath, KeepsBothLimitsOfAMove)
+{
+    for (const FeedLimit limit : all_feed_limits)
+        for (const SpeedLimit speed : all_speed_limits) {
+            SegmentFeed one = row(100, 1000, limit);
+            one.tooth.is_infeasible = limit == FeedLimit::Infeasible;
+            one.table.is_block_bound = limit == FeedLimit::BlockRate;
+            one.table.speed_limit = speed;
+            FedPath fed{path};
+            fed.plan(std::span{points}.first(1), std::span{&one, 1});
+            EXPECT_EQ(fed.limit(2), limit);
+            EXPECT_EQ(fed.speed_limit(2), speed);
+        }
+}
+
+TEST(FedPath, RefusesBlocksThatAreNotInOrder)
+{
+    FedPath fed{path};
+    fed.plan(points, rows);
+    EXPECT_THROW(fed.plan(points, rows), DomainError);
+    EXPECT_THROW(fed.complete(0), DomainError);
+    EXPECT_THROW(fed.noncut_minutes(-1), DomainError);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -115,7 +115,7 @@ TEST(FrontLoad, IsThatOfTheSameEngagementInClosedForm)
         SegmentCut cut{.length_mm = 2, .mu = 0, .pick_feed_mm = 2.5, .depth_mm = 5};
         const SegmentLoad closed =
             peak == PeakRule::Constant
-                ? constant_peak_load(cut, cutting_coefficients({0, 0, 0.5, 1}), 1.8,
+                ? constant_peak_load(cut, engaged_coefficients({0, 0, 0.5, 1}), 1.8,
                                      rules)
             : peak == PeakRule::Torque
                 ? torque_peak_load(cut, job.tool, ChipModel::Paper, rules)

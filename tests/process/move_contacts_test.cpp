@@ -35,6 +35,15 @@ ToolPath rolled(double bend, int count)
     return path;
 }
 
+std::vector<std::optional<MoveContact>> stated_contacts(const ToolPath& path,
+                                                        std::span<const CutMove> moves)
+{
+    std::vector<std::optional<MoveContact>> contacts;
+    for (const CutMove& move : moves)
+        contacts.push_back(stated_contact(path, move));
+    return contacts;
+}
+
 TEST(MoveContacts, StatedAtBothEndsAreHalfwayBetween)
 {
     ToolPath path = rolled(-0.02, 10);

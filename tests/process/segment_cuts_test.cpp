@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/process/segment_cuts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -224,6 +225,48 @@ TEST(SegmentCuts, RefuseOptionsOutOfTheirRanges)
     ToolPath leaning = path;
     leaning.points[1].location.axis = Vec3{0, 0.1, 1}.normalized();
     EXPECT_THROW(segment_cuts(leaning, by_passes()), GeometryError);
+}
+
+// The nearest pass of a cut is searched in the whole path, so the cuts do not depend on the
+// block in which they are asked for.
+TEST(SegmentCutFinder, HasTheCutsOfThePathInBlocksOfAnySize)
+{
+    std::vector<Pass> lines;
+    for (int k = 0; k < 6; ++k)
+        lines.push_back({Vec3{0, 1.5 * k, 0.1 * k}, Vec3{20, 1.5 * k, 0.2 * k}});
+    const ToolPath path = passes(lines, 7);
+    const SegmentCuts whole = segment_cuts(path, by_passes());
+    const SegmentCutFinder finder{path, by_passes()};
+    ASSERT_EQ(finder.size(), whole.cuts.size());
+    EXPECT_EQ(finder.zero_length(), whole.zero_length);
+    EXPECT_TRUE(finder.has_depth());
+    for (const std::size_t size : {1, 5, 42})
+        for (std::size_t first = 0; first < finder.size(); first += size) {
+            const SegmentCuts block =
+                finder.cuts(first, std::min(size, finder.size() - first));
+            for (std::size_t i = 0; i < block.cuts.size(); ++i) {
+                const SegmentCut& cut = whole.cuts[first + i];
+                EXPECT_EQ(block.points[i], whole.points[first + i]);
+                EXPECT_EQ(block.points[i], finder.point(first + i));
+                EXPECT_EQ(block.cuts[i].mu, cut.mu);
+                EXPECT_EQ(block.cuts[i].pick_feed_mm, cut.pick_feed_mm);
+                EXPECT_EQ(block.cuts[i].depth_mm, cut.depth_mm);
+                EXPECT_EQ(block.cuts[i].milling, cut.milling);
+            }
+        }
+}
+
+TEST(SegmentCutFinder, HasNoDepthAboveTheStock)
+{
+    const ToolPath path = passes({{Vec3{0, 0, 21}, Vec3{9, 0, 21}}}, 3);
+    EXPECT_FALSE(SegmentCutFinder(path, by_passes()).has_depth());
+}
+
+TEST(MoveSlope, IsThatOfATriangleOfThreeFourFive)
+{
+    const MoveSlope slope = move_slope({1, 1, 1}, {5, 1, 4}, 10);
+    EXPECT_NEAR(slope.lambda, std::atan2(3, 4), 1e-15);
+    EXPECT_EQ(slope.depth_mm, 7.5);
 }
 
 }  // namespace

@@ -77,10 +77,9 @@ TEST(SegmentLoad, HasTheBoundsOfIndependentSampling)
     const MillingJob job = job_of_the_vectors();
     const FeedRules rules = feed_rules(job, {.form = LimitForm::Exact});
     for (const Vector& vector : vectors) {
-        const CuttingCoefficients coefficients =
-            cutting_coefficients(ball_engagement(vector.cut, 5));
-        const SegmentLoad constant =
-            constant_peak_load(vector.cut, coefficients, 1.8, rules);
+        const EngagedCoefficients engaged =
+            engaged_coefficients(ball_engagement(vector.cut, 5));
+        const SegmentLoad constant = constant_peak_load(vector.cut, engaged, 1.8, rules);
         expect_bounds(constant.bounds, vector.constant, 5e-9);
         EXPECT_EQ(constant.peak_factor, 1.8);
         const SegmentLoad torque =

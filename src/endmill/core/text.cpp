@@ -6,6 +6,7 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -116,11 +117,53 @@ std::size_t common_unit(std::string_view a, std::string_view b)
     return is_common ? a.size() - underscore : 0;
 }
 
+// Decimals with at most nine digits after the point and fifteen in all. Different ones are
+// different doubles, so the one that gives a double is its shortest text. These are the
+// bounds between which that text has no exponent.
+constexpr double nano = 1e9;
+constexpr int nano_digits = 9;
+constexpr std::int64_t units_of_one = 1'000'000'000;
+constexpr double most_short = 1e6;  // exclusive, of the magnitude
+constexpr double least_short = 0.01;
+constexpr double most_short_whole = 10'000;  // exclusive
+
+// Appends the value if it is such a decimal, as coordinates in programs are. This takes a
+// fraction of the time of the general case.
+bool append_short_decimal(std::string& text, double value)
+{
+    const double size = std::abs(value);
+    if (!(size < most_short) || (size < least_short && size != 0))
+        return false;
+    const auto units = static_cast<std::int64_t>(size * nano + 0.5);
+    if (static_cast<double>(units) / nano != size)
+        return false;
+    auto fraction = static_cast<std::uint32_t>(units % units_of_one);
+    if (fraction == 0 && size >= most_short_whole)
+        return false;
+    std::array<char, 18> buffer;  // sign, six digits, point, nine digits
+    char* end = buffer.data();
+    if (value < 0)
+        *end++ = '-';
+    end = std::to_chars(end, buffer.data() + buffer.size(), units / units_of_one).ptr;
+    if (fraction != 0) {
+        *end++ = '.';
+        for (int k = nano_digits; k-- > 0; fraction /= 10)
+            end[k] = static_cast<char>('0' + fraction % 10);
+        end += nano_digits;
+        while (end[-1] == '0')
+            --end;
+    }
+    text.append(buffer.data(), end);
+    return true;
+}
+
 }  // namespace
 
 void append_text(std::string& text, double value)
 {
     assert(std::isfinite(value));
+    if (append_short_decimal(text, value))
+        return;
     std::array<char, 32> buffer;  // no shortest text has more than 24 characters
     const double unsigned_zero = value == 0 ? 0 : value;
     const auto [end, error] =

@@ -18,25 +18,15 @@ namespace {
 constexpr LineStyle first_style{"#1d4f91", 1.2, ""};
 constexpr LineStyle second_style{"#d1402f", 1.2, ""};
 
-using Values = std::vector<std::optional<double>>;
-
-// The values `value_of(row)` of all rows.
-template <class Row, class ValueOf>
-Values values(std::span<const Row> rows, const ValueOf& value_of)
+// A function of angles in degrees, from one in radians.
+MoveValue in_degrees(const MoveValue& radians)
 {
-    Values all;
-    all.reserve(rows.size());
-    for (const Row& row : rows)
-        all.push_back(std::invoke(value_of, row));
-    return all;
-}
-
-// An angle in degrees, if it is known.
-std::optional<double> degrees(const std::optional<double>& radians)
-{
-    if (!radians)
-        return std::nullopt;
-    return Angle::radians(*radians).degrees();
+    return [&radians](std::size_t move) {
+        std::optional<double> angle = radians(move);
+        if (angle)
+            angle = Angle::radians(*angle).degrees();
+        return angle;
+    };
 }
 
 // What limits the feed, in the order of FeedLimit.
@@ -53,19 +43,18 @@ constexpr std::array speed_causes{StripCause{"tool life (economic speed)", "#009
                                   StripCause{"spindle power", "#cc79a7"},
                                   StripCause{"feed drive", "#e69f00"}};
 
-// The causes that govern feed and spindle speed of all rows.
-std::vector<ChartStrip> strips_of(std::span<const SegmentFeed> rows)
+// The causes that govern feed and spindle speed of all moves.
+std::vector<ChartStrip> strips_of(const FeedCurves& curves)
 {
-    std::vector<ChartStrip> strips{
-        {"the feed is limited by", {feed_causes.begin(), feed_causes.end()}, {}},
-        {"the spindle speed is limited by",
-         {speed_causes.begin(), speed_causes.end()},
-         {}}};
-    for (const SegmentFeed& row : rows) {
-        strips[0].cause.push_back(static_cast<std::size_t>(reported_limit(row)));
-        strips[1].cause.push_back(static_cast<std::size_t>(row.table.speed_limit));
-    }
-    return strips;
+    return {{"the feed is limited by",
+             {feed_causes.begin(), feed_causes.end()},
+             {curves.count,
+              [&](std::size_t i) { return static_cast<std::size_t>(curves.limit(i)); }}},
+            {"the spindle speed is limited by",
+             {speed_causes.begin(), speed_causes.end()},
+             {curves.count, [&](std::size_t i) {
+                  return static_cast<std::size_t>(curves.speed_limit(i));
+              }}}};
 }
 
 }  // namespace
@@ -74,30 +63,42 @@ std::string feed_svg(std::span<const SegmentCut> cuts, std::span<const SegmentFe
                      const FeedFigure& figure)
 {
     require(cuts.size() == rows.size(), "feed_svg: need one row for each move");
+    return feed_svg(
+        {.count = cuts.size(),
+         .length_mm = [&](std::size_t i) { return cuts[i].length_mm; },
+         .mu = [&](std::size_t i) { return cuts[i].mu; },
+         .lambda = [&](std::size_t i) { return cuts[i].lambda; },
+         .pick_feed_mm = [&](std::size_t i) { return cuts[i].pick_feed_mm; },
+         .pick_feed_horizontal_mm =
+             [&](std::size_t i) { return cuts[i].pick_feed_horizontal_mm; },
+         .depth_mm = [&](std::size_t i) { return cuts[i].depth_mm; },
+         .feed_mm_per_min = [&](std::size_t i) { return rows[i].table.feed_mm_per_min; },
+         .spindle_rpm = [&](std::size_t i) { return rows[i].table.spindle_rpm; },
+         .limit = [&](std::size_t i) { return reported_limit(rows[i]); },
+         .speed_limit = [&](std::size_t i) { return rows[i].table.speed_limit; }},
+        figure);
+}
+
+std::string feed_svg(const FeedCurves& curves, const FeedFigure& figure)
+{
+    const std::size_t count = curves.count;
     std::vector<double> places;
+    places.reserve(count);
     double along = 0;
-    for (const SegmentCut& cut : cuts)
-        places.push_back(along += cut.length_mm);
+    for (std::size_t i = 0; i < count; ++i)
+        places.push_back(along += curves.length_mm(i));
     const std::vector<ChartPanel> panels{
         {"slope, degrees",
-         {{"across the feed", first_style,
-           values(cuts, [](const SegmentCut& c) { return degrees(c.mu); })},
-          {"along the feed", second_style,
-           values(cuts, [](const SegmentCut& c) { return degrees(c.lambda); })}}},
+         {{"across the feed", first_style, {count, in_degrees(curves.mu)}},
+          {"along the feed", second_style, {count, in_degrees(curves.lambda)}}}},
         {"pick feed, mm",
-         {{"between centres", first_style, values(cuts, &SegmentCut::pick_feed_mm)},
-          {"horizontal", second_style,
-           values(cuts, &SegmentCut::pick_feed_horizontal_mm)}}},
-        {"depth, mm",
-         {{"stock over the tip", first_style, values(cuts, &SegmentCut::depth_mm)}}},
-        {"feed, mm/min",
-         {{"feed", first_style,
-           values(rows, [](const SegmentFeed& r) { return r.table.feed_mm_per_min; })}}},
-        {"spindle, rpm", {{"speed", first_style, values(rows, [](const SegmentFeed& r) {
-                               return r.table.spindle_rpm;
-                           })}}}};
+         {{"between centres", first_style, {count, curves.pick_feed_mm}},
+          {"horizontal", second_style, {count, curves.pick_feed_horizontal_mm}}}},
+        {"depth, mm", {{"stock over the tip", first_style, {count, curves.depth_mm}}}},
+        {"feed, mm/min", {{"feed", first_style, {count, curves.feed_mm_per_min}}}},
+        {"spindle, rpm", {{"speed", first_style, {count, curves.spindle_rpm}}}}};
     return stacked_chart({figure.title, figure.captions, "length of cut, mm"}, places,
-                         panels, strips_of(rows));
+                         panels, strips_of(curves));
 }
 
 }  // namespace endmill

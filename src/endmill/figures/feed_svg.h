@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,5 +28,28 @@ struct FeedFigure {
 ///         finite.
 std::string feed_svg(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows,
                      const FeedFigure& figure);
+
+/// A value of each cutting move by its number; nothing where it is unknown.
+using MoveValue = std::function<std::optional<double>(std::size_t move)>;
+
+/// What the chart shows of `count` moves. Each function is called once or twice for each
+/// move.
+struct FeedCurves {
+    std::size_t count;                             ///< number of moves
+    std::function<double(std::size_t)> length_mm;  ///< mm
+    MoveValue mu;                                  ///< rad, slope of the pick feed
+    MoveValue lambda;                              ///< rad, slope of the feed
+    MoveValue pick_feed_mm;                        ///< mm, between ball centres
+    MoveValue pick_feed_horizontal_mm;             ///< mm
+    MoveValue depth_mm;         ///< mm, of the tip below the top of the stock
+    MoveValue feed_mm_per_min;  ///< mm/min
+    MoveValue spindle_rpm;      ///< rpm
+    std::function<FeedLimit(std::size_t)> limit;         ///< what limits the feed
+    std::function<SpeedLimit(std::size_t)> speed_limit;  ///< what limits the speed
+};
+
+/// The same chart of moves that are not kept as rows.
+/// \throws DomainError unless every number is finite.
+std::string feed_svg(const FeedCurves& curves, const FeedFigure& figure);
 
 }  // namespace endmill

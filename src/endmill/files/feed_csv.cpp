@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/files/result_csv.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -13,9 +12,6 @@
 
 namespace endmill {
 namespace {
-
-// About 20 MB of text.
-constexpr std::size_t rows_a_piece = 100'000;
 
 // Appends a cell; an empty one if there is no number.
 void append(std::string& text, std::optional<double> number)
@@ -73,18 +69,25 @@ void write_feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFee
         "pass,point,length_mm,mu_deg,lambda_deg,pick_feed_mm,pick_feed_horizontal_mm,"
         "depth_mm,engaged_angle_deg,feed_per_tooth_mm,peak_factor,limit,speed_limit,"
         "cutting_force_n,thrust_n,torque_n_m,power_w\n");
-    for (std::size_t begin = 0; begin < rows.size(); begin += rows_a_piece) {
-        const std::size_t piece = std::min(rows_a_piece, rows.size() - begin);
-        sink(joined_rows("", piece, [&](std::size_t first, std::size_t count) {
+    write_feed_rows(cuts, rows, sink);
+}
+
+void write_feed_rows(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows,
+                     const std::function<void(std::string_view piece)>& sink)
+{
+    require(cuts.size() == rows.size(), "feed_csv: need one row for each move");
+    pass_rows(
+        rows.size(),
+        [&](std::size_t first, std::size_t count) {
             std::string text;
-            for (std::size_t i = begin + first; i < begin + first + count; ++i) {
+            for (std::size_t i = first; i < first + count; ++i) {
                 append_geometry(text, cuts[i]);
                 append_feed(text, rows[i]);
                 text += '\n';
             }
             return text;
-        }));
-    }
+        },
+        sink);
 }
 
 std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows)

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -95,6 +97,15 @@ std::string tool_path_csv(const ToolPath& path);
 ///         point.
 std::string tool_path_csv(const ToolPath& path, std::span<const std::string_view> limits);
 
+/// The same in pieces, for a path whose file need not fit into memory.
+/// \param limit_of the word of a point. It is called by any thread.
+/// \param sink receives the pieces in order; the first begins with the header.
+/// \throws DomainError if a number is not finite, and whatever `sink` throws.
+void write_tool_path_csv(
+    const ToolPath& path,
+    const std::function<std::string_view(std::size_t point)>& limit_of,
+    const std::function<void(std::string_view piece)>& sink);
+
 /// The part that a path was planned for.
 struct PartReference {
     std::filesystem::path file;         ///< path of the part's file
@@ -144,6 +155,24 @@ struct PathSummary {
 
 /// The SHA-256 of the content of a file, as 64 hexadecimal digits in lower case.
 std::string content_sha256(std::string_view content);
+
+/// The same of a content that comes in pieces.
+class ContentSha256 {
+public:
+    ContentSha256();                                          ///< of nothing so far
+    ~ContentSha256();                                         ///< releases the state
+    ContentSha256(const ContentSha256&) = delete;             ///< it owns a state
+    ContentSha256& operator=(const ContentSha256&) = delete;  ///< it owns a state
+
+    void add(std::string_view piece);  ///< adds the next piece
+
+    /// The word of all pieces. \pre It was not called before.
+    std::string word();
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 /// How a summary.json belongs to the path file beside it.
 enum class SummaryMatch {

@@ -156,13 +156,32 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
                        text(root, "program_sha256")};
 }
 
-std::string content_sha256(std::string_view content)
+struct ContentSha256::State {
+    std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context{EVP_MD_CTX_new(),
+                                                                    EVP_MD_CTX_free};
+};
+
+ContentSha256::ContentSha256() : state_{std::make_unique<State>()}
+{
+    if (!state_->context ||
+        EVP_DigestInit_ex(state_->context.get(), EVP_sha256(), nullptr) != 1)
+        throw std::runtime_error{"ContentSha256: libcrypto has no SHA-256"};
+}
+
+ContentSha256::~ContentSha256() = default;
+
+void ContentSha256::add(std::string_view piece)
+{
+    if (EVP_DigestUpdate(state_->context.get(), piece.data(), piece.size()) != 1)
+        throw std::runtime_error{"ContentSha256: libcrypto refuses a piece"};
+}
+
+std::string ContentSha256::word()
 {
     std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
     unsigned size = 0;
-    if (EVP_Digest(content.data(), content.size(), bytes.data(), &size, EVP_sha256(),
-                   nullptr) != 1)
-        throw std::runtime_error{"content_sha256: libcrypto has no SHA-256"};
+    if (EVP_DigestFinal_ex(state_->context.get(), bytes.data(), &size) != 1)
+        throw std::runtime_error{"ContentSha256: libcrypto has no result"};
     constexpr std::string_view digits = "0123456789abcdef";
     std::string word;
     for (unsigned i = 0; i < size; ++i) {
@@ -170,6 +189,13 @@ std::string content_sha256(std::string_view content)
         word += digits[bytes[i] % 16];
     }
     return word;
+}
+
+std::string content_sha256(std::string_view content)
+{
+    ContentSha256 sum;
+    sum.add(content);
+    return sum.word();
 }
 
 SummaryMatch summary_match(const PathSummary& summary, std::string_view content)

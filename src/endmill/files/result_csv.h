@@ -57,6 +57,11 @@ std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFe
 void write_feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows,
                     const std::function<void(std::string_view piece)>& sink);
 
+/// The rows of `feed_csv` without its header, to continue a file that `write_feed_csv` began.
+/// Parameters and errors are those of `write_feed_csv`.
+void write_feed_rows(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows,
+                     const std::function<void(std::string_view piece)>& sink);
+
 /// Cutting forces over a turn, as a CSV file with one row for each angle and the columns
 /// theta_deg, force_x_n, force_y_n, force_z_n, torque_n_m, in the frame of CuttingForce.
 /// \param angles of the cutter in rad, one for each force; written in degrees, rounded to

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -161,10 +162,13 @@ std::string header(const OptionalColumns& columns)
     return line;
 }
 
-// The content of a file: a path, one word for each point or none, and the columns.
+using LimitOf = std::function<std::string_view(std::size_t point)>;
+
+// The content of a file: a path, the word of each point if there is a column for it, and
+// the columns.
 struct Table {
     const ToolPath& path;
-    std::span<const std::string_view> limits;
+    LimitOf limit_of;
     OptionalColumns columns;
 };
 
@@ -176,7 +180,7 @@ std::string rows(const Table& table, std::size_t first, std::size_t count)
     std::string text;
     for (std::size_t i = first; i < first + count; ++i)
         writer.append(text, table.path, i,
-                      table.columns.limit ? table.limits[i] : std::string_view{});
+                      table.columns.limit ? table.limit_of(i) : std::string_view{});
     return text;
 }
 
@@ -201,7 +205,20 @@ std::string tool_path_csv(const ToolPath& path, std::span<const std::string_view
             "tool_path_csv: need a limit for every point");
     OptionalColumns columns = optional_columns(path);
     columns.limit = true;
-    return table_text({path, limits, columns});
+    return table_text({path, [&](std::size_t i) { return limits[i]; }, columns});
+}
+
+void write_tool_path_csv(const ToolPath& path, const LimitOf& limit_of,
+                         const std::function<void(std::string_view piece)>& sink)
+{
+    OptionalColumns columns = optional_columns(path);
+    columns.limit = true;
+    const Table table{path, limit_of, columns};
+    sink(header(columns));
+    pass_rows(
+        path.points.size(),
+        [&](std::size_t first, std::size_t count) { return rows(table, first, count); },
+        sink);
 }
 
 }  // namespace endmill

@@ -117,7 +117,8 @@ struct VerifiedOptions {
     PatchBorders patch_borders = PatchBorders::Cross;  ///< steps at borders of patches
     LinkOptions link = {};  ///< order of the passes, tool axis, safe height
     std::size_t most_points = 40'000'000;  ///< a longer path throws LimitError
-    /// If set, it is called with the finished share, 0 to 1.
+    /// If set, it is called with the finished share, 0 to 1, by any thread. A share may be
+    /// less than one that another thread has reported.
     std::function<void(double share)> progress = {};
 };
 

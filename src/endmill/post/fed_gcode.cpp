@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -14,8 +15,9 @@
 #include "endmill/post/detail/plain_number.h"
 #include "endmill/post/detail/text_lines.h"
 
-// The program is rewritten line by line, together with the list of its lines that move
-// (`gcode_moves`):
+// The program is rewritten line by line, while an interpreter reports which lines move
+// (`for_each_gcode_move`). Nothing is kept of a line that was passed on, since a program may
+// have millions of them:
 // 1. A line that does not move keeps its text. Only its S becomes the speed of the next
 //    motion.
 // 2. The points of a line that moves are divided into runs of about equal feed and speed.
@@ -39,6 +41,9 @@ constexpr double same_share = 1e-3;
 // empty.
 constexpr double longest_part = 0.9 * 2 * std::numbers::pi;
 constexpr double shortest_chord_mm = 1e-4;
+
+// Bytes of text that are passed on together.
+constexpr std::size_t bytes_a_piece = 1'000'000;
 
 // Digits after the point.
 constexpr int feed_decimals = 4;
@@ -65,33 +70,60 @@ std::string number_text(double value, int decimals)
     return text;
 }
 
+using Sink = std::function<void(std::string_view piece)>;
+
 class FedGcode {
 public:
-    FedGcode(const GcodeReadOptions& options, const ToolPath& path)
-        : options_{options},
-          path_{path}
+    FedGcode(TextLines lines, const GcodeReadOptions& options, const ToolPath& path,
+             const Sink& sink)
+        : lines_{std::move(lines)},
+          options_{options},
+          path_{path},
+          sink_{sink}
     {
     }
 
-    std::string rewritten(TextLines lines, const std::vector<GcodeMove>& moves)
+    // Writes the lines up to that of the move, which is rewritten.
+    void take(const GcodeMove& move)
     {
-        auto move = moves.begin();
-        while (lines.next()) {
-            GcodeLine line{lines.line()};
-            if (move != moves.end() && lines.number() == move->line)
-                rewrite(line, *move++);
+        require(move.end <= path_.points.size(),
+                "fed_gcode: need the path of the program");
+        while (lines_.next()) {
+            GcodeLine line{lines_.line()};
+            const bool moves = lines_.number() == move.line;
+            if (moves)
+                rewrite(line, move);
             else {
-                // Lines after the last move stay as they are.
-                if (move != moves.end())
-                    pass_by(line, *move);
+                pass_by(line, move);
                 text_ += line.text();
             }
-            text_ += '\n';
+            end_line();
+            if (moves)
+                return;
         }
-        return std::move(text_);
+    }
+
+    // Writes the lines after the last move, which stay as they are.
+    void finish()
+    {
+        while (lines_.next()) {
+            text_ += lines_.line();
+            end_line();
+        }
+        sink_(text_);
+        text_.clear();
     }
 
 private:
+    void end_line()
+    {
+        text_ += '\n';
+        if (text_.size() < bytes_a_piece)
+            return;
+        sink_(text_);
+        text_.clear();
+    }
+
     const CuttingConditions& conditions(std::size_t point) const
     {
         return path_.points[point].conditions;
@@ -304,9 +336,11 @@ private:
         feed_ = text;
     }
 
+    TextLines lines_;
     const GcodeReadOptions& options_;
     const ToolPath& path_;
-    std::string text_;
+    const Sink& sink_;
+    std::string text_;   // not yet passed on
     std::string feed_;   // F in force, as written; empty if unknown
     std::string speed_;  // S in force, as written; empty if unknown
     std::optional<ProgramUnit> unit_;
@@ -318,10 +352,21 @@ private:
 std::string fed_gcode(std::string_view text, const std::string& file,
                       const GcodeReadOptions& options, const ToolPath& path)
 {
-    const std::vector<GcodeMove> moves = gcode_moves(text, file, options);
-    const std::size_t points = moves.empty() ? 0 : moves.back().end;
+    std::string fed;
+    write_fed_gcode(text, file, options, path,
+                    [&](std::string_view piece) { fed += piece; });
+    return fed;
+}
+
+void write_fed_gcode(std::string_view text, const std::string& file,
+                     const GcodeReadOptions& options, const ToolPath& path,
+                     const Sink& sink)
+{
+    FedGcode fed{TextLines{text, {file, "E_GCODE"}}, options, path, sink};
+    const std::size_t points = for_each_gcode_move(
+        text, file, options, [&](const GcodeMove& move) { fed.take(move); });
     require(points == path.points.size(), "fed_gcode: need the path of the program");
-    return FedGcode{options, path}.rewritten(TextLines{text, {file, "E_GCODE"}}, moves);
+    fed.finish();
 }
 
 }  // namespace endmill

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -38,5 +39,12 @@ namespace endmill {
 /// section 3].
 std::string fed_gcode(std::string_view text, const std::string& file,
                       const GcodeReadOptions& options, const ToolPath& path);
+
+/// The same in pieces, for a program of millions of lines.
+/// \param sink receives the pieces in order; after an exception they are incomplete.
+/// \throws as `fed_gcode`, and whatever `sink` throws.
+void write_fed_gcode(std::string_view text, const std::string& file,
+                     const GcodeReadOptions& options, const ToolPath& path,
+                     const std::function<void(std::string_view piece)>& sink);
 
 }  // namespace endmill

@@ -35,6 +35,14 @@ CuttingCoefficients means(const CoefficientSums& sums)
             sums[4] / turn, sums[5] / turn, sums[6] / turn, sums[7] / turn};
 }
 
+double total_angle(std::span<const AzimuthRange> azimuths)
+{
+    double angle = 0;
+    for (const AzimuthRange& range : azimuths)
+        angle += range.to - range.from;
+    return angle;
+}
+
 }  // namespace
 
 double engaged_angle(const BallEngagement& engagement)
@@ -43,10 +51,7 @@ double engaged_angle(const BallEngagement& engagement)
     if (is_air(engagement))
         return 0;
     const EngagedRegion region{engagement};
-    double angle = 0;
-    for (const AzimuthRange& range : region.ranges_at(region.top_sine, region.top_cosine))
-        angle += range.to - range.from;
-    return angle;
+    return total_angle(region.ranges_at(region.top_sine, region.top_cosine));
 }
 
 CuttingCoefficients shank_coefficients(const BallEngagement& engagement, ChipModel chip)
@@ -81,6 +86,12 @@ CuttingCoefficients sum(const CuttingCoefficients& first,
 CuttingCoefficients cutting_coefficients(const BallEngagement& engagement, ChipModel chip,
                                          double accuracy)
 {
+    return engaged_coefficients(engagement, chip, accuracy).coefficients;
+}
+
+EngagedCoefficients engaged_coefficients(const BallEngagement& engagement, ChipModel chip,
+                                         double accuracy)
+{
     require_sound(engagement);
     require(accuracy >= 1e-12 && accuracy <= 1e-3,
             "cutting_coefficients: need an accuracy from 1e-12 to 1e-3");
@@ -91,10 +102,13 @@ CuttingCoefficients cutting_coefficients(const BallEngagement& engagement, ChipM
     if (engagement.lambda == 0)
         tolerance *= level_share;
     CoefficientSums sums = border_integrals(region, chip, tolerance);
-    const CoefficientSums top = top_integrals(region, chip);
+    const std::vector<AzimuthRange> azimuths =
+        region.ranges_at(region.top_sine, region.top_cosine);
+    const CoefficientSums top = top_integrals(region, chip, azimuths);
     for (std::size_t k = 0; k < sums.size(); ++k)
         sums[k] += top[k];
-    return sum(means(sums), shank_coefficients(engagement, chip));
+    return {sum(means(sums), shank_coefficients(engagement, chip)),
+            total_angle(azimuths)};
 }
 
 std::vector<CuttingCoefficients> cutting_coefficients(

@@ -85,6 +85,19 @@ CuttingCoefficients cutting_coefficients(const BallEngagement& engagement,
                                          ChipModel chip = ChipModel::Paper,
                                          double accuracy = coefficient_accuracy);
 
+/// The cutting action coefficients of an engagement, and its engaged angle.
+struct EngagedCoefficients {
+    CuttingCoefficients coefficients;  ///< as `cutting_coefficients`
+    double engaged_angle;              ///< rad, as `engaged_angle`
+};
+
+/// The results of `cutting_coefficients` and `engaged_angle`, from one description of the
+/// engaged region.
+/// \throws DomainError as `cutting_coefficients`.
+EngagedCoefficients engaged_coefficients(const BallEngagement& engagement,
+                                         ChipModel chip = ChipModel::Paper,
+                                         double accuracy = coefficient_accuracy);
+
 /// The cutting action coefficients of each of `engagements`, in their order, computed on
 /// all threads. The result does not depend on the number of threads.
 /// \throws DomainError as for a single engagement.

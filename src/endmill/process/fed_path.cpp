@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "endmill/core/error.h"
 
@@ -27,26 +28,82 @@ void require_feed(double feed, const char* what)
 
 }  // namespace
 
+FedPath::FedPath(ToolPath path)
+    : path_{std::move(path)},
+      limits_(path_.points.size(), not_planned)
+{
+}
+
+void FedPath::plan(std::span<const std::size_t> points, std::span<const SegmentFeed> rows)
+{
+    require_rows(path_.points.size(), points, rows);
+    require(points.empty() || next_ <= points.front(),
+            "fed_path: need ascending points of the path");
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const SegmentFeed& row = rows[k];
+        CuttingConditions& conditions = path_.points[points[k]].conditions;
+        conditions.feed_mm_per_min = row.table.feed_mm_per_min;
+        conditions.spindle_rpm = row.table.spindle_rpm;
+        limits_[points[k]] = static_cast<unsigned char>(
+            limits_a_speed * static_cast<unsigned>(reported_limit(row)) +
+            static_cast<unsigned>(row.table.speed_limit));
+        next_ = points[k] + 1;
+    }
+}
+
+void FedPath::complete(double plunge_feed_mm_per_min)
+{
+    require_feed(plunge_feed_mm_per_min, "fed_path: need 0 < plunge feed");
+    std::vector<PathPoint>& points = path_.points;
+    if (next_ == 0) {
+        set_other_feeds(plunge_feed_mm_per_min);
+        return;
+    }
+    // From the end of the path on, the speed is that of the last planned move.
+    std::optional<double> speed = points[next_ - 1].conditions.spindle_rpm;
+    for (std::size_t i = points.size(); i-- > 0;)
+        if (is_planned(i))
+            speed = points[i].conditions.spindle_rpm;
+        else
+            points[i].conditions.spindle_rpm = speed;
+    set_other_feeds(plunge_feed_mm_per_min);
+}
+
+void FedPath::set_other_feeds(double plunge_feed_mm_per_min)
+{
+    for (std::size_t i = 0; i < path_.points.size(); ++i) {
+        std::optional<double>& feed = path_.points[i].conditions.feed_mm_per_min;
+        if (is_planned(i))
+            continue;
+        if (path_.points[i].move == Move::Rapid)
+            feed.reset();
+        else if (!feed)
+            feed = plunge_feed_mm_per_min;
+    }
+}
+
+double FedPath::noncut_minutes(double rapid_mm_per_min) const
+{
+    require_feed(rapid_mm_per_min, "noncut_minutes: need 0 < rapid feed");
+    double minutes = 0;
+    for (std::size_t i = 1; i < path_.points.size(); ++i) {
+        if (is_planned(i))
+            continue;
+        const PathPoint& point = path_.points[i];
+        const double length =
+            (point.location.tip - path_.points[i - 1].location.tip).norm();
+        minutes += length / point.conditions.feed_mm_per_min.value_or(rapid_mm_per_min);
+    }
+    return minutes;
+}
+
 ToolPath fed_path(ToolPath path, std::span<const std::size_t> points,
                   std::span<const SegmentFeed> rows, double plunge_feed_mm_per_min)
 {
-    require_rows(path.points.size(), points, rows);
-    require_feed(plunge_feed_mm_per_min, "fed_path: need 0 < plunge feed");
-    std::size_t next = 0;  // the planned move at this point or after it
-    for (std::size_t i = 0; i < path.points.size(); ++i) {
-        CuttingConditions& conditions = path.points[i].conditions;
-        const bool is_cut = next < points.size() && points[next] == i;
-        if (!rows.empty())
-            conditions.spindle_rpm =
-                rows[std::min(next, rows.size() - 1)].table.spindle_rpm;
-        if (is_cut)
-            conditions.feed_mm_per_min = rows[next++].table.feed_mm_per_min;
-        else if (path.points[i].move == Move::Rapid)
-            conditions.feed_mm_per_min.reset();
-        else if (!conditions.feed_mm_per_min)
-            conditions.feed_mm_per_min = plunge_feed_mm_per_min;
-    }
-    return path;
+    FedPath fed{std::move(path)};
+    fed.plan(points, rows);
+    fed.complete(plunge_feed_mm_per_min);
+    return std::move(fed).take();
 }
 
 std::vector<std::string_view> limit_words(std::size_t count,

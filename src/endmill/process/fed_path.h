@@ -12,6 +12,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "endmill/core/vec.h"
@@ -45,6 +46,64 @@ std::vector<std::string_view> limit_words(std::size_t count,
 /// \throws DomainError unless the rapid feed is finite and above 0.
 double noncut_minutes(const ToolPath& fed, std::span<const std::size_t> points,
                       double rapid_mm_per_min);
+
+/// A path that receives its feeds block by block, in place, for a path of millions of
+/// moves. The blocks together have the result of `fed_path`.
+class FedPath {
+public:
+    /// A path without planned moves.
+    explicit FedPath(ToolPath path);
+
+    const ToolPath& path() const { return path_; }   ///< with the feeds so far
+    ToolPath take() && { return std::move(path_); }  ///< the path itself
+
+    /// Sets feed, speed and limits of planned moves.
+    /// \param points indices of their end points, ascending, after those of earlier calls.
+    /// \param rows the planned feeds, one per entry of `points`.
+    /// \throws DomainError unless there is one row per point, and the points are ascending
+    ///         and exist.
+    void plan(std::span<const std::size_t> points, std::span<const SegmentFeed> rows);
+
+    /// Sets feed and speed of all other moves, as `fed_path` does.
+    /// \throws DomainError unless the feed is finite and above 0.
+    void complete(double plunge_feed_mm_per_min);
+
+    /// Whether the move to a point of the path has been planned.
+    bool is_planned(std::size_t point) const { return limits_[point] != not_planned; }
+
+    /// The reported limit of a planned move. \pre is_planned(point)
+    FeedLimit limit(std::size_t point) const
+    {
+        return static_cast<FeedLimit>(limits_[point] / limits_a_speed);
+    }
+
+    /// The limit of the spindle speed of a planned move. \pre is_planned(point)
+    SpeedLimit speed_limit(std::size_t point) const
+    {
+        return static_cast<SpeedLimit>(limits_[point] % limits_a_speed);
+    }
+
+    /// Name of the reported limit; empty for a move that was not planned.
+    std::string_view limit_word(std::size_t point) const
+    {
+        return is_planned(point) ? feed_limit_name(limit(point)) : std::string_view{};
+    }
+
+    /// Time in min of the moves that were not planned. Moves without a feed run at
+    /// `rapid_mm_per_min`.
+    /// \throws DomainError unless the rapid feed is finite and above 0.
+    double noncut_minutes(double rapid_mm_per_min) const;
+
+private:
+    void set_other_feeds(double plunge_feed_mm_per_min);
+
+    static constexpr unsigned limits_a_speed = 16;
+    static constexpr unsigned char not_planned = 255;
+
+    ToolPath path_;
+    std::vector<unsigned char> limits_;  // of each point: both limits in one byte
+    std::size_t next_ = 0;               // first point after those of `plan`
+};
 
 /// Times of a path, and the saving against one constant feed. Values that cannot be
 /// computed are std::nullopt.

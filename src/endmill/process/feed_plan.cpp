@@ -15,10 +15,8 @@
 // A plan treats every move by itself, in three steps:
 // 1. The geometry of the cut gives the engagement, and this gives the load: sums of the
 //    edges and bounds of the feed per tooth (detail/segment_load.h, detail/front_load.h).
-//    For PeakRule::Constant the coefficients of all moves are computed first, in one
-//    batch.
 // 2. `segment_feed` runs the stages I to IV for the move.
-// 3. `feed_plan_totals` adds up the rows in the order of the moves.
+// 3. FeedTotalsSum adds up the rows in the order of the moves.
 // Steps 1 and 2 run on all threads. Their results are stored by the number of the move,
 // so the plan does not depend on the number of threads.
 
@@ -36,34 +34,14 @@ void raise(std::optional<double>& needed, double load, const std::optional<doubl
         needed = std::max(needed.value_or(0), (1 + needed_margin) * load);
 }
 
-// Adds a row to the totals; the shares are lengths until the end.
-void add(FeedPlanTotals& totals, const SegmentFeed& row, double length)
+// Coefficients and engaged angle of a cut, from the table if the options name one.
+EngagedCoefficients coefficients_of(const SegmentCut& cut, double radius,
+                                    const FeedPlanOptions& options)
 {
-    totals.length_mm += length;
-    totals.cut_min += length / row.table.feed_mm_per_min;
-    totals.limit_shares[static_cast<std::size_t>(reported_limit(row))] += length;
-    totals.speed_limit_shares[static_cast<std::size_t>(row.table.speed_limit)] += length;
-    totals.max_torque_n_m = std::max(totals.max_torque_n_m, row.loads.torque_n_m);
-    totals.max_power_w = std::max(totals.max_power_w, row.table.power_w);
-}
-
-// Coefficients of every cut, from the table if the options name one.
-std::vector<CuttingCoefficients> all_coefficients(std::span<const SegmentCut> cuts,
-                                                  double radius,
-                                                  const FeedPlanOptions& options)
-{
-    std::vector<BallEngagement> engagements;
-    engagements.reserve(cuts.size());
-    for (const SegmentCut& cut : cuts)
-        engagements.push_back(ball_engagement(cut, radius));
+    const BallEngagement engagement = ball_engagement(cut, radius);
     if (options.table == nullptr)
-        return cutting_coefficients(engagements, options.chip, options.accuracy);
-    std::vector<CuttingCoefficients> all(engagements.size());
-    parallel_for(all.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            all[i] = options.table->coefficients(engagements[i]);
-    });
-    return all;
+        return engaged_coefficients(engagement, options.chip, options.accuracy);
+    return {options.table->coefficients(engagement), engaged_angle(engagement)};
 }
 
 // The smaller of two limits; a missing limit does not bind.
@@ -180,31 +158,45 @@ MeasuredFeeds measured_feed_plan(
     return measured;
 }
 
+void FeedTotalsSum::add(const SegmentFeed& row, double length_mm)
+{
+    sum_.length_mm += length_mm;
+    sum_.cut_min += length_mm / row.table.feed_mm_per_min;
+    sum_.limit_shares[static_cast<std::size_t>(reported_limit(row))] += length_mm;
+    sum_.speed_limit_shares[static_cast<std::size_t>(row.table.speed_limit)] += length_mm;
+    sum_.max_torque_n_m = std::max(sum_.max_torque_n_m, row.loads.torque_n_m);
+    sum_.max_power_w = std::max(sum_.max_power_w, row.table.power_w);
+    if (!row.tooth.is_infeasible)
+        return;
+    ++sum_.infeasible;
+    LoadLimits& needed = sum_.needed;
+    raise(needed.cutting_force_n, row.loads.cutting_force_n, limits_.cutting_force_n);
+    raise(needed.thrust_n, row.loads.thrust_n, limits_.thrust_n);
+    raise(needed.torque_n_m, row.loads.torque_n_m, limits_.torque_n_m);
+}
+
+FeedPlanTotals FeedTotalsSum::totals() const
+{
+    FeedPlanTotals totals = sum_;
+    if (!(totals.length_mm > 0))
+        return totals;
+    for (double& share : totals.limit_shares)
+        share /= totals.length_mm;
+    for (double& share : totals.speed_limit_shares)
+        share /= totals.length_mm;
+    return totals;
+}
+
 FeedPlanTotals feed_plan_totals(const std::vector<SegmentFeed>& rows,
                                 const std::vector<double>& lengths_mm,
                                 const LoadLimits& limits)
 {
     require(rows.size() == lengths_mm.size(),
             "feed_plan_totals: need one length per row");
-    FeedPlanTotals totals;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        add(totals, rows[i], lengths_mm[i]);
-        if (!rows[i].tooth.is_infeasible)
-            continue;
-        ++totals.infeasible;
-        raise(totals.needed.cutting_force_n, rows[i].loads.cutting_force_n,
-              limits.cutting_force_n);
-        raise(totals.needed.thrust_n, rows[i].loads.thrust_n, limits.thrust_n);
-        raise(totals.needed.torque_n_m, rows[i].loads.torque_n_m, limits.torque_n_m);
-    }
-    // Lengths become shares.
-    if (totals.length_mm > 0) {
-        for (double& share : totals.limit_shares)
-            share /= totals.length_mm;
-        for (double& share : totals.speed_limit_shares)
-            share /= totals.length_mm;
-    }
-    return totals;
+    FeedTotalsSum sum{limits};
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        sum.add(rows[i], lengths_mm[i]);
+    return sum.totals();
 }
 
 FeedPlan feed_plan(std::size_t count,
@@ -244,13 +236,12 @@ FeedPlan feed_plan(std::span<const SegmentCut> cuts, const MillingJob& job,
                 return direct_peak_load(cuts[i], job.tool, options.chip, rules);
             },
             rules);
-    const std::vector<CuttingCoefficients> coefficients =
-        all_coefficients(cuts, job.tool.radius, options);
     return feed_plan(
         cuts.size(),
         [&](std::size_t i) {
-            return constant_peak_load(cuts[i], coefficients[i], options.peak_factor,
-                                      rules);
+            return constant_peak_load(cuts[i],
+                                      coefficients_of(cuts[i], job.tool.radius, options),
+                                      options.peak_factor, rules);
         },
         rules);
 }

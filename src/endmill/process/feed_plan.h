@@ -153,6 +153,23 @@ MeasuredFeeds measured_feed_plan(
     const FeedPlanOptions& options,
     const std::function<void(const FrontVisit& visit)>& measure);
 
+/// Adds up the totals of a plan row by row, in the order of the moves.
+class FeedTotalsSum {
+public:
+    /// \param limits the limits of the plan, from FeedRules.
+    explicit FeedTotalsSum(const LoadLimits& limits) : limits_{limits} {}
+
+    /// Adds the row of a move of `length_mm`.
+    void add(const SegmentFeed& row, double length_mm);
+
+    /// The totals so far.
+    FeedPlanTotals totals() const;
+
+private:
+    LoadLimits limits_;
+    FeedPlanTotals sum_;  // its shares are lengths
+};
+
 /// Totals of a plan, summed over its rows in the order of the moves.
 /// \param rows the rows of the plan.
 /// \param lengths_mm mm, one length per row.

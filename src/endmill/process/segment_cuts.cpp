@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/process/segment_cuts.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -18,8 +20,9 @@
 // 2. The slope mu and the pick feed follow from the contact with the part
 //    (`set_by_contact`), or from the line between the ball centres (`set_by_passes`) if
 //    there is no usable contact.
-// The contacts of all moves are computed beforehand, because the pick feed needs the
-// contact of the neighbouring move too.
+// Contacts by projection on a part are computed for all moves beforehand, because the pick
+// feed needs the contact of the neighbouring move too. Those that the path states are
+// computed for each move, which saves their memory.
 
 namespace endmill {
 namespace {
@@ -56,36 +59,40 @@ std::optional<Neighbour> nearest(const NeighbouringPasses& passes)
     return std::nullopt;
 }
 
+}  // namespace
+
 // Describes the cuts of a path. Constant after construction, so that threads may share
 // it.
-class CutFinder {
+class SegmentCutFinder::Implementation {
 public:
-    CutFinder(const ToolPath& path, const SegmentCutOptions& options)
-        : options_{options},
+    Implementation(const ToolPath& path, const SegmentCutOptions& options)
+        : path_{path},
+          options_{options},
           moves_{cut_moves(path)},
-          passes_{moves_}
+          passes_{moves_},
+          zero_length_{zero_length_cuts(path)}
     {
         require_ball(path, moves_, {options.radius, options.contact_tolerance});
-        if (options.source == CutSource::Passes)
-            contacts_.resize(moves_.size());
-        else if (options.part.empty())
-            contacts_ = stated_contacts(path, moves_);
-        else
-            contacts_ = projected_contacts(path, moves_, part_.emplace(options.part),
-                                           {options.radius, options.contact_tolerance});
+        if (options.source != CutSource::Passes && !options.part.empty())
+            projected_ = projected_contacts(path, moves_, part_.emplace(options.part),
+                                            {options.radius, options.contact_tolerance});
     }
 
     const std::vector<CutMove>& moves() const { return moves_; }
+    const ToolPath& path() const { return path_; }
+    const SegmentCutOptions& options() const { return options_; }
+    std::size_t zero_length() const { return zero_length_; }
 
     // `is_by_contact` is set to 1 if the geometry comes from the contact.
     SegmentCut cut(std::size_t i, char& is_by_contact) const
     {
         const CutMove& move = moves_[i];
+        const MoveSlope slope = move_slope(move.from, move.to, options_.stock_top);
         SegmentCut cut{.pass = move.pass,
-                       .point = 0,
+                       .point = path_.points[move.point].point,
                        .length_mm = move.length_mm,
-                       .lambda = std::asin(move.direction().z()),
-                       .depth_mm = options_.stock_top - move.middle().z(),
+                       .lambda = slope.lambda,
+                       .depth_mm = slope.depth_mm,
                        .previous = options_.first_pass};
         const NeighbouringPasses passes = passes_.beside(i, 2 * options_.radius);
         const std::optional<Neighbour> neighbour = nearest(passes);
@@ -94,13 +101,21 @@ public:
             cut.milling = neighbour->is_left ? Milling::Down : Milling::Up;
             cut.has_two_neighbours = passes.left && passes.right;
         }
-        is_by_contact = contacts_[i] && set_by_contact(i, neighbour, cut) ? 1 : 0;
+        const std::optional<MoveContact> at = contact(i);
+        is_by_contact = at && set_by_contact(i, *at, neighbour, cut) ? 1 : 0;
         if (is_by_contact == 0 && neighbour)
             set_by_passes(move, neighbour->crossing, cut);
         return cut;
     }
 
 private:
+    std::optional<MoveContact> contact(std::size_t i) const
+    {
+        if (options_.source == CutSource::Passes)
+            return std::nullopt;
+        return part_ ? projected_[i] : stated_contact(path_, moves_[i]);
+    }
+
     // The line between the ball centres is the pick feed of the model.
     // Source: docs/methods/ball-end-milling.md, section 12.
     static void set_by_passes(const CutMove& move, const PassCrossing& crossing,
@@ -117,12 +132,12 @@ private:
 
     // Returns false where the model does not describe the contact: the normal does not
     // point upwards, or the part is too concave for the ball.
-    bool set_by_contact(std::size_t i, const std::optional<Neighbour>& neighbour,
-                        SegmentCut& cut) const
+    bool set_by_contact(std::size_t i, const MoveContact& at,
+                        const std::optional<Neighbour>& neighbour, SegmentCut& cut) const
     {
         const CutMove& move = moves_[i];
         const Vec3 direction = move.direction();
-        const Vec3& stated = contacts_[i]->normal;
+        const Vec3& stated = at.normal;
         // The normal without its component along the feed, which is 0 in the model.
         const Vec3 normal = (stated - stated.dot(direction) * direction).normalized();
         if (!(normal.z() > 0))
@@ -130,7 +145,7 @@ private:
         // Direction across the feed on the part, towards the stock.
         const double to_stock = cut.milling == Milling::Down ? 1 : -1;
         const Vec3 across = to_stock * direction.cross(normal);
-        const auto feed = neighbour ? pick_feed(i, neighbour->crossing, across)
+        const auto feed = neighbour ? pick_feed(i, at, neighbour->crossing, across)
                                     : std::optional<double>{0};
         if (!feed)
             return false;
@@ -143,10 +158,11 @@ private:
     }
 
     // The pick feed by eq. (13), or the distance of the ball centres without a part.
-    std::optional<double> pick_feed(std::size_t i, const PassCrossing& crossing,
+    std::optional<double> pick_feed(std::size_t i, const MoveContact& at,
+                                    const PassCrossing& crossing,
                                     const Vec3& across) const
     {
-        const std::optional<BallFoot>& foot = contacts_[i]->foot;
+        const std::optional<BallFoot>& foot = at.foot;
         if (!foot)
             return crossing.distance;
         const auto curvature = part_->curvature(foot->at, across);
@@ -154,19 +170,24 @@ private:
             return std::nullopt;
         const Vec3 centre =
             moves_[i].middle() - crossing.offset + options_.radius * Vec3::UnitZ();
-        const BallFoot beside = part_->foot(centre, contacts_[crossing.move]->foot->at,
+        const BallFoot beside = part_->foot(centre, projected_[crossing.move]->foot->at,
                                             options_.radius, any_distance);
         const double distance =
             (foot->point - beside.point).cross(moves_[i].direction()).norm();
         return distance * (1 + options_.radius * *curvature);
     }
 
-    const SegmentCutOptions& options_;
+    const ToolPath& path_;
+    SegmentCutOptions options_;
     std::vector<CutMove> moves_;
     PassIndex passes_;
+    std::size_t zero_length_;
     std::optional<ContactSearch> part_;
-    std::vector<std::optional<MoveContact>> contacts_;  // one per move
+    std::vector<std::optional<MoveContact>>
+        projected_;  // one per move, if there is a part
 };
+
+namespace {
 
 // Checks that every cut was described by its contact.
 void require_contacts(const ToolPath& path, const SegmentCuts& cuts,
@@ -185,26 +206,68 @@ void require_contacts(const ToolPath& path, const SegmentCuts& cuts,
 
 }  // namespace
 
-SegmentCuts segment_cuts(const ToolPath& path, const SegmentCutOptions& options)
+MoveSlope move_slope(const Vec3& from, const Vec3& to, double stock_top)
+{
+    const Vec3 direction = (to - from) / (to - from).norm();
+    const Vec3 middle = (from + to) / 2;
+    return {std::asin(direction.z()), stock_top - middle.z()};
+}
+
+SegmentCutFinder::SegmentCutFinder(const ToolPath& path, const SegmentCutOptions& options)
 {
     require_sound(options);
-    const CutFinder finder{path, options};
-    const std::vector<CutMove>& moves = finder.moves();
-    SegmentCuts cuts;
-    cuts.zero_length = zero_length_cuts(path);
-    cuts.cuts.resize(moves.size());
-    std::vector<char> by_contact(moves.size());
-    parallel_for(moves.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            cuts.cuts[i] = finder.cut(i, by_contact[i]);
+    implementation_ = std::make_unique<const Implementation>(path, options);
+}
+
+SegmentCutFinder::~SegmentCutFinder() = default;
+
+std::size_t SegmentCutFinder::size() const
+{
+    return implementation_->moves().size();
+}
+
+std::size_t SegmentCutFinder::zero_length() const
+{
+    return implementation_->zero_length();
+}
+
+std::size_t SegmentCutFinder::point(std::size_t number) const
+{
+    return implementation_->moves()[number].point;
+}
+
+bool SegmentCutFinder::has_depth() const
+{
+    const double top = implementation_->options().stock_top;
+    return std::ranges::any_of(implementation_->moves(), [&](const CutMove& move) {
+        return move_slope(move.from, move.to, top).depth_mm > 0;
     });
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-        cuts.cuts[i].point = path.points[moves[i].point].point;
-        cuts.points.push_back(moves[i].point);
+}
+
+SegmentCuts SegmentCutFinder::cuts(std::size_t first, std::size_t count) const
+{
+    SegmentCuts cuts;
+    cuts.cuts.resize(count);
+    std::vector<char> by_contact(count);
+    parallel_for(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            cuts.cuts[i] = implementation_->cut(first + i, by_contact[i]);
+    });
+    cuts.points.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        cuts.points.push_back(point(first + i));
         ++(by_contact[i] != 0 ? cuts.by_contact : cuts.by_passes);
     }
-    if (options.source == CutSource::Contact)
-        require_contacts(path, cuts, by_contact);
+    if (implementation_->options().source == CutSource::Contact)
+        require_contacts(implementation_->path(), cuts, by_contact);
+    return cuts;
+}
+
+SegmentCuts segment_cuts(const ToolPath& path, const SegmentCutOptions& options)
+{
+    const SegmentCutFinder finder{path, options};
+    SegmentCuts cuts = finder.cuts(0, finder.size());
+    cuts.zero_length = finder.zero_length();
     return cuts;
 }
 

@@ -5,6 +5,7 @@
 /// Geometry of the cuts of a path: the slopes, pick feed and depth of every cutting move.
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -93,5 +94,42 @@ struct SegmentCuts {
 /// The result does not depend on the number of threads. Time is about n log(n) in the
 /// moves.
 SegmentCuts segment_cuts(const ToolPath& path, const SegmentCutOptions& options);
+
+/// Slope and depth of the straight move between two tips.
+struct MoveSlope {
+    double lambda;    ///< rad, as SegmentCut::lambda
+    double depth_mm;  ///< mm, as SegmentCut::depth_mm
+};
+
+/// Slope and depth of the move between the tips `from` and `to` under a stock whose top is
+/// at the height `stock_top`, all in mm. \pre The tips differ.
+MoveSlope move_slope(const Vec3& from, const Vec3& to, double stock_top);
+
+/// Finds the cuts of a path in blocks, for a path of millions of moves, whose cuts take more
+/// memory than the path itself. The blocks together are the result of `segment_cuts`.
+class SegmentCutFinder {
+public:
+    /// \param path must outlive the finder; its conditions are not used and may change.
+    /// \param options cutter, stock and part; the surfaces must outlive the finder.
+    /// \throws DomainError, GeometryError as `segment_cuts`.
+    SegmentCutFinder(const ToolPath& path, const SegmentCutOptions& options);
+    ~SegmentCutFinder();                                 ///< releases the index
+    SegmentCutFinder(const SegmentCutFinder&) = delete;  ///< not copied
+    SegmentCutFinder& operator=(const SegmentCutFinder&) = delete;  ///< not copied
+
+    std::size_t size() const;                     ///< number of cuts
+    std::size_t zero_length() const;              ///< number of moves of length 0
+    std::size_t point(std::size_t number) const;  ///< end point in the path of a cut
+    bool has_depth() const;  ///< whether a cut lies below the top of the stock
+
+    /// The cuts with the numbers from `first` to `first + count - 1`, with `zero_length` 0.
+    /// \pre These numbers are below `size()`.
+    /// \throws GeometryError as `segment_cuts` if a move has no contact.
+    SegmentCuts cuts(std::size_t first, std::size_t count) const;
+
+private:
+    class Implementation;
+    std::unique_ptr<const Implementation> implementation_;
+};
 
 }  // namespace endmill

@@ -63,16 +63,31 @@ struct Scale {
     }
 };
 
+// The values of a curve; NaN in its gaps.
+using Values = std::vector<double>;
+
+// The values of a curve, each computed once.
+Values values_of(const ChartLine& line)
+{
+    Values values(line.values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const std::optional<double> value = line.values[i];
+        require(!value || std::isfinite(*value), "stacked_chart: a number is not finite");
+        values[i] = value.value_or(std::numeric_limits<double>::quiet_NaN());
+    }
+    return values;
+}
+
 // The ticks of a panel: they cover all its values, or 0 to 1 if it has none.
-std::vector<double> ticks_of(const ChartPanel& panel)
+std::vector<double> ticks_of(std::span<const Values> lines)
 {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
-    for (const ChartLine& line : panel.lines)
-        for (const auto& value : line.values)
-            if (value) {
-                low = std::min(low, *value);
-                high = std::max(high, *value);
+    for (const Values& values : lines)
+        for (const double value : values)
+            if (!std::isnan(value)) {
+                low = std::min(low, value);
+                high = std::max(high, value);
             }
     if (low > high)
         return round_ticks(0, 1, ordinate_ticks);
@@ -127,7 +142,8 @@ struct PixelColumn {
 };
 
 // Draws a curve column by column; a gap ends the current polyline and starts a new one.
-void draw_line(SvgPicture& picture, const ChartLine& line, std::span<const double> places,
+void draw_line(SvgPicture& picture, const LineStyle& style,
+               std::span<const double> values, std::span<const double> places,
                const Scale& x, const Scale& y)
 {
     std::vector<PixelPoint> points;
@@ -137,19 +153,19 @@ void draw_line(SvgPicture& picture, const ChartLine& line, std::span<const doubl
         column = {};
     };
     for (std::size_t i = 0; i < places.size(); ++i) {
-        if (!line.values[i]) {
+        if (std::isnan(values[i])) {
             close();
-            picture.add_polyline(points, line.style);
+            picture.add_polyline(points, style);
             points.clear();
             continue;
         }
-        const PixelPoint point{x.px(places[i]), y.px(*line.values[i])};
+        const PixelPoint point{x.px(places[i]), y.px(values[i])};
         if (!column.is_empty && std::floor(point.x()) != std::floor(column.first.x()))
             close();
         column.add(point);
     }
     close();
-    picture.add_polyline(points, line.style);
+    picture.add_polyline(points, style);
 }
 
 // The legend of a panel is on one line above it.
@@ -274,21 +290,18 @@ void check(std::span<const double> places, std::span<const ChartPanel> panels,
     for (const ChartStrip& strip : strips) {
         require(strip.cause.size() == places.size(),
                 "stacked_chart: need one cause for each place");
-        for (const std::size_t cause : strip.cause)
-            require(cause < strip.causes.size(), "stacked_chart: need a known cause");
+        for (std::size_t i = 0; i < places.size(); ++i)
+            require(strip.cause[i] < strip.causes.size(),
+                    "stacked_chart: need a known cause");
     }
     require(!panels.empty(), "stacked_chart: need a panel");
     for (std::size_t i = 0; i < places.size(); ++i)
         require(std::isfinite(places[i]) && (i == 0 || places[i - 1] <= places[i]),
                 "stacked_chart: need finite, rising places");
     for (const ChartPanel& panel : panels)
-        for (const ChartLine& line : panel.lines) {
+        for (const ChartLine& line : panel.lines)
             require(line.values.size() == places.size(),
                     "stacked_chart: need one value for each place");
-            for (const auto& value : line.values)
-                require(!value || std::isfinite(*value),
-                        "stacked_chart: a number is not finite");
-        }
 }
 
 }  // namespace
@@ -315,14 +328,17 @@ std::string stacked_chart(const ChartFrame& frame, std::span<const double> place
     const std::vector<double> abscissa = round_ticks(0, end, abscissa_ticks);
     double top = head + line_height / 2;
     for (const ChartPanel& panel : panels) {
-        const std::vector<double> ticks = ticks_of(panel);
+        std::vector<Values> lines;
+        for (const ChartLine& line : panel.lines)
+            lines.push_back(values_of(line));
+        const std::vector<double> ticks = ticks_of(lines);
         const Scale y{ticks.front(), ticks.back(), top + panel_height, top};
         picture.add_text({left, top - label_offset}, panel.label, small_text);
         draw_legend(picture, panel, top);
         draw_grid(picture, ticks, x, y);
         draw_abscissa(picture, abscissa, x, top + panel_height);
-        for (const ChartLine& line : panel.lines)
-            draw_line(picture, line, places, x, y);
+        for (std::size_t k = 0; k < lines.size(); ++k)
+            draw_line(picture, panel.lines[k].style, lines[k], places, x, y);
         top += panel_height + panel_gap;
     }
     picture.add_text({width / 2, top - label_offset}, frame.abscissa,

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <functional>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "endmill/figures/axonometric_figure.h"
@@ -14,12 +18,44 @@
 
 namespace endmill {
 
+/// A value for each place of a chart: a list, or a function that computes a value when it is
+/// needed, for charts of very many places.
+template <class Value>
+class ChartColumn {
+public:
+    ChartColumn() = default;  ///< no values
+    ChartColumn(std::vector<Value> values)
+        : size_{values.size()},
+          value_at_{[values = std::move(values)](std::size_t i) { return values[i]; }}
+    {
+    }  ///< the values of a list
+    ChartColumn(std::initializer_list<Value> values)
+        : ChartColumn{std::vector<Value>{values}}
+    {
+    }  ///< these values
+    ChartColumn(std::size_t size, std::function<Value(std::size_t)> value_at)
+        : size_{size},
+          value_at_{std::move(value_at)}
+    {
+    }  ///< `size` values of a function
+
+    std::size_t size() const { return size_; }  ///< of values
+    Value operator[](std::size_t place) const
+    {
+        return value_at_(place);
+    }  ///< at a place
+
+private:
+    std::size_t size_ = 0;
+    std::function<Value(std::size_t)> value_at_;
+};
+
 /// A curve of a chart.
 struct ChartLine {
     std::string_view label;  ///< in the legend of the panel
     LineStyle style;         ///< of the curve
     /// One for each place; a gap where unknown.
-    std::vector<std::optional<double>> values;
+    ChartColumn<std::optional<double>> values;
 };
 
 /// A panel: curves with a common ordinate.
@@ -40,7 +76,7 @@ struct ChartStrip {
     std::vector<StripCause> causes;  ///< the legend names those that occur
     /// One for each place: index of the cause that holds up to it from the place before,
     /// or from 0.
-    std::vector<std::size_t> cause;
+    ChartColumn<std::size_t> cause;
 };
 
 /// The texts around the panels.

@@ -14,19 +14,32 @@
 namespace endmill {
 namespace {
 
-constexpr std::size_t rows_per_chunk = 2048;
+constexpr std::size_t rows_per_chunk = 512;
 constexpr std::size_t chunks_per_batch = 64;  // bounds the text that exists twice
 constexpr std::size_t rows_per_batch = rows_per_chunk * chunks_per_batch;
 
 }  // namespace
 
-// Batches of runs are made in parallel and appended in order. Only one batch exists twice
-// at a time, once in pieces and once in the result.
 std::string joined_rows(
     std::string header, std::size_t rows,
     const std::function<std::string(std::size_t first, std::size_t count)>& rows_of)
 {
     std::string text = std::move(header);
+    std::size_t passed = 0;  // pieces
+    pass_rows(rows, rows_of, [&](std::string_view piece) {
+        text += piece;
+        // Later rows have about the same length; an eighth more is reserved.
+        if (++passed == chunks_per_batch)
+            text.reserve(text.size() / rows_per_batch * rows / 8 * 9);
+    });
+    return text;
+}
+
+void pass_rows(
+    std::size_t rows,
+    const std::function<std::string(std::size_t first, std::size_t count)>& rows_of,
+    const std::function<void(std::string_view piece)>& sink)
+{
     std::vector<std::string> chunks(chunks_per_batch);
     for (std::size_t first = 0; first < rows; first += rows_per_batch) {
         const std::size_t batch = std::min(rows_per_batch, rows - first);
@@ -38,12 +51,8 @@ std::string joined_rows(
             }
         });
         for (std::size_t i = 0; i < count; ++i)
-            text += chunks[i];
-        if (first ==
-            0)  // later rows have about the same length; an eighth more is reserved
-            text.reserve(text.size() / batch * rows / 8 * 9);
+            sink(chunks[i]);
     }
-    return text;
 }
 
 }  // namespace endmill

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace endmill {
 
@@ -12,9 +13,18 @@ namespace endmill {
 /// \param rows    number of rows.
 /// \param rows_of text of `count` consecutive rows from `first` on; called by any thread.
 /// \return the header and all rows in order. The rows are divided into runs of at most
-///         2048; the division does not depend on the number of threads.
+///         512; the division does not depend on the number of threads.
 std::string joined_rows(
     std::string header, std::size_t rows,
     const std::function<std::string(std::size_t first, std::size_t count)>& rows_of);
+
+/// The same without a header, for a table that need not fit into memory as text.
+/// \param rows    number of rows.
+/// \param rows_of text of `count` consecutive rows from `first` on; called by any thread.
+/// \param sink    receives the rows in order, piece by piece.
+void pass_rows(
+    std::size_t rows,
+    const std::function<std::string(std::size_t first, std::size_t count)>& rows_of,
+    const std::function<void(std::string_view piece)>& sink);
 
 }  // namespace endmill

@@ -2,6 +2,7 @@
 #include "endmill/planning/detail/verified_strips.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -80,13 +81,10 @@ public:
 
     VerifiedStrips plan()
     {
-        const auto [low, end] = marched_.surface.range(Parameter::V);
-        std::optional<double> v = low;
+        std::optional<double> v = marched_.surface.range(Parameter::V).low;
         while (v) {
             v = lay_passes(*v);
             cut_passes();
-            if (options_.progress)
-                options_.progress((laid_.back().v - low) / (end - low));
             laid_.clear();
         }
         drop_empty_passes();
@@ -179,13 +177,26 @@ private:
     {
         const std::size_t first = passes_.size();
         passes_.resize(first + laid_.size());
+        std::atomic<std::size_t> done = 0;
         parallel_for(laid_.size(), [&](std::size_t begin, std::size_t stop) {
-            for (std::size_t k = begin; k < stop; ++k)
+            for (std::size_t k = begin; k < stop; ++k) {
                 passes_[first + k] =
                     verified_pass(surface_, laid_[k].v, laid_[k].demands);
+                report(static_cast<double>(++done) / static_cast<double>(laid_.size()));
+            }
         });
         for (std::size_t k = first; k < passes_.size(); ++k)
             count_points(passes_[k]);
+    }
+
+    // Reports that a share of the laid passes is divided. A single pass may take seconds.
+    void report(double share) const
+    {
+        if (!options_.progress)
+            return;
+        const auto [low, high] = marched_.surface.range(Parameter::V);
+        const double v = std::lerp(laid_.front().v, laid_.back().v, share);
+        options_.progress((v - low) / (high - low));
     }
 
     void count_points(const VerifiedPass& pass)

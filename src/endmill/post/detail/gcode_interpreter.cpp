@@ -41,34 +41,43 @@ namespace {
 constexpr std::array axis_letters{'X', 'Y', 'Z'};
 constexpr int vertical = 2;  // index of the Z axis
 
+using MoveVisit = std::function<void(const GcodeMove&)>;
+
 class GcodeInterpreter {
 public:
+    // Keeps the whole path, or with a `visit` the end of the path only.
     GcodeInterpreter(std::string_view text, const std::string& file,
-                     const GcodeReadOptions& options)
+                     const GcodeReadOptions& options, const MoveVisit& visit = {})
         : lines_{text, {file, "E_GCODE"}},
           options_{options},
-          builder_{lines_, options_}
+          builder_{lines_, options_, visit ? KeptPoints::Last : KeptPoints::All},
+          visit_{visit}
     {
     }
 
     Program read()
+    {
+        run();
+        return builder_.take();
+    }
+
+    // Returns the number of points.
+    std::size_t visit_moves()
+    {
+        run();
+        return builder_.point_count();
+    }
+
+private:
+    void run()
     {
         while (!has_ended_ && lines_.next())
             read_line();
         require_path();
         references_.finish();
         remarks_.finish(modes_, has_ended_, builder_);
-        return builder_.take();
     }
 
-    std::vector<GcodeMove> read_moves()
-    {
-        keeps_moves_ = true;
-        read();
-        return std::move(moves_);
-    }
-
-private:
     // A deleted block is not parsed, because it may contain machine-specific words.
     void read_line()
     {
@@ -87,9 +96,10 @@ private:
         arc_.reset();
         if (!block.is_empty())
             execute(block);
-        if (keeps_moves_ && builder_.point_count() > first)
-            moves_.push_back(
-                {lines_.number(), first, builder_.point_count(), modes_, arc_});
+        if (visit_ && builder_.point_count() > first) {
+            visit_({lines_.number(), first, builder_.point_count(), modes_, arc_});
+            builder_.forget_points();
+        }
     }
 
     // The first % may carry the number of the program. A program without a first % may end
@@ -538,8 +548,7 @@ private:
     bool has_number_ = false;
     bool has_words_ = false;
     bool has_ended_ = false;
-    bool keeps_moves_ = false;
-    std::vector<GcodeMove> moves_;
+    MoveVisit visit_;         // empty: none
     std::optional<Arc> arc_;  // of the current line
 };
 
@@ -554,7 +563,16 @@ Program interpreted_gcode(std::string_view text, const std::string& file,
 std::vector<GcodeMove> gcode_moves(std::string_view text, const std::string& file,
                                    const GcodeReadOptions& options)
 {
-    return GcodeInterpreter{text, file, options}.read_moves();
+    std::vector<GcodeMove> moves;
+    for_each_gcode_move(text, file, options,
+                        [&](const GcodeMove& move) { moves.push_back(move); });
+    return moves;
+}
+
+std::size_t for_each_gcode_move(std::string_view text, const std::string& file,
+                                const GcodeReadOptions& options, const MoveVisit& visit)
+{
+    return GcodeInterpreter{text, file, options, visit}.visit_moves();
 }
 
 }  // namespace endmill

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +27,14 @@ struct GcodeMove {
 /// out. Parameters and errors are those of `parse_gcode`.
 std::vector<GcodeMove> gcode_moves(std::string_view text, const std::string& file,
                                    const GcodeReadOptions& options = {});
+
+/// The same one by one, without keeping them or the path.
+/// \param visit receives the moves in order.
+/// \return the number of points of the path.
+/// \throws whatever `visit` throws.
+std::size_t for_each_gcode_move(std::string_view text, const std::string& file,
+                                const GcodeReadOptions& options,
+                                const std::function<void(const GcodeMove&)>& visit);
 
 /// Runs the program: the implementation of `parse_gcode`, with its parameters and errors.
 Program interpreted_gcode(std::string_view text, const std::string& file,

@@ -10,6 +10,9 @@
 namespace endmill {
 namespace {
 
+// Five words and the blanks between them, and two more words.
+constexpr std::size_t usual_pieces = 14;
+
 char capital(char byte)
 {
     return 'a' <= byte && byte <= 'z' ? static_cast<char>(byte - 'a' + 'A') : byte;
@@ -49,6 +52,7 @@ std::size_t other_length(std::string_view text)
 
 GcodeLine::GcodeLine(std::string_view line)
 {
+    pieces_.reserve(usual_pieces);
     while (!line.empty()) {
         const bool is_word = is_letter(line.front());
         const std::size_t length = is_word ? word_length(line) : other_length(line);

@@ -20,13 +20,24 @@ constexpr double clearance_mm = 5;
 
 }  // namespace
 
-ProgramBuilder::ProgramBuilder(const TextLines& lines, const GcodeReadOptions& options)
+ProgramBuilder::ProgramBuilder(const TextLines& lines, const GcodeReadOptions& options,
+                               KeptPoints kept)
     : lines_{lines},
       options_{options}
 {
     require_sound(options);
+    if (kept == KeptPoints::Last)
+        return;
     const std::size_t likely_points = lines.rest().size() / likely_bytes_per_block;
     reserve_in_large_pages(path_.points, std::min(likely_points, options.most_points));
+}
+
+void ProgramBuilder::forget_points()
+{
+    if (path_.points.size() <= 1)
+        return;
+    forgotten_ += path_.points.size() - 1;
+    path_.points.erase(path_.points.begin(), path_.points.end() - 1);
 }
 
 // The move to the first point starts at an unknown position and cuts nothing, so it is a
@@ -58,8 +69,8 @@ void ProgramBuilder::go_along(const Arc& arc, const MoveFeed& feed)
 {
     const ArcChords chords{arc, options_.arc_tolerance_mm};
     const std::size_t first_point = path_.points.size();
-    const auto room = static_cast<double>(options_.most_points - first_point);
-    if (!(chords.count() <= room))
+    const auto most = static_cast<double>(room());
+    if (!(chords.count() <= most))
         throw LimitError{lines_.file() + ':' + std::to_string(lines_.number()) +
                          ": an arc of " + brief(chords.count()) +
                          " chords makes more than " +
@@ -75,7 +86,7 @@ void ProgramBuilder::append(Move move, const Vec3& point)
 {
     for (const double coordinate : point)
         check_extent(coordinate, options_.max_extent_mm, lines_);
-    if (path_.points.size() >= options_.most_points)
+    if (point_count() >= options_.most_points)
         throw LimitError{lines_.file() + ':' + std::to_string(lines_.number()) +
                          ": more than " + std::to_string(options_.most_points) +
                          " points (--max-memory)"};
@@ -99,7 +110,7 @@ void ProgramBuilder::append(Move move, const Vec3& point)
                         .tool = tool_}});
     if (move != Move::Rapid && !spindle_stopped_ && !counterclockwise_from_ &&
         spindle_sense_ == SpindleSense::Counterclockwise)
-        counterclockwise_from_ = path_.points.size() - 1;
+        counterclockwise_from_ = point_count() - 1;
     position_ = point;
     highest_mm_ = std::max(highest_mm_, point.z());
     if (move == Move::Cut || move == Move::Plunge)
@@ -139,7 +150,7 @@ void ProgramBuilder::start_spindle(SpindleSense sense)
 void ProgramBuilder::select_tool(int number)
 {
     if (selections_.empty() || selections_.back().tool != number)
-        selections_.push_back({path_.points.size(), number});
+        selections_.push_back({point_count(), number});
 }
 
 void ProgramBuilder::change_tool()

@@ -26,6 +26,12 @@ enum class SpindleSense {
     Counterclockwise,  ///< M4
 };
 
+/// Which points a ProgramBuilder keeps.
+enum class KeptPoints {
+    All,   ///< the whole path
+    Last,  ///< those since the last `forget_points`, for a caller that needs no path
+};
+
 /// Builds the path of a program move by move, from positions of the programmed point in
 /// mm.
 ///
@@ -43,8 +49,10 @@ class ProgramBuilder {
 public:
     /// \param lines for error messages; must outlive the builder.
     /// \param options of the reader; must outlive the builder.
+    /// \param kept points to keep.
     /// \throws DomainError unless the options are sound.
-    ProgramBuilder(const TextLines& lines, const GcodeReadOptions& options);
+    ProgramBuilder(const TextLines& lines, const GcodeReadOptions& options,
+                   KeptPoints kept = KeptPoints::All);
 
     /// Whether the path has a point.
     bool has_position() const { return !path_.points.empty(); }
@@ -73,10 +81,13 @@ public:
     void go_at_safe_height(const Vec3& target);
 
     /// Number of points that can still be added.
-    std::size_t room() const { return options_.most_points - path_.points.size(); }
+    std::size_t room() const { return options_.most_points - point_count(); }
 
     /// Number of points of the path so far.
-    std::size_t point_count() const { return path_.points.size(); }
+    std::size_t point_count() const { return forgotten_ + path_.points.size(); }
+
+    /// Releases all points but the last one; they still count. \pre KeptPoints::Last
+    void forget_points();
 
     /// Adds a straight move to `target` (mm). A move without a feed is a rapid.
     /// \throws FormatError E_RANGE if a coordinate or the feed is out of range.
@@ -102,7 +113,7 @@ public:
     /// Adds a remark for a person. A repeated remark is added once.
     void remark(const std::string& text);
 
-    /// The program. The builder is empty afterwards.
+    /// The program. The builder is empty afterwards. \pre KeptPoints::All
     Program take();
 
 private:
@@ -118,7 +129,8 @@ private:
 
     const TextLines& lines_;
     const GcodeReadOptions& options_;
-    ToolPath path_;
+    ToolPath path_;  // without the points that were forgotten
+    std::size_t forgotten_ = 0;
     std::vector<std::string> remarks_;
     std::vector<ToolChoice> selections_;
     Vec3 position_ = Vec3::Zero();  // of the programmed point, mm

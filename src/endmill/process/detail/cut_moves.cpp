@@ -2,6 +2,7 @@
 #include "endmill/process/detail/cut_moves.h"
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "endmill/core/error.h"
@@ -38,6 +39,8 @@ bool is_upright(const Vec3& way, double length)
 std::vector<CutMove> cut_moves(const ToolPath& path)
 {
     require_upright(path);
+    require(path.points.size() <= std::numeric_limits<std::uint32_t>::max(),
+            "cut_moves: need a path whose points 32 bits can number");
     std::vector<CutMove> moves;
     moves.reserve(path.points.size());
     double along = 0;
@@ -47,7 +50,8 @@ std::vector<CutMove> cut_moves(const ToolPath& path)
         const Vec3& to = end.location.tip;
         const double length = (to - from).norm();
         if (end.move == Move::Cut && length > 0 && !is_upright(to - from, length))
-            moves.push_back({i, end.pass, from, to, along, length});
+            moves.push_back(
+                {static_cast<std::uint32_t>(i), end.pass, from, to, along, length});
         along += length;
     }
     return moves;

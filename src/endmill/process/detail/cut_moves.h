@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "endmill/core/vec.h"
@@ -10,14 +11,14 @@
 namespace endmill {
 
 /// A straight cutting move. The axis is fixed, so the ball centre moves parallel to the
-/// tip.
+/// tip. There may be millions of them, so a number of a point takes 32 bits.
 struct CutMove {
-    std::size_t point;  ///< index in the path of the move's end point
-    int pass;           ///< number of the pass
-    Vec3 from;          ///< mm, tip at the start
-    Vec3 to;            ///< mm, tip at the end
-    double begin_mm;    ///< mm, length of the path up to `from`
-    double length_mm;   ///< mm, above 0
+    std::uint32_t point;  ///< index in the path of the move's end point
+    int pass;             ///< number of the pass
+    Vec3 from;            ///< mm, tip at the start
+    Vec3 to;              ///< mm, tip at the end
+    double begin_mm;      ///< mm, length of the path up to `from`
+    double length_mm;     ///< mm, above 0
 
     Vec3 middle() const { return (from + to) / 2; }                ///< mm, tip
     Vec3 direction() const { return (to - from) / length_mm; }     ///< unit vector

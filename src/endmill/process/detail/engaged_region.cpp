@@ -91,7 +91,7 @@ void add_front(const EngagedRegion& region, std::vector<BorderArc>& arcs)
 void add_previous_ball(const EngagedRegion& region, BorderSplit split,
                        std::vector<BorderArc>& arcs)
 {
-    const SignChanges top = sign_changes(region.pass, above(region, region.top_cosine));
+    const SignChanges& top = region.below_top;
     SignChanges axis;
     if (split == BorderSplit::AtAxis && region.sin_lambda < 0)
         axis = sign_changes(region.pass, in_front_of_axis(region));
@@ -164,7 +164,8 @@ EngagedRegion::EngagedRegion(const BallEngagement& engagement)
       depth{std::min(1.0, engagement.depth_ratio)},
       wall{previous == PreviousPass::Beside
                ? 1 - pass.across
-               : (previous == PreviousPass::Edge ? 0.0 : 1.0)}
+               : (previous == PreviousPass::Edge ? 0.0 : 1.0)},
+      below_top{sign_changes(pass, above(*this, top_cosine))}
 {
 }
 
@@ -254,7 +255,8 @@ std::vector<AzimuthRange> EngagedRegion::ranges_at(double sine, double cosine) c
         add(x, wall);
         add(-x, wall);
     }
-    const SignChanges crossings = sign_changes(pass, above(*this, cosine));
+    const SignChanges crossings =
+        cosine == top_cosine ? below_top : sign_changes(pass, above(*this, cosine));
     for (int k = 0; k < crossings.count; ++k) {
         const Vec3 crossing = point(BorderKind::PreviousBall, crossings.at[k]);
         add(crossing.x(), crossing.y());

@@ -99,6 +99,7 @@ struct EngagedRegion {
     double top_sine;    ///< sine of the same latitude
     double depth;       ///< 1 - top_cosine: depth of the ball in the stock, at most 1
     double wall;        ///< y of Wall; 1 or more if there is none on the ball
+    SignChanges below_top;  ///< where PreviousBall crosses the latitude of `top_cosine`
 };
 
 /// Whether the point of the ball at `latitude` (rad from the tip, 0 to pi/2) and

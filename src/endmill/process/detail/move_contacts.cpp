@@ -140,20 +140,15 @@ void require_ball(const ToolPath& path, std::span<const CutMove> moves,
     }
 }
 
-std::vector<std::optional<MoveContact>> stated_contacts(const ToolPath& path,
-                                                        std::span<const CutMove> moves)
+std::optional<MoveContact> stated_contact(const ToolPath& path, const CutMove& move)
 {
-    std::vector<std::optional<MoveContact>> contacts(moves.size());
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-        const Vec3* from = path.points[moves[i].point - 1].normal();
-        const Vec3* to = path.points[moves[i].point].normal();
-        if (!from || !to)
-            continue;
-        const Vec3 sum = *from + *to;
-        if (const double length = sum.norm(); length > 0)
-            contacts[i] = MoveContact{sum / length};
-    }
-    return contacts;
+    const Vec3* from = path.points[move.point - 1].normal();
+    const Vec3* to = path.points[move.point].normal();
+    if (!from || !to)
+        return std::nullopt;
+    const Vec3 sum = *from + *to;
+    const double length = sum.norm();
+    return length > 0 ? std::optional{MoveContact{sum / length}} : std::nullopt;
 }
 
 std::vector<std::optional<MoveContact>> projected_contacts(const ToolPath& path,

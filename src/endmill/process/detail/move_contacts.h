@@ -17,10 +17,9 @@ struct MoveContact {
     std::optional<BallFoot> foot = {};  ///< foot of the ball centre, if the part is given
 };
 
-/// Contacts without a part: the normalised sum of the normals that `path` states at the
-/// two ends of a move, or std::nullopt where a normal is missing.
-std::vector<std::optional<MoveContact>> stated_contacts(const ToolPath& path,
-                                                        std::span<const CutMove> moves);
+/// Contact without a part: the normalised sum of the normals that `path` states at the two
+/// ends of `move`, or std::nullopt where a normal is missing.
+std::optional<MoveContact> stated_contact(const ToolPath& path, const CutMove& move);
 
 /// A ball and the tolerance of its contact with the part.
 struct BallOnPart {

@@ -14,11 +14,11 @@ namespace endmill {
 namespace {
 
 // The load of a move whose sums are constant over a revolution.
-SegmentLoad load_of_sums(const SegmentCut& cut, const EdgeSums& sums,
+SegmentLoad load_of_sums(double length_mm, double life_angle, const EdgeSums& sums,
                          const FeedRules& rules)
 {
-    return {.length_mm = cut.length_mm,
-            .engaged_angle = tool_life_angle(ball_engagement(cut, rules.model.radius)),
+    return {.length_mm = length_mm,
+            .engaged_angle = life_angle,
             .bounds = feed_bounds(rules.model, sums, rules.limits),
             .loads = [sums, &rules](double feed) {
                 return cutting_loads(rules.model, sums, feed);
@@ -59,6 +59,13 @@ BallEngagement ball_engagement(const SegmentCut& cut, double radius)
 
 double tool_life_angle(const BallEngagement& engagement)
 {
+    const bool is_beside =
+        !is_air(engagement) && engagement.previous == PreviousPass::Beside;
+    return tool_life_angle(engagement, is_beside ? engaged_angle(engagement) : 0);
+}
+
+double tool_life_angle(const BallEngagement& engagement, double engaged_angle)
+{
     if (is_air(engagement))
         return least_life_angle;
     switch (engagement.previous) {
@@ -69,7 +76,7 @@ double tool_life_angle(const BallEngagement& engagement)
         case PreviousPass::Beside:
             break;
     }
-    return std::clamp(engaged_angle(engagement), least_life_angle, std::numbers::pi);
+    return std::clamp(engaged_angle, least_life_angle, std::numbers::pi);
 }
 
 EdgeSums edge_sums(const CuttingCoefficients& coefficients, int flutes, double factor)
@@ -78,12 +85,13 @@ EdgeSums edge_sums(const CuttingCoefficients& coefficients, int flutes, double f
                   flutes * factor);
 }
 
-SegmentLoad constant_peak_load(const SegmentCut& cut,
-                               const CuttingCoefficients& coefficients, double factor,
-                               const FeedRules& rules)
+SegmentLoad constant_peak_load(const SegmentCut& cut, const EngagedCoefficients& engaged,
+                               double factor, const FeedRules& rules)
 {
-    SegmentLoad load =
-        load_of_sums(cut, edge_sums(coefficients, rules.drive.flutes, factor), rules);
+    SegmentLoad load = load_of_sums(
+        cut.length_mm,
+        tool_life_angle(ball_engagement(cut, rules.model.radius), engaged.engaged_angle),
+        edge_sums(engaged.coefficients, rules.drive.flutes, factor), rules);
     load.peak_factor = factor;
     return load;
 }
@@ -93,11 +101,12 @@ SegmentLoad torque_peak_load(const SegmentCut& cut, const MillingTool& tool,
 {
     const BallEngagement engagement = ball_engagement(cut, rules.model.radius);
     if (is_air(engagement))
-        return load_of_sums(cut, {}, rules);
+        return load_of_sums(cut.length_mm, least_life_angle, {}, rules);
     require_few_windings(cut, engagement, tool);
     const ForcePattern pattern{engagement, chip, tool};
     const double factor = pattern.peak_factor();
-    SegmentLoad load = load_of_sums(cut, scaled(pattern.mean(), factor), rules);
+    SegmentLoad load = load_of_sums(cut.length_mm, tool_life_angle(engagement),
+                                    scaled(pattern.mean(), factor), rules);
     load.peak_factor = factor;
     return load;
 }
@@ -107,7 +116,7 @@ SegmentLoad direct_peak_load(const SegmentCut& cut, const MillingTool& tool,
 {
     const BallEngagement engagement = ball_engagement(cut, rules.model.radius);
     if (is_air(engagement))
-        return load_of_sums(cut, {}, rules);
+        return load_of_sums(cut.length_mm, least_life_angle, {}, rules);
     require_few_windings(cut, engagement, tool);
     // A shared pointer, because a std::function must be copyable.
     const auto pattern = std::make_shared<const ForcePattern>(engagement, chip, tool);

@@ -26,18 +26,20 @@ BallEngagement ball_engagement(const SegmentCut& cut, double radius);
 /// Source: docs/methods/ball-end-milling.md, sections 5 and 6; the choice is ours.
 double tool_life_angle(const BallEngagement& engagement);
 
+/// The same for an engagement whose `engaged_angle` is known, in rad.
+double tool_life_angle(const BallEngagement& engagement, double engaged_angle);
+
 /// I5 to I8 of all flutes, times `factor`.
 EdgeSums edge_sums(const CuttingCoefficients& coefficients, int flutes, double factor);
 
 /// Load of the move if every load is `factor` times its mean (PeakRule::Constant).
 /// \param cut the move.
-/// \param coefficients of the engagement of the move.
+/// \param engaged coefficients and engaged angle of the move.
 /// \param factor R_m.
 /// \param rules must outlive the result.
 /// \pre Rules and cut are sound.
-SegmentLoad constant_peak_load(const SegmentCut& cut,
-                               const CuttingCoefficients& coefficients, double factor,
-                               const FeedRules& rules);
+SegmentLoad constant_peak_load(const SegmentCut& cut, const EngagedCoefficients& engaged,
+                               double factor, const FeedRules& rules);
 
 /// Load of the move if every load is its mean times the peak factor of the chip's torque
 /// of the helical flutes (PeakRule::Torque). The load of a move in air is 0.

@@ -66,10 +66,11 @@ void add_top(const EngagedRegion& region, ChipModel chip, const AzimuthRange& ra
 
 }  // namespace
 
-CoefficientSums top_integrals(const EngagedRegion& region, ChipModel chip)
+CoefficientSums top_integrals(const EngagedRegion& region, ChipModel chip,
+                              std::span<const AzimuthRange> azimuths)
 {
     CoefficientSums sums{};
-    for (AzimuthRange range : region.ranges_at(region.top_sine, region.top_cosine)) {
+    for (AzimuthRange range : azimuths) {
         // The range is split at multiples of pi, where sin(azimuth) changes its sign.
         for (const double turn : {0.0, pi})
             if (range.from < turn && turn < range.to) {
