@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the tests of faults in their long form and writes their counts to docs/faults.md.
 
-    scripts/write_fault_counts.py            runs all tests, about half an hour on two cores, and writes the page
-    scripts/write_fault_counts.py --check    exits with 1 if the page lacks a test, or names one that is not there
+    scripts/write_fault_counts.py            runs all tests, some minutes, and writes the page
+    scripts/write_fault_counts.py --check    exits with 1 if the page omits a test or lists an unknown one
 
 Uses the program and the library of failing calls in build/release, which scripts/test.sh builds. Exit 1 if a test
-has a finding; the page then stays as it is.
+fails; the page then stays as it is.
 """
 import os
 import re
@@ -22,10 +22,11 @@ INTRODUCTION = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Written by scripts/write_fault_counts.py from the runs of tests/faults. -->
 # Faults
 
-The tests in `tests/faults` let the system fail, or hand the program files and numbers with faults. Each run must end with
-one of the [exit codes](conventions.md), soon, with a message that names the fault. The result folder is then old or new
-as a whole, and holds no number that is not finite. The counts are those of the long form, `scripts/test.sh --all`, without
-a finding. Random choices have fixed seeds: 20 for the numbers, and the number of a mutant is its seed.
+The tests in `tests/faults` make system calls fail, or give the program files and numbers with faults. Each run must end
+with one of the [exit codes](conventions.md) within the time limit of its test, or state the time left; an error names the
+fault. The result folder is then old or new as a whole, and contains only finite numbers. The runs are those of the long
+form, `scripts/test.sh --all`; all pass. In a few runs the call with that number does not occur, and nothing fails. The
+number of a faulty file is the seed of its random faults.
 
 | fault | what is tried | runs |
 | --- | --- | --- |
@@ -33,16 +34,16 @@ a finding. Random choices have fixed seeds: 20 for the numbers, and the number o
 # What each test tries.
 TRIALS = {
     "test_a_failing_call_leaves_the_old_or_the_new_folder":
-        ("a call of the system fails", "the n-th of each of eleven calls, up to n = 300, in every command that writes, over "
+        ("a system call fails", "the n-th of each of eleven calls, up to n = 300, in every command that writes, over "
                                        "the results of an earlier run"),
-    "test_a_failing_call_leaves_no_half_of_a_new_folder": ("a call of the system fails", "the same in a new folder"),
+    "test_a_failing_call_leaves_no_half_of_a_new_folder": ("a system call fails", "the same in a new folder"),
     "test_a_kill_leaves_a_folder_that_the_next_run_mends":
-        ("the process is killed", "at the n-th call, most of them between renames; the next run mends the folder"),
+        ("the process is killed", "at the n-th call, most of them between renames; the next run repairs the folder"),
     "test_a_killed_run_can_be_repeated_without_force": ("the process is killed", "in a new folder"),
     "test_threads": ("no threads", "none at all, from the n-th on, or not the n-th"),
     "test_memory": ("no memory", "the n-th allocation fails, or all from then on"),
     "test_a_small_address_space": ("no memory", "40 to 200 MB of address space"),
-    "test_every_option": ("extreme numbers", "19 values for every option with a value, read from the helps"),
+    "test_every_option": ("extreme numbers", "19 values for every option with a value, taken from each `--help`"),
     "test_mutants": ("faulty files", "1 to 3 random faults in a file, 16 kinds of files; limits of 30 s and 4 GB"),
 }
 
@@ -54,7 +55,7 @@ def tests(root):
 
 
 def counts(root):
-    """The number of runs of each test. Exits with 1 if one has a finding."""
+    """The number of runs of each test. Exits with 1 if one fails."""
     build = root / "build/release"
     with tempfile.TemporaryDirectory() as folder:
         runs = Path(folder) / "runs"

@@ -28,8 +28,8 @@ Eigen::Matrix3d rows_along(const Vec3& direction, double radius)
 // The square of side 2 around the origin, at z = 0 and seen from above.
 TriangleMesh square()
 {
-    return test::grid_mesh(4, 4, [](int i, int j) {
-        return Vec3{i / 2.0 - 1, j / 2.0 - 1, 0};
+    return test::grid_mesh(16, 16, [](int i, int j) {
+        return Vec3{i / 8.0 - 1, j / 8.0 - 1, 0};
     });
 }
 
@@ -43,18 +43,20 @@ std::optional<int> exits(const TriangleMesh& part, const Vec3& from, const Vec3&
 
 TEST(BorderWalls, StandOnBorderEdges)
 {
-    EXPECT_EQ(BorderWalls{square()}.edges(), 16U);
-    EXPECT_EQ(BorderWalls{test::torus_mesh(6, 4)}.edges(), 0U);
-    EXPECT_EQ(BorderWalls{TriangleMesh{}}.edges(), 0U);
-    // Two squares side by side, one of them turned over: the common edge is used twice in
+    EXPECT_EQ(BorderWalls{square()}.count(), 64U);
+    EXPECT_EQ(BorderWalls{test::torus_mesh(6, 4)}.count(), 0U);
+    EXPECT_EQ(BorderWalls{TriangleMesh{}}.count(), 0U);
+    // The first row is turned over: the edges between it and the second are used twice in
     // the same sense.
-    const TriangleMesh two =
-        test::with_turned(test::grid_mesh(2, 1,
-                                          [](int i, int j) {
-                                              return Vec3{double(i), double(j), 0};
-                                          }),
-                          [](std::size_t k) { return k >= 2; });
-    EXPECT_EQ(BorderWalls{two}.edges(), 7U);
+    const TriangleMesh turned =
+        test::with_turned(test::flat_mesh(40, 40), [](std::size_t k) { return k < 80; });
+    EXPECT_EQ(BorderWalls{turned}.count(), 200U);
+}
+
+TEST(BorderWalls, AreNoneIfTheyWouldBeMany)
+{
+    EXPECT_EQ(BorderWalls{test::flat_mesh(15, 15)}.count(), 0U);
+    EXPECT_EQ(exits(test::flat_mesh(15, 15), {0, 0.3, -1}, Vec3::UnitX()), std::nullopt);
 }
 
 // The walls of a square enclose the column below it.
@@ -89,15 +91,16 @@ TEST(BorderWalls, OfAClosedPartAreNone)
 // of the grid.
 TEST(BorderWalls, AreTheColumnBelowAHeight)
 {
-    constexpr int cells = 6;
+    constexpr int cells = 16;
+    constexpr double half = cells / 2.0;
     const auto height = [](int i, int j) { return 0.3 * std::sin(2.0 * i + j); };
     const TriangleMesh part = test::grid_mesh(cells, cells, [&](int i, int j) {
-        return Vec3{i - 3.0, j - 3.0, height(i, j)};
+        return Vec3{i - half, j - half, height(i, j)};
     });
     const auto border_height = [&](const Vec3& at) {
-        const double i = at.x() + 3;
-        const double j = at.y() + 3;
-        const bool along_x = std::abs(std::abs(at.y()) - 3) < 1e-9;
+        const double i = at.x() + half;
+        const double j = at.y() + half;
+        const bool along_x = std::abs(std::abs(at.y()) - half) < 1e-9;
         const double place = along_x ? i : j;
         const int first = std::min(static_cast<int>(place), cells - 1);
         const double share = place - first;
@@ -112,13 +115,13 @@ TEST(BorderWalls, AreTheColumnBelowAHeight)
     int undecided = 0;
     for (int k = 0; k < 200; ++k) {
         const Vec3 along = test::random_point(random, 1).normalized();
-        const Eigen::Matrix3d rows = rows_along(along, 10);
+        const Eigen::Matrix3d rows = rows_along(along, 30);
         walls.look_along(rows, Vec3::Zero(), accuracy);
         for (int m = 0; m < 50; ++m) {
-            const Vec3 from = test::random_point(random, 2.99);
+            const Vec3 from = test::random_point(random, half - 0.01);
             // The ray starts over the square; it leaves the square once.
-            const double x = ((along.x() > 0 ? 3 : -3) - from.x()) / along.x();
-            const double y = ((along.y() > 0 ? 3 : -3) - from.y()) / along.y();
+            const double x = ((along.x() > 0 ? half : -half) - from.x()) / along.x();
+            const double y = ((along.y() > 0 ? half : -half) - from.y()) / along.y();
             const Vec3 out = from + std::min(x, y) * along;
             const bool leaves = out.z() < border_height(out);
             const Eigen::Vector3f place = (rows * from).cast<float>();
@@ -127,9 +130,9 @@ TEST(BorderWalls, AreTheColumnBelowAHeight)
             if (found) {
                 EXPECT_EQ(*found, leaves ? 1 : 0);
             }
-            const Eigen::Vector3f half = Eigen::Vector3f::Constant(1e-3F);
+            const Eigen::Vector3f near = Eigen::Vector3f::Constant(1e-3F);
             const std::optional<int> around =
-                walls.exits(ProjectedBox{place - half, place + half});
+                walls.exits(ProjectedBox{place - near, place + near});
             if (around) {
                 EXPECT_EQ(*around, leaves ? 1 : 0);
             }

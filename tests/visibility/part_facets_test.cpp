@@ -33,6 +33,15 @@ TEST(PartFacets, DropThoseWithoutAreaAndKeepTheirNumbers)
     EXPECT_TRUE(facets.has_area(3));
 }
 
+// The sides are parallel up to rounding. The exact cross product is (0, 0, -6 * 2^-50).
+TEST(PartFacets, KeepSliversWhoseRoundedNormalIsZero)
+{
+    const TriangleMesh part{{{0, 0, 0}, {7, 7 + 0x1p-50, 0}, {1, 1, 0}}, {{0, 1, 2}}};
+    const PartFacets facets = part_facets(part);
+    EXPECT_TRUE(facets.has_area(0));
+    EXPECT_EQ(facets.normals[0], -Vec3::UnitZ());
+}
+
 TEST(PartFacets, AreAccurateForAnySize)
 {
     for (const double size : {1e-100, 1e-30, 1e30}) {

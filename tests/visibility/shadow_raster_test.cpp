@@ -122,7 +122,7 @@ TEST(ShadowRaster, FindsTheShadowsOfParts)
 // A wave with a border: rays pass over the border and below it.
 TriangleMesh wave(double slope)
 {
-    return test::grid_mesh(12, 8, [&](int i, int j) {
+    return test::grid_mesh(18, 17, [&](int i, int j) {
         return Vec3{double(i), double(j),
                     0.8 * std::sin(1.1 * i) * std::cos(0.9 * j) + slope * i};
     });
@@ -138,6 +138,19 @@ TriangleMesh without(const TriangleMesh& mesh, const Choose& choose)
     return {test::points_of(mesh), std::move(triangles)};
 }
 
+TriangleMesh apart(const TriangleMesh& mesh)
+{
+    std::vector<Vec3> points;
+    std::vector<Triangle> triangles;
+    for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
+        for (const Vec3& corner : mesh.corners(k))
+            points.push_back(corner);
+        const auto last = static_cast<std::int32_t>(points.size()) - 1;
+        triangles.push_back({last - 2, last - 1, last});
+    }
+    return {std::move(points), std::move(triangles)};
+}
+
 TEST(ShadowRaster, FindsTheShadowsOfOpenParts)
 {
     expect_same_shadows(wave(0), some_directions());
@@ -145,10 +158,11 @@ TEST(ShadowRaster, FindsTheShadowsOfOpenParts)
     const TriangleMesh torus = test::torus_mesh(20, 12);
     expect_same_shadows(without(torus, [](std::size_t k) { return k < 9; }),
                         some_directions());
-    // A tube of four sides has two borders and no area vector.
-    expect_same_shadows(without(test::box_mesh({0, 0, 0}, {1, 2, 3}),
-                                [](std::size_t k) { return k < 4; }),
+    // A tube has two borders.
+    expect_same_shadows(without(torus, [](std::size_t k) { return k < 96; }),
                         some_directions());
+    // No facet shares a point with another.
+    expect_same_shadows(apart(wave(0.3)), some_directions());
 }
 
 TEST(ShadowRaster, FindsTheShadowsOfPartsThatBoundNoSimpleSolid)
@@ -165,6 +179,41 @@ TEST(ShadowRaster, FindsTheShadowsOfPartsThatBoundNoSimpleSolid)
     expect_same_shadows(
         test::with_turned(torus, [](std::size_t k) { return k % 67 == 0; }),
         some_directions());
+}
+
+// A facet sees nothing along the first direction, so that it lies outside. Along the second,
+// its ray enters the solid above it through a sliver, whose sides are parallel up to
+// rounding, and leaves it through a facet that faces the viewer.
+TEST(ShadowRaster, CastsTheShadowsOfSlivers)
+{
+    constexpr double step = 0x1p-50;
+    const std::vector<Vec3> points{{0, 0, 0},
+                                   {1, 1, 0},
+                                   {7, 7 + step, 0},
+                                   {8, 0, 0},
+                                   {0, 8, 0},
+                                   {3, 4, 3},
+                                   {5, 0.5 + 1.625 * step, -5},
+                                   {6, 6, -5},
+                                   {1, 5.5, -5},
+                                   {4, 4, -9}};
+    const TriangleMesh part{points,
+                            {{0, 2, 1},
+                             {0, 1, 3},
+                             {3, 1, 2},
+                             {0, 4, 2},
+                             {0, 3, 5},
+                             {3, 2, 5},
+                             {2, 4, 5},
+                             {4, 0, 5},
+                             {6, 7, 8},
+                             {7, 6, 9},
+                             {8, 7, 9},
+                             {6, 8, 9}}};
+    ASSERT_TRUE(part_facets(part).dropped.empty());
+    ASSERT_EQ(BorderWalls{part}.count(), 0U);
+    expect_same_shadows(
+        part, {Vec3{0.8, 0, 0.6}, Vec3::UnitZ(), Vec3{0, 0.8, 0.6}, -Vec3::UnitZ()});
 }
 
 TEST(ShadowRaster, IsExactForAnyPositionAndSizeOfThePart)

@@ -110,8 +110,8 @@ struct PartVisibility {
 /// most 1e-15 times the square of the facet's longest side divided by its area.
 ///
 /// Directions are processed in parallel, one column each. The result does not depend on
-/// the number of threads. Memory besides the map: about 100 bytes for each facet, and 100
-/// more on each thread.
+/// the number of threads. Memory besides the map: about 120 bytes for each facet, and 100
+/// more on each thread; about twice as much if the facets share no points.
 /// Source: [KangSuh, section 2]; docs/methods/five-axis-setup.md, section 1 (our rule
 /// of occlusion) and section 11 (the method).
 /// \param part facets in mm. \param directions unit to 1e-9. \param options what counts.

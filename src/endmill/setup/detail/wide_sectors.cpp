@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <ranges>
 #include <tuple>
 
 #include "endmill/core/tolerance.h"
@@ -26,6 +25,21 @@
 
 namespace endmill {
 namespace {
+
+// The first number from `begin` to `end` without a property that only the numbers before
+// it have; `end` if all have it.
+template <typename Property>
+std::size_t first_without(std::size_t begin, std::size_t end, const Property& has)
+{
+    while (begin < end) {
+        const std::size_t middle = begin + (end - begin) / 2;
+        if (has(middle))
+            begin = middle + 1;
+        else
+            end = middle;
+    }
+    return begin;
+}
 
 constexpr double least_width = std::numbers::pi - equal_angles;  // rad
 
@@ -95,10 +109,9 @@ private:
         const std::size_t after = std::max(upto + 1, count) - count;
         if (earliest >= after || !is_wide(earliest, end))
             return;
-        const auto begins = std::views::iota(earliest, after);
-        const auto beyond = std::ranges::partition_point(
-            begins, [&](std::size_t begin) { return is_wide(begin, end); });
-        sectors_.push_back({earliest, *beyond - 1, end, largest_,
+        const std::size_t beyond = first_without(
+            earliest, after, [&](std::size_t begin) { return is_wide(begin, end); });
+        sectors_.push_back({earliest, beyond - 1, end, largest_,
                             end == highest ? 0 : fan_.polar(highest)});
     }
 
@@ -147,12 +160,11 @@ void offer_wide_sectors(const DirectionFan& fan, const std::vector<WideSectors>&
     for (const WideSectors& run : sectors) {
         if (!is_best(scored(fan, run, run.begin)))
             continue;
-        const auto begins = std::views::iota(run.earliest, run.begin);
-        const auto first = std::ranges::partition_point(
-            begins, [&](std::size_t begin) { return !is_best(scored(fan, run, begin)); });
         found.push_back(run);
         found.push_back(run);
-        found.back().begin = *first;
+        found.back().begin = first_without(
+            run.earliest, run.begin,
+            [&](std::size_t begin) { return !is_best(scored(fan, run, begin)); });
     }
     std::ranges::sort(found, {}, [](const WideSectors& run) {
         return std::tuple{run.begin, run.end};

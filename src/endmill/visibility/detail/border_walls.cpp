@@ -17,6 +17,13 @@ namespace {
 // short to tell which rays meet them.
 constexpr double least_sine = 1e-3;
 
+// More border edges than one for so many facets have no walls.
+constexpr std::size_t facets_per_wall = 8;
+
+// A ray or a box near more pieces or strips than these gets no answer.
+constexpr std::uint32_t most_pieces = 64;
+constexpr std::size_t most_strips = 64;
+
 // Calls `visit(low, high, sense)` for the sides of all triangles: the ends, and 1 if the
 // triangle goes from the lower to the higher number, -1 otherwise.
 template <typename Visit>
@@ -81,7 +88,12 @@ Vec3 area_vector(const TriangleMesh& part)
 
 BorderWalls::BorderWalls(const TriangleMesh& part)
 {
-    for (const auto& [low, high, uses] : border_edges(part))
+    const std::vector<BorderEdge> border = border_edges(part);
+    are_too_many_ = border.size() > part.triangles().size() / facets_per_wall;
+    if (are_too_many_)
+        return;
+    edges_.reserve(border.size());
+    for (const auto& [low, high, uses] : border)
         edges_.push_back({{part.points()[low], part.points()[high]}, uses});
     const Vec3 up = edges_.empty() ? Vec3::UnitZ() : area_vector(part);
     const double size = up.stableNorm();
@@ -110,10 +122,13 @@ void BorderWalls::look_along(const Eigen::Matrix3d& rows, const Vec3& centre,
         return;
     down_ = down.head<2>() / sine;
     slope_ = down.z() / sine;
-    // A place has two projected coordinates, and a depth has three. The rest allows for
-    // results that are rounded to floats.
-    doubt_ = 16 * accuracy;
-    doubt_of_depth_ = 16 * accuracy * (1 + std::abs(slope_));
+    // `across` and `along` are sums of two coordinates of at most 1 times the sine or cosine
+    // of an angle, so that they err by at most 1.5 accuracies; the depth errs by 1 + 1.5
+    // |slope| of them. Rounded to a float, they err by two accuracies more of 1 + 1.5
+    // |slope|. Walls and starts are rounded, so that the bound holds twice.
+    constexpr double accuracies = 16;
+    doubt_ = accuracies * accuracy;
+    doubt_of_depth_ = accuracies * accuracy * (1 + std::abs(slope_));
 
     walls_.clear();
     for (const auto& [ends, uses] : edges_) {
@@ -146,8 +161,8 @@ void BorderWalls::look_along(const Eigen::Matrix3d& rows, const Vec3& centre,
             std::greater{}, [](const Piece& piece) { return piece.depth[1]; });
 }
 
-// About as many strips as walls, but so few that the pieces are at most a few times as
-// many.
+// About as many strips as walls, but wider than the error bound, and so few that the
+// pieces are at most a few times as many as the walls.
 void BorderWalls::choose_strips()
 {
     low_ = walls_.front().ends[0].x();
@@ -160,9 +175,11 @@ void BorderWalls::choose_strips()
     }
     const auto count = static_cast<double>(walls_.size());
     const double extent = high - low_;
+    constexpr double pieces_per_wall = 4;
+    const double most = std::max(1.0, std::min(count, extent / (4 * doubt_)));
     const double strips =
-        widths > 0 ? std::clamp(4 * count * extent / widths, 1.0, count) : 1.0;
-    strips_per_length_ = extent > 0 ? strips / extent : 0;
+        widths > 0 ? std::clamp(pieces_per_wall * count * extent / widths, 1.0, most) : 1;
+    strips_per_length_ = strips > 1 ? strips / extent : 0;
     begin_.assign(static_cast<std::size_t>(strips) + 1, 0);
 }
 
@@ -173,8 +190,8 @@ std::size_t BorderWalls::strip_at(double across) const
         std::clamp((across - low_) * strips_per_length_, 0.0, last));
 }
 
-// What lies between the sides of a strip, and a little beyond them. The first and the last
-// strip have no outer side.
+// The part of a wall within a strip, widened by 2 `doubt_` on both sides. The first and the
+// last strip have no outer side.
 BorderWalls::Piece BorderWalls::piece(std::uint32_t wall, std::size_t strip) const
 {
     const auto& [ends, exits] = walls_[wall];
@@ -193,11 +210,10 @@ BorderWalls::Piece BorderWalls::piece(std::uint32_t wall, std::size_t strip) con
     }
     const Eigen::Vector3d a = ends[0] + from * (ends[1] - ends[0]);
     const Eigen::Vector3d b = ends[0] + to * (ends[1] - ends[0]);
-    const auto& [along_a, along_b] = std::minmax(a.y(), b.y());
-    const auto& [depth_a, depth_b] = std::minmax(a.z(), b.z());
-    return {{static_cast<float>(along_a - doubt_), static_cast<float>(along_b + doubt_)},
-            {static_cast<float>(depth_a - doubt_of_depth_),
-             static_cast<float>(depth_b + doubt_of_depth_)},
+    return {{static_cast<float>(std::min(a.y(), b.y()) - doubt_),
+             static_cast<float>(std::max(a.y(), b.y()) + doubt_)},
+            {static_cast<float>(std::min(a.z(), b.z()) - doubt_of_depth_),
+             static_cast<float>(std::max(a.z(), b.z()) + doubt_of_depth_)},
             wall,
             exits,
             is_inner && first < left && right < ends[1].x()};
@@ -241,15 +257,17 @@ std::optional<int> BorderWalls::exits_at(const Wall& wall,
 
 std::optional<int> BorderWalls::exits(const Eigen::Vector3f& place) const
 {
+    if (are_too_many_ || is_along_)
+        return std::nullopt;
     if (edges_.empty())
         return 0;
-    if (is_along_)
-        return std::nullopt;
     const Eigen::Vector3d at = seen(place.cast<double>());
     const auto along = static_cast<float>(at.y());
     const auto depth = static_cast<float>(at.z());
     const Starts starts{{along, along}, {depth, depth}};
     const std::size_t strip = strip_at(at.x());
+    if (begin_[strip + 1] - begin_[strip] > most_pieces)
+        return std::nullopt;
     int sum = 0;
     for (std::uint32_t k = begin_[strip];
          k < begin_[strip + 1] && pieces_[k].depth[1] >= depth; ++k) {
@@ -265,10 +283,10 @@ std::optional<int> BorderWalls::exits(const Eigen::Vector3f& place) const
 
 std::optional<int> BorderWalls::exits(const ProjectedBox& box) const
 {
+    if (are_too_many_ || is_along_)
+        return std::nullopt;
     if (edges_.empty())
         return 0;
-    if (is_along_)
-        return std::nullopt;
     const Eigen::Vector3d low = box.low.cast<double>();
     const Eigen::Vector3d high = box.high.cast<double>();
     const Eigen::Vector3d middle = seen((low + high) / 2);
@@ -281,6 +299,9 @@ std::optional<int> BorderWalls::exits(const ProjectedBox& box) const
         {static_cast<float>(middle.z() - depth), static_cast<float>(middle.z() + depth)}};
     const std::size_t first = strip_at(middle.x() - across);
     const std::size_t last = strip_at(middle.x() + across);
+    if (last - first > most_strips ||
+        begin_[last + 1] - begin_[first] > most_strips * most_pieces)
+        return std::nullopt;
     std::optional<int> all;
     for (std::size_t strip = first; strip <= last; ++strip) {
         int sum = 0;

@@ -15,20 +15,24 @@
 
 namespace endmill {
 
-/// Walls without an end that close a part with open borders.
+/// Unbounded walls that close a part with open borders.
 ///
-/// The area vector of the part, the integral of its normals, points up. From each border
-/// edge a wall goes down without an end. An edge is at the border if the triangles do not
-/// use it equally often in both senses. Part and walls together bound a solid, which may
-/// overlap itself: the number of times that it contains a point is well defined, and is 0
-/// far away in each direction but down.
+/// The area vector of the part, the integral of its normals, points up. A wall extends
+/// down from each border edge. An edge is at the border if the numbers of its uses in the
+/// two senses differ. Part and walls together bound a solid, which may overlap itself: the
+/// number of times that it contains a point is well defined, and is 0 at infinity in every
+/// direction except down.
+///
+/// Walls take more time than they save if there are many. With more than one border edge
+/// for eight facets there are no walls, and every answer is that nothing is known.
 class BorderWalls {
 public:
     /// \param part facets in mm.
     explicit BorderWalls(const TriangleMesh& part);
 
-    /// Number of border edges: 0 for a closed part whose facets are oriented alike.
-    std::size_t edges() const { return edges_.size(); }
+    /// Number of walls: 0 for a closed part whose facets are oriented alike, and for a
+    /// part with too many border edges.
+    std::size_t count() const { return edges_.size(); }
 
     /// Prepares the walls for rays along one direction.
     /// \param rows scaled rotation; its third row is the direction. \param centre mm, is
@@ -37,7 +41,7 @@ public:
     void look_along(const Eigen::Matrix3d& rows, const Vec3& centre, double accuracy);
 
     /// The number of times that a ray leaves the solid through walls, less the times that
-    /// it enters through them; nothing if rounding leaves a doubt.
+    /// it enters through them; nothing if that is uncertain.
     /// \param place start of the ray, projected.
     std::optional<int> exits(const Eigen::Vector3f& place) const;
 
@@ -85,6 +89,7 @@ private:
     std::vector<Edge> edges_;
     Vec3 up_ = Vec3::UnitZ();
 
+    bool are_too_many_ = false;       // there are border edges without walls
     bool is_along_ = false;           // the rays run along the walls
     Eigen::Vector2d down_{0.0, 1.0};  // unit, the sense of the walls
     double slope_ = 0;                // rise of the walls towards the viewer

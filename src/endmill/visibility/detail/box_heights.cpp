@@ -13,6 +13,7 @@ constexpr double cells_per_box = 2;
 constexpr int coarsening = 16;
 // A box with more cells of the fine grid goes to the coarse one.
 constexpr int most_fine_cells = 64;
+constexpr double most_cells_along = 1024;
 // Least side of the region, so that its inverse is finite.
 constexpr float least_side = 1e-30F;
 
@@ -29,7 +30,7 @@ void BoxHeights::reset(std::span<const ProjectedBox> boxes)
     low_ = low;
     const Eigen::Array2d extent = (high - low).max(least_side).cast<double>();
     const double cells = cells_per_box * static_cast<double>(boxes.size()) + 1;
-    const double most = std::min(cells, 1024.0);
+    const double most = std::min(cells, most_cells_along);
     const double side = std::sqrt(extent.x() * extent.y() / cells);
     for (std::size_t level = 0; level < grids_.size(); ++level) {
         Grid& grid = grids_[level];

@@ -16,8 +16,7 @@ struct ProjectedBox {
     Eigen::Vector3f high;
 };
 
-/// The upper ends of boxes over a grid of cells in x and y: does any box lie above
-/// another, seen along z? The answer may be yes for boxes that only lie near.
+/// The largest z of the boxes over each cell of a grid in x and y.
 class BoxHeights {
 public:
     /// Removes all boxes and divides the region of `boxes` into about twice as many cells.
@@ -26,8 +25,8 @@ public:
     /// Adds a box. \pre it lies in the region.
     void add(const ProjectedBox& box);
 
-    /// Tests whether the added boxes certainly leave the space above a box free: none
-    /// rises over the lower end of `box` where it is.
+    /// Tests whether no added box that overlaps `box` in x and y reaches its lowest z. It may
+    /// also be false for a box that is clear.
     bool are_clear_of(const ProjectedBox& box) const;
 
 private:

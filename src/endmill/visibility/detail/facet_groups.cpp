@@ -57,14 +57,19 @@ void order_by_place(std::span<std::int32_t> facets, const std::vector<Vec3>& cen
     });
 }
 
-// Tests whether the error of a normal is at most 1e-7, as part_facets states it.
+// Least area of a well-shaped facet, in squares of its longest side: part_facets bounds
+// the error of a normal by 1e-15 times the inverse.
+constexpr double least_area_share = 1e-8;
+// mm^2; smaller areas may have lost digits by underflow.
+constexpr double least_area = 1e-280;
+
 bool is_well_shaped(const std::array<Vec3, 3>& corners)
 {
     const auto& [a, b, c] = corners;
     const double longest =
         std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
-    const double area = (b - a).cross(c - a).norm() / 2;
-    return area > 1e-8 * longest && std::isfinite(longest) && area > 1e-280;
+    const double area = (b - a).cross(c - a).stableNorm() / 2;
+    return area > least_area_share * longest && area > least_area && std::isfinite(area);
 }
 
 // Groups and clusters of facets in their order; the points are numbered as they occur.

@@ -66,9 +66,11 @@ void PointCells::sort(std::span<const NumberedPoint> points, std::size_t least_c
         lowest_[cell] = smaller(lowest_[cell], place.z());
     }
     std::uint32_t sum = 0;
-    for (std::uint32_t& begin : begin_)
-        begin = sum +=
-            begin;  // the end of the cell; it becomes the first place by filling
+    // The end of each cell; it becomes the first place by filling.
+    for (std::uint32_t& begin : begin_) {
+        sum += begin;
+        begin = sum;
+    }
     blocks_.resize((points.size() + PointBlock::size - 1) / PointBlock::size);
     blocks_.back().number.fill(-1);
     blocks_.back().x.fill(std::numeric_limits<float>::infinity());

@@ -27,9 +27,6 @@ constexpr float least_certain_cosine = 1e-5F;
 // Error bound of a cosine computed in floats.
 constexpr double float_cosine_error = 1e-6;
 
-// More border edges than this share of the facets take more time than they save.
-constexpr std::size_t facets_per_wall = 8;
-
 // Projects an offset in doubles and rounds it to floats.
 [[gnu::always_inline]] inline Eigen::Vector3f seen(const Eigen::Matrix3d& rows,
                                                    const Vec3& offset)
@@ -44,6 +41,16 @@ constexpr std::size_t cells_a_cluster = 4;
 
 constexpr std::size_t groups_a_cluster = FacetCluster::size / float_lanes;
 
+// Tests whether a facet without area is one, beyond the range of coordinates in which
+// are_collinear is exact. Such a facet casts no shadow but closes the part.
+bool is_certainly_collinear(const TriangleMesh& part, std::size_t facet)
+{
+    return std::ranges::all_of(part.corners(facet), [](const Vec3& corner) {
+        const auto sizes = corner.cwiseAbs().array();
+        return (sizes == 0 || (sizes >= 1e-140 && sizes <= 1e140)).all();
+    });
+}
+
 }  // namespace
 
 ShadowRaster::ShadowRaster(const TriangleMesh& part, const PartFacets& facets,
@@ -52,7 +59,9 @@ ShadowRaster::ShadowRaster(const TriangleMesh& part, const PartFacets& facets,
       facets_{&facets},
       groups_{&groups},
       walls_{walls},
-      has_few_walls_{walls.edges() <= part.triangles().size() / facets_per_wall},
+      is_closed_{std::ranges::all_of(
+          facets.dropped,
+          [&](std::size_t facet) { return is_certainly_collinear(part, facet); })},
       centre_{Vec3::Zero()},
       scale_{1},
       accuracy_{float_roundoff},
@@ -134,11 +143,13 @@ void ShadowRaster::find_facing(const Vec3& direction, double least)
 
 void ShadowRaster::find_boxes()
 {
+    // The roundings of a box are at most a few accuracies.
+    constexpr double accuracies = 16;
     const Eigen::Matrix3d sizes = rows_.cwiseAbs();
     for (std::size_t k = 0; k < boxes_.size(); ++k) {
         const FacetCluster& here = groups_->clusters[k];
         const Vec3 centre = rows_ * (here.centre - centre_);
-        const Vec3 half = sizes * here.half + Vec3::Constant(16 * accuracy_);
+        const Vec3 half = sizes * here.half + Vec3::Constant(accuracies * accuracy_);
         boxes_[k] = {(centre - half).cast<float>(), (centre + half).cast<float>()};
     }
 }
@@ -157,7 +168,7 @@ void ShadowRaster::mark(std::size_t cluster, std::uint64_t facets,
 template <typename Start>
 std::optional<int> ShadowRaster::exits_of(const Start& start) const
 {
-    return has_few_walls_ ? walls_.exits(start) : std::nullopt;
+    return is_closed_ ? walls_.exits(start) : std::nullopt;
 }
 
 // Answers for whole clusters where the walls and the boxes around the casting clusters
@@ -212,8 +223,7 @@ void ShadowRaster::mark_seen(const Vec3& direction, double least,
     choose_rows(direction);
     find_facing(direction, least);
     find_boxes();
-    if (has_few_walls_)
-        walls_.look_along(rows_, centre_, accuracy_);
+    walls_.look_along(rows_, centre_, accuracy_);
     answer_clusters(column);
     collect_points();
     if (points_.empty())

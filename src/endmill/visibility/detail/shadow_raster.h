@@ -28,20 +28,21 @@ namespace endmill {
 ///    decides the others exactly.
 ///
 /// Most facets need not cast their shadow. Part and BorderWalls bound a solid. A ray that
-/// starts outside and ends far away enters this solid as often as it leaves it, and it
-/// enters through facets that face away from the viewer. So for such a ray
+/// starts outside and ends far away enters this solid as often as it leaves it. It enters
+/// through facets that face away from the viewer and leaves through facets that face him;
+/// through walls it does both. So for such a ray
 ///
-/// - it suffices to test the facets that face away, if it leaves through as many walls as
-///   it enters through, and
-/// - no facet need be tested if it leaves through more walls: it has met a facet.
+/// - it suffices to test the facets that face away, if the net number of walls that it
+///   leaves through is 0, and
+/// - no facet need be tested if that number is not 0: the ray has met a facet.
 ///
-/// A facet is known to lie outside once it has been seen by a ray through no wall; until
+/// A facet is known to lie outside once a ray from it has met no facet and no wall; until
 /// then, all facets are tested. All this holds for a part that overlaps itself, because
-/// the solid counts how often it contains a point. Whole clusters of facets are seen if no
-/// box of a casting cluster rises above them (BoxHeights).
+/// the solid counts how often it contains a point. A cluster of facets that lie outside is
+/// seen if no box of a casting cluster rises above it (BoxHeights).
 ///
 /// The raster keeps its memory between directions, so that each thread needs its own: 50
-/// bytes for each facet in question and 16 for each point. Part, facets and groups must
+/// bytes for each facet in question, 16 for each point and 300 for each wall. Part, facets and groups must
 /// outlive it.
 class ShadowRaster {
 public:
@@ -78,7 +79,7 @@ private:
     const PartFacets* facets_;
     const FacetGroups* groups_;
     BorderWalls walls_;
-    bool has_few_walls_;
+    bool is_closed_;   // part, walls and facets without area bound a solid
     Vec3 centre_;      // mm
     double scale_;     // projected length of 1 mm, so that coordinates are within [-1, 1]
     double accuracy_;  // error bound of projected coordinates
