@@ -265,7 +265,7 @@ void FolderChange::make(const std::vector<fs::path>& written,
         std::vector<fs::path> old = order;
         std::ranges::reverse(old);
         old.insert(old.end(), removed.begin(), removed.end());
-        std::ranges::stable_partition(old, is_summary);
+        std::stable_partition(old.begin(), old.end(), is_summary);
         for (const fs::path& name : old)
             if (is_there(folder_ / name))
                 move_away(name);
