@@ -15,7 +15,7 @@ Installs missing packages (Debian, root) and runs the tests:
      and fuzzes each reader for 3 s (scripts/fuzz.sh);
   3. runs clang-tidy on the files that changed since the merge base with origin/main, or
      on main itself since the commit before.
-It takes 20 minutes on two cores, beginning with an empty clone.
+It takes 25 minutes on two cores, beginning with an empty clone.
 
   --all          also runs all tests under sanitizers, fuzzes each reader for 60 s,
                  repeats the tests of faults many times as often, compiles all experiments

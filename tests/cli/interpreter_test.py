@@ -213,6 +213,11 @@ class LinuxCnc(ProgramTest):
         done = endmill("info", self.file(text, "p.ngc"), "--interpreter", "linuxcnc", cwd=self.folder)
         self.assertIn("moves to positions of the machine (G28, G30, G53): 3", done.stderr + done.stdout)
 
+    def test_remarks_say_whose_lines_they_count(self):
+        program = self.file("#1=5\n" + HEAD + "G0 X0 Y0 Z5\nG1 Z-1\nX#1\nG28\nM2\n", "p.ngc")
+        done = endmill("info", program, "--interpreter", "linuxcnc", cwd=self.folder)
+        self.assertRegex(done.stderr, r"a move of all axes at once .* \(output of rs274, line \d+\)")
+
     def test_cuts_from_positions_of_the_machine_are_refused(self):
         start = HEAD + "G0 X0 Y0 Z5\nG1 Z-1\nX#1\n"
         for leave, found in (("G91 G28 Z0\nG90 G1 Z-1", "a cut from or to a position of the machine"),

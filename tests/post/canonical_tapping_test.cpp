@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/post/detail/canonical_tapping.h"
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -34,22 +36,31 @@ TEST(CanonicalTapping, IsTheWholeSequenceOnly)
     const std::string out = "1 N..... DWELL(0.0)\n2 N..... STRAIGHT_FEED(1.0)\n";
     const std::string stop = "3 N..... STOP_SPINDLE_TURNING(0)\n";
     const std::string start = "4 N..... START_SPINDLE_CLOCKWISE(0)\n";
-    EXPECT_TRUE(is_tapping(out + stop + start));
-    EXPECT_TRUE(is_tapping(out + stop + start + "5 N..... MORE()"));
+    const auto joined = [](std::initializer_list<std::string_view> parts) {
+        std::string text;
+        for (const std::string_view part : parts)
+            text += part;
+        return text;
+    };
+    const std::string whole = joined({out, stop, start});
+    const std::string other_sense = "4 N..... START_SPINDLE_COUNTERCLOCKWISE(0)";
+    EXPECT_TRUE(is_tapping(whole));
+    EXPECT_TRUE(is_tapping(joined({whole, "5 N..... MORE()"})));
     for (const std::string& other :
-         {std::string{}, out, out + stop, out + start, out + out + stop + start,
-          out + stop + "4 N..... START_SPINDLE_COUNTERCLOCKWISE(0)", "\n" + out + stop})
+         {std::string{}, out, joined({out, stop}), joined({out, start}),
+          joined({out, whole}), joined({out, stop, other_sense}),
+          joined({"\n", out, stop})})
         EXPECT_FALSE(is_tapping(other)) << other;
     for (std::size_t k = 0; k < into_the_hole.size(); ++k) {
         std::vector<std::string> before = into_the_hole;
         before.at(k) = "COMMENT";
-        EXPECT_FALSE(is_tapping(out + stop + start, before));
+        EXPECT_FALSE(is_tapping(whole, before));
     }
     std::vector<std::string> twice{into_the_hole.front(), into_the_hole[1]};
     twice.insert(twice.end(), into_the_hole.begin(), into_the_hole.end());
-    EXPECT_TRUE(is_tapping(out + stop + start, twice));
+    EXPECT_TRUE(is_tapping(whole, twice));
     twice.emplace_back("COMMENT");
-    EXPECT_FALSE(is_tapping(out + stop + start, twice));
+    EXPECT_FALSE(is_tapping(whole, twice));
 }
 
 // Output of rs274 for the blocks of `taps`, from the tool change on.

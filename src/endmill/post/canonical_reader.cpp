@@ -61,7 +61,7 @@ public:
                 {lines_.file(), "", "no motion in " + counted(lines_.number(), "line"),
                  "at least one STRAIGHT_TRAVERSE, STRAIGHT_FEED or "
                  "ARC_FEED"}};
-        references_.finish();
+        references_.finish("output of rs274, line");
         if (references_.count() > 0)
             builder_.remark("moves to positions of the machine (G28, G30, G53): " +
                             std::to_string(references_.count()) +

@@ -74,7 +74,7 @@ private:
         while (!has_ended_ && lines_.next())
             read_line();
         require_path();
-        references_.finish();
+        references_.finish("line");
         remarks_.finish(modes_, has_ended_, builder_);
     }
 

@@ -58,10 +58,11 @@ void ReferenceMoves::check_cut() const
         throw FormatError{*slanted_};
 }
 
-void ReferenceMoves::finish() const
+void ReferenceMoves::finish(std::string_view line) const
 {
     if (slanted_)
-        builder_.remark(slanted_text_ + " (line " + slanted_->place() + ")");
+        builder_.remark(slanted_text_ + " (" + std::string{line} + " " +
+                        slanted_->place() + ")");
 }
 
 }  // namespace endmill

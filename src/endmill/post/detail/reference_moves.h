@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "endmill/core/error.h"
 #include "endmill/core/vec.h"
@@ -63,7 +64,8 @@ public:
     void check_cut() const;
 
     /// Adds a remark on such a departure, if the program ends with it.
-    void finish() const;
+    /// \param line what a line number in the remark counts: "line" for lines of the file.
+    void finish(std::string_view line) const;
 
 private:
     ProgramBuilder& builder_;
