@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -33,12 +35,22 @@ TriangleMesh square()
     });
 }
 
+// The number for all rays that start within a distance of a place.
+std::optional<int> exits_around(const BorderWalls& walls, const Eigen::Vector3f& place,
+                                float reach)
+{
+    const Eigen::Matrix3f frame = walls.frame().cast<float>();
+    const Eigen::Vector3f centre = frame * place;
+    const Eigen::Vector3f half = frame.cwiseAbs().rowwise().sum() * reach;
+    return walls.exits(ProjectedBox{centre - half, centre + half});
+}
+
 std::optional<int> exits(const TriangleMesh& part, const Vec3& from, const Vec3& along)
 {
     BorderWalls walls{part};
     const Eigen::Matrix3d rows = rows_along(along, 4);
     walls.look_along(rows, Vec3::Zero(), accuracy);
-    return walls.exits(Eigen::Vector3f{(rows * from).cast<float>()});
+    return exits_around(walls, (rows * from).cast<float>(), 1e-6F);
 }
 
 TEST(BorderWalls, StandOnBorderEdges)
@@ -46,11 +58,11 @@ TEST(BorderWalls, StandOnBorderEdges)
     EXPECT_EQ(BorderWalls{square()}.count(), 64U);
     EXPECT_EQ(BorderWalls{test::torus_mesh(6, 4)}.count(), 0U);
     EXPECT_EQ(BorderWalls{TriangleMesh{}}.count(), 0U);
-    // The first row is turned over: the edges between it and the second are used twice in
-    // the same sense.
+    // The first row is turned over: the 40 edges between it and the second are used twice in
+    // the same sense, and so have two walls.
     const TriangleMesh turned =
         test::with_turned(test::flat_mesh(40, 40), [](std::size_t k) { return k < 80; });
-    EXPECT_EQ(BorderWalls{turned}.count(), 200U);
+    EXPECT_EQ(BorderWalls{turned}.count(), 240U);
 }
 
 TEST(BorderWalls, AreNoneIfTheyWouldBeMany)
@@ -70,6 +82,45 @@ TEST(BorderWalls, AreLeftByRaysFromBelow)
     EXPECT_EQ(exits(square(), {-2, 0.3, -1}, {1, 0, 0.7}), -1);  // out through the square
     EXPECT_EQ(exits(square(), {0.2, 0.9, 0.1}, {0, 2, -1}), 0);
     EXPECT_EQ(exits(square(), {0.2, 0.9, 0.1}, {0, 1, -2}), 1);
+}
+
+// Walls that follow each other have the line down from their common corner once.
+TEST(BorderWalls, AnswerForRaysThroughTheCornersOfTheBorder)
+{
+    for (int j = -7; j < 8; ++j) {
+        EXPECT_EQ(exits(square(), {0, j / 8.0, -1}, Vec3::UnitX()), 1);
+        EXPECT_EQ(exits(square(), {-2, j / 8.0, -1}, {1, 0, 0.2}), 0);
+        EXPECT_EQ(exits(square(), {-2, j / 8.0, -1}, {1, 0, 0.7}), -1);
+    }
+}
+
+// Two squares, one above the other, are met twice.
+TEST(BorderWalls, AreLeftOnceForEachUseOfAnEdge)
+{
+    const TriangleMesh twice = test::both(square(), square());
+    EXPECT_EQ(exits(twice, {0, 0.3, -1}, Vec3::UnitX()), 2);
+    std::vector<Triangle> triangles = test::triangles_of(square());
+    triangles.insert(triangles.end(), triangles.begin(), triangles.end());
+    const TriangleMesh shared{test::points_of(square()), std::move(triangles)};
+    EXPECT_EQ(exits(shared, {0, 0.3, -1}, Vec3::UnitX()), 2);
+    EXPECT_EQ(exits(shared, {-2, 0.3, -1}, {1, 0, 0.7}), -2);
+}
+
+// A box that the whole border passes has one answer for all its rays.
+TEST(BorderWalls, AnswerForBoxesWiderThanAWall)
+{
+    BorderWalls walls{square()};
+    const Eigen::Matrix3d rows = rows_along(Vec3::UnitX(), 4);
+    walls.look_along(rows, Vec3::Zero(), accuracy);
+    const auto around = [&](const Vec3& place) {
+        return exits_around(walls, (rows * place).cast<float>(), 0.15F);
+    };
+    EXPECT_EQ(around({0, 0, -1}), 1);
+    EXPECT_EQ(around({0, 0, 1}), 0);
+    EXPECT_EQ(around({0, 3, -1}), 0);
+    EXPECT_EQ(around({-3, 0, -1}), 0);
+    EXPECT_EQ(around({0, 0, 0.1}), std::nullopt);  // partly above the border
+    EXPECT_EQ(around({0, 1, -1}), std::nullopt);   // partly beside it
 }
 
 TEST(BorderWalls, LeaveRaysAtTheirEdgesAndDownTheWallsInDoubt)
@@ -113,6 +164,7 @@ TEST(BorderWalls, AreTheColumnBelowAHeight)
     BorderWalls walls{part};
     test::Random random{9};
     int undecided = 0;
+    int around_undecided = 0;
     for (int k = 0; k < 200; ++k) {
         const Vec3 along = test::random_point(random, 1).normalized();
         const Eigen::Matrix3d rows = rows_along(along, 30);
@@ -125,20 +177,23 @@ TEST(BorderWalls, AreTheColumnBelowAHeight)
             const Vec3 out = from + std::min(x, y) * along;
             const bool leaves = out.z() < border_height(out);
             const Eigen::Vector3f place = (rows * from).cast<float>();
-            const std::optional<int> found = walls.exits(place);
-            undecided += !found;
-            if (found) {
-                EXPECT_EQ(*found, leaves ? 1 : 0);
-            }
-            const Eigen::Vector3f near = Eigen::Vector3f::Constant(1e-3F);
-            const std::optional<int> around =
-                walls.exits(ProjectedBox{place - near, place + near});
+            PlaceLanes places;
+            for (int axis = 0; axis < 3; ++axis)
+                places.at[axis][m % float_lanes] = place[axis];
+            const unsigned lane = 1U << m % float_lanes;
+            const ExitLanes found = walls.exits(places, lane);
+            undecided += (found.none | found.some) == 0;
+            EXPECT_EQ((leaves ? found.none : found.some), 0U);
+            EXPECT_EQ((found.none | found.some) & ~lane, 0U);
+            const std::optional<int> around = exits_around(walls, place, 1e-3F);
+            around_undecided += !around;
             if (around) {
                 EXPECT_EQ(*around, leaves ? 1 : 0);
             }
         }
     }
     EXPECT_LT(undecided, 20);
+    EXPECT_LT(around_undecided, 300);
 }
 
 }  // namespace

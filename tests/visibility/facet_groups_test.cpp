@@ -37,8 +37,10 @@ void expect_each_facet_once(const TriangleMesh& part)
     const PartFacets facets = part_facets(part);
     const FacetGroups groups = facet_groups(part, facets);
     std::vector<int> seen(part.triangles().size(), 0);
-    std::size_t number = 0;
-    for (const FacetGroup& group : groups.groups) {
+    ASSERT_EQ(groups.centroids.size(), groups.groups.size());
+    for (std::size_t number = 0; number < groups.groups.size(); ++number) {
+        const FacetGroup& group = groups.groups[number];
+        const GroupCentroids& centroids = groups.centroids[number];
         ASSERT_GE(group.count, 1);
         ASSERT_LE(group.count, float_lanes);
         for (int lane = 0; lane < float_lanes; ++lane) {
@@ -47,13 +49,13 @@ void expect_each_facet_once(const TriangleMesh& part)
                 EXPECT_EQ(groups.points[group.corner[k][lane]], part.corners(facet)[k]);
             if (lane < group.count) {
                 ++seen[facet];
-                EXPECT_EQ(groups.centroids[number++], facets.centroids[facet]);
+                EXPECT_EQ(Vec3(centroids.x[lane], centroids.y[lane], centroids.z[lane]),
+                          facets.centroids[facet]);
             } else {
                 EXPECT_EQ(facet, group.facet[group.count - 1]);
             }
         }
     }
-    EXPECT_EQ(groups.centroids.size(), number);
     for (std::size_t facet = 0; facet < seen.size(); ++facet)
         EXPECT_EQ(seen[facet], facets.has_area(facet) ? 1 : 0);
 }
@@ -118,6 +120,23 @@ TEST(FacetGroups, TellWhichFacetsFaceADirection)
 }
 
 // A square has 2 a^2 facets. A group of eight covers 4 / a^2 of it, or slightly more.
+TEST(FacetGroups, ProjectTheirCentroids)
+{
+    const TriangleMesh part = shuffled(test::torus_mesh(9, 5), 0);
+    const FacetGroups groups = facet_groups(part, part_facets(part));
+    Eigen::Matrix3d rows;
+    rows << 0.01, 0.02, -0.03, 0.02, -0.01, 0.005, 0.001, 0.03, 0.02;
+    const Vec3 centre{1, -2, 3};
+    for (const GroupCentroids& centroids : groups.centroids) {
+        const PlaceLanes places = projected(centroids, rows, centre);
+        for (int lane = 0; lane < float_lanes; ++lane) {
+            const Vec3 at{centroids.x[lane], centroids.y[lane], centroids.z[lane]};
+            EXPECT_LT((places.place(lane).cast<double>() - rows * (at - centre)).norm(),
+                      1e-7);
+        }
+    }
+}
+
 TEST(FacetGroups, ContainNeighbouringFacets)
 {
     constexpr int a = 40;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <cstdlib>
 #include <numeric>
 #include <span>
 #include <utility>
@@ -20,9 +20,32 @@ constexpr double least_sine = 1e-3;
 // More border edges than one for so many facets have no walls.
 constexpr std::size_t facets_per_wall = 8;
 
-// A ray or a box near more pieces or strips than these gets no answer.
-constexpr std::uint32_t most_pieces = 64;
-constexpr std::size_t most_strips = 64;
+// Mean number of walls that end in a strip. With the walls that cross it, there are few
+// strips with more than one block of walls.
+constexpr float ends_per_strip = 3;
+
+// Error bounds in accuracies h of the projected coordinates. u, half the last place of 1 in
+// floats, is at most 2 h. Across and along:
+//
+// 1. The coordinates of starts err by h, so that the sums of two err by 1.5 h; the products
+//    and sums of floats add 4.5 u. Ends of walls are computed in doubles and err by 1.5 h
+//    and, rounded to floats, u. So a start moves against a wall by at most 14 h.
+// 2. The place of a segment beside a start, first + slope * (across - first), has one
+//    difference of at most 3, one product and two sums: 10 u and, for the slope, 4 u times
+//    the slope.
+//
+// The sum is at most 34 h, and 22 h times the slope of the segment. The depth is z - s *
+// along, where s is the rise of the walls: its errors are at most 1 + 1.5 |s| times as
+// large.
+constexpr double accuracies = 40;
+
+// A segment that no place across is beside: they are all within [-1.5, 1.5].
+constexpr WallLanes no_walls = [] {
+    WallLanes lanes{};
+    lanes.first.fill(8);
+    lanes.last.fill(-8);
+    return lanes;
+}();
 
 // Calls `visit(low, high, sense)` for the sides of all triangles: the ends, and 1 if the
 // triangle goes from the lower to the higher number, -1 otherwise.
@@ -89,196 +112,149 @@ Vec3 area_vector(const TriangleMesh& part)
 BorderWalls::BorderWalls(const TriangleMesh& part)
 {
     const std::vector<BorderEdge> border = border_edges(part);
-    are_too_many_ = border.size() > part.triangles().size() / facets_per_wall;
-    if (are_too_many_)
+    std::size_t count = 0;
+    for (const BorderEdge& edge : border)
+        count += std::abs(edge.uses);
+    are_too_many_ = count > part.triangles().size() / facets_per_wall;
+    if (are_too_many_ || count == 0)
         return;
-    edges_.reserve(border.size());
-    for (const auto& [low, high, uses] : border)
-        edges_.push_back({{part.points()[low], part.points()[high]}, uses});
-    const Vec3 up = edges_.empty() ? Vec3::UnitZ() : area_vector(part);
+    std::vector<std::int32_t> number(part.points().size(), -1);
+    const auto numbered = [&](std::int32_t point) {
+        if (number[point] < 0) {
+            number[point] = static_cast<std::int32_t>(points_.size());
+            points_.push_back(part.points()[point]);
+        }
+        return static_cast<std::uint32_t>(number[point]);
+    };
+    edges_.reserve(count);
+    for (const auto& [low, high, uses] : border) {
+        const std::uint32_t from = numbered(uses > 0 ? low : high);
+        const std::uint32_t to = numbered(uses > 0 ? high : low);
+        edges_.insert(edges_.end(), std::abs(uses), Edge{{from, to}});
+    }
+    const Vec3 up = area_vector(part);
     const double size = up.stableNorm();
     if (size > 0 && std::isfinite(size))
         up_ = up / size;
 }
 
-// A wall goes from its projected edge along `down_`, and its points rise by `slope_` per
-// length. So z - slope * along is constant down the wall.
-Eigen::Vector3d BorderWalls::seen(const Eigen::Vector3d& projected) const
-{
-    const double across = projected.x() * down_.y() - projected.y() * down_.x();
-    const double along = projected.x() * down_.x() + projected.y() * down_.y();
-    return {across, along, projected.z() - slope_ * along};
-}
-
+// A wall goes down from its projected edge, and its points rise by `slope` per length. So
+// its depth, z - slope * along, is constant all the way down.
 void BorderWalls::look_along(const Eigen::Matrix3d& rows, const Vec3& centre,
                              double accuracy)
 {
     if (edges_.empty())
         return;
-    const Eigen::Vector3d down = (rows * -up_).normalized();
-    const double sine = down.head<2>().norm();
+    const Eigen::Vector3d sense = (rows * -up_).normalized();
+    const double sine = sense.head<2>().norm();
     is_along_ = !(sine >= least_sine);
     if (is_along_)
         return;
-    down_ = down.head<2>() / sine;
-    slope_ = down.z() / sine;
-    // `across` and `along` are sums of two coordinates of at most 1 times the sine or cosine
-    // of an angle, so that they err by at most 1.5 accuracies; the depth errs by 1 + 1.5
-    // |slope| of them. Rounded to a float, they err by two accuracies more of 1 + 1.5
-    // |slope|. Walls and starts are rounded, so that the bound holds twice.
-    constexpr double accuracies = 16;
-    doubt_ = accuracies * accuracy;
-    doubt_of_depth_ = accuracies * accuracy * (1 + std::abs(slope_));
-
-    walls_.clear();
-    for (const auto& [ends, uses] : edges_) {
-        Wall& wall = walls_.emplace_back(Wall{
-            {seen(rows * (ends[0] - centre)), seen(rows * (ends[1] - centre))}, uses});
-        // A wall uses the edge in the opposite sense to the facet beside it.
-        if (wall.ends[0].x() > wall.ends[1].x())
-            std::swap(wall.ends[0], wall.ends[1]);
-        else
-            wall.exits = -wall.exits;
-    }
+    const Eigen::Vector2d down = sense.head<2>() / sine;
+    const double slope = sense.z() / sine;
+    frame_ << down.y(), -down.x(), 0,  //
+        down.x(), down.y(), 0,         //
+        -slope * down.x(), -slope * down.y(), 1;
+    doubt_ = static_cast<float>(accuracies * accuracy);
+    doubt_of_depth_ =
+        static_cast<float>(accuracies * accuracy * (1 + 1.5 * std::abs(slope)));
+    project(rows, centre);
     choose_strips();
     const auto for_each_strip = [&](const auto& visit) {
-        for (std::uint32_t k = 0; k < walls_.size(); ++k) {
-            const std::size_t last = strip_at(walls_[k].ends[1].x() + doubt_);
-            for (std::size_t strip = strip_at(walls_[k].ends[0].x() - doubt_);
+        const WallStrips all = strips();
+        for (const Wall& wall : walls_) {
+            const std::uint32_t last = all.strip_at(wall.ends[1].x() + 2 * doubt_);
+            for (std::uint32_t strip = all.strip_at(wall.ends[0].x() - 2 * doubt_);
                  strip <= last; ++strip)
-                visit(k, strip);
+                visit(wall, strip);
         }
     };
-    for_each_strip([&](std::uint32_t, std::size_t strip) { ++begin_[strip]; });
-    std::inclusive_scan(begin_.begin(), begin_.end(), begin_.begin());
-    pieces_.resize(begin_.back());
-    for_each_strip([&](std::uint32_t wall, std::size_t strip) {
-        pieces_[--begin_[strip]] = piece(wall, strip);
+    for_each_strip([&](const Wall&, std::uint32_t strip) { ++count_[strip]; });
+    std::uint32_t blocks = 0;
+    for (std::size_t strip = 0; strip < count_.size(); ++strip) {
+        begin_[strip] = blocks;
+        blocks += (count_[strip] + float_lanes - 1) / float_lanes;
+        count_[strip] = 0;
+    }
+    begin_.back() = blocks;
+    blocks_.assign(blocks, no_walls);
+    for_each_strip([&](const Wall& wall, std::uint32_t strip) {
+        const std::uint32_t place = count_[strip]++;
+        put(wall, blocks_[begin_[strip] + place / float_lanes], place % float_lanes);
     });
-    for (std::size_t strip = 0; strip + 1 < begin_.size(); ++strip)
-        std::ranges::sort(
-            std::span{pieces_}.subspan(begin_[strip], begin_[strip + 1] - begin_[strip]),
-            std::greater{}, [](const Piece& piece) { return piece.depth[1]; });
 }
 
-// About as many strips as walls, but wider than the error bound, and so few that the
-// pieces are at most a few times as many as the walls.
+void BorderWalls::project(const Eigen::Matrix3d& rows, const Vec3& centre)
+{
+    const Eigen::Matrix3d map = frame_ * rows;
+    ends_.clear();
+    for (const Vec3& point : points_) {
+        const Vec3 at = point - centre;
+        const Vec3 end = map.col(0) * at.x() + map.col(1) * at.y() + map.col(2) * at.z();
+        ends_.emplace_back(end.cast<float>());
+    }
+    walls_.clear();
+    for (const auto& [ends] : edges_) {
+        // A wall uses the edge in the opposite sense to the facet beside it.
+        const bool is_left = ends_[ends[0]].x() > ends_[ends[1]].x();
+        walls_.push_back(
+            {{ends_[ends[is_left ? 1 : 0]], ends_[ends[is_left ? 0 : 1]]}, is_left});
+    }
+}
+
+// The strips are wider than the error bound, and so few that there are at most a few
+// entries for each wall.
 void BorderWalls::choose_strips()
 {
     low_ = walls_.front().ends[0].x();
-    double high = walls_.front().ends[1].x();
-    double widths = 0;
-    for (const auto& [ends, exits] : walls_) {
-        low_ = std::min(low_, ends[0].x());
-        high = std::max(high, ends[1].x());
-        widths += ends[1].x() - ends[0].x();
+    float high = low_;
+    float widths = 0;
+    for (const Wall& wall : walls_) {
+        low_ = std::min(low_, wall.ends[0].x());
+        high = std::max(high, wall.ends[1].x());
+        widths += wall.ends[1].x() - wall.ends[0].x();
     }
-    const auto count = static_cast<double>(walls_.size());
-    const double extent = high - low_;
-    constexpr double pieces_per_wall = 4;
-    const double most = std::max(1.0, std::min(count, extent / (4 * doubt_)));
-    const double strips =
-        widths > 0 ? std::clamp(pieces_per_wall * count * extent / widths, 1.0, most) : 1;
-    strips_per_length_ = strips > 1 ? strips / extent : 0;
+    const auto count = static_cast<float>(walls_.size());
+    const float extent = high - low_;
+    constexpr float entries_per_wall = 4;
+    const float most =
+        std::max(1.0F, std::min(count / ends_per_strip, extent / (8 * doubt_)));
+    const float strips =
+        widths > 0 ? std::clamp(entries_per_wall * count * extent / widths, 1.0F, most)
+                   : 1;
+    strips_per_length_ = strips > 1 ? std::floor(strips) / extent : 0;
+    count_.assign(static_cast<std::size_t>(strips), 0);
     begin_.assign(static_cast<std::size_t>(strips) + 1, 0);
 }
 
-std::size_t BorderWalls::strip_at(double across) const
+// Within the doubt across, a segment changes by its slope times the doubt. A segment that
+// is hardly wider counts as its middle, with a doubt of half its extent.
+void BorderWalls::put(const Wall& wall, WallLanes& lanes, std::size_t lane) const
 {
-    const double last = static_cast<double>(begin_.size()) - 2;
-    return static_cast<std::size_t>(
-        std::clamp((across - low_) * strips_per_length_, 0.0, last));
+    const Eigen::Vector3f& first = wall.ends[0];
+    const Eigen::Vector3f run = wall.ends[1] - first;
+    lanes.first[lane] = first.x();
+    lanes.last[lane] = wall.ends[1].x();
+    const bool is_narrow = run.x() < 2 * doubt_;
+    const float share = is_narrow ? 0.5F : 0;
+    const float slope = is_narrow ? 0 : 1 / run.x();
+    const float doubt = is_narrow ? 0.5F : doubt_ * slope;
+    lanes.along[lane] = first.y() + share * run.y();
+    lanes.along_slope[lane] = run.y() * slope;
+    lanes.along_doubt[lane] = doubt_ + doubt * std::abs(run.y());
+    lanes.depth[lane] = first.z() + share * run.z();
+    lanes.depth_slope[lane] = run.z() * slope;
+    lanes.depth_doubt[lane] = doubt_of_depth_ + doubt * std::abs(run.z());
+    lanes.leaving |= unsigned{wall.is_left} << lane;
 }
 
-// The part of a wall within a strip, widened by 2 `doubt_` on both sides. The first and the
-// last strip have no outer side.
-BorderWalls::Piece BorderWalls::piece(std::uint32_t wall, std::size_t strip) const
-{
-    const auto& [ends, exits] = walls_[wall];
-    const double first = ends[0].x();
-    const double width = ends[1].x() - first;
-    const double left =
-        low_ + static_cast<double>(strip) / strips_per_length_ - 2 * doubt_;
-    const double right =
-        low_ + static_cast<double>(strip + 1) / strips_per_length_ + 2 * doubt_;
-    const bool is_inner = strip > 0 && strip + 2 < begin_.size();
-    double from = 0;
-    double to = 1;
-    if (is_inner && width > 0) {
-        from = std::clamp((left - first) / width, 0.0, 1.0);
-        to = std::clamp((right - first) / width, 0.0, 1.0);
-    }
-    const Eigen::Vector3d a = ends[0] + from * (ends[1] - ends[0]);
-    const Eigen::Vector3d b = ends[0] + to * (ends[1] - ends[0]);
-    return {{static_cast<float>(std::min(a.y(), b.y()) - doubt_),
-             static_cast<float>(std::max(a.y(), b.y()) + doubt_)},
-            {static_cast<float>(std::min(a.z(), b.z()) - doubt_of_depth_),
-             static_cast<float>(std::max(a.z(), b.z()) + doubt_of_depth_)},
-            wall,
-            exits,
-            is_inner && first < left && right < ends[1].x()};
-}
-
-// The answer for one piece: 0 if no ray meets it, its exits if all do.
-std::optional<int> BorderWalls::exits(const Piece& piece, const Starts& starts) const
-{
-    if (piece.depth[1] < starts.depth[0] || starts.along[1] < piece.along[0])
-        return 0;
-    if (piece.is_whole && starts.depth[1] < piece.depth[0] &&
-        piece.along[1] < starts.along[0])
-        return piece.exits;
-    return std::nullopt;
-}
-
-// The answer for one wall and one ray.
-std::optional<int> BorderWalls::exits_at(const Wall& wall,
-                                         const Eigen::Vector3d& start) const
-{
-    const auto& [ends, exits] = wall;
-    const double before = start.x() - ends[0].x();
-    const double after = ends[1].x() - start.x();
-    if (before < -doubt_ || after < -doubt_)
-        return 0;
-    const double width = ends[1].x() - ends[0].x();
-    const bool is_between = before > doubt_ && after > doubt_;
-    const double share = is_between ? before / width : 0.5;
-    const double doubt_of_share = is_between ? 2 * doubt_ / width : 0.5;
-    const Eigen::Vector3d run = ends[1] - ends[0];
-    const double beyond = start.y() - ends[0].y() - share * run.y();
-    const double under = ends[0].z() + share * run.z() - start.z();
-    const double doubt_beyond = doubt_ + doubt_of_share * std::abs(run.y());
-    const double doubt_under = doubt_of_depth_ + doubt_of_share * std::abs(run.z());
-    if (beyond < -doubt_beyond || under < -doubt_under)
-        return 0;
-    if (is_between && beyond > doubt_beyond && under > doubt_under)
-        return exits;
-    return std::nullopt;
-}
-
-std::optional<int> BorderWalls::exits(const Eigen::Vector3f& place) const
+ExitLanes BorderWalls::exits(const PlaceLanes& places, unsigned asked) const
 {
     if (are_too_many_ || is_along_)
-        return std::nullopt;
+        return {};
     if (edges_.empty())
-        return 0;
-    const Eigen::Vector3d at = seen(place.cast<double>());
-    const auto along = static_cast<float>(at.y());
-    const auto depth = static_cast<float>(at.z());
-    const Starts starts{{along, along}, {depth, depth}};
-    const std::size_t strip = strip_at(at.x());
-    if (begin_[strip + 1] - begin_[strip] > most_pieces)
-        return std::nullopt;
-    int sum = 0;
-    for (std::uint32_t k = begin_[strip];
-         k < begin_[strip + 1] && pieces_[k].depth[1] >= depth; ++k) {
-        std::optional<int> here = exits(pieces_[k], starts);
-        if (!here)
-            here = exits_at(walls_[pieces_[k].wall], at);
-        if (!here)
-            return std::nullopt;
-        sum += *here;
-    }
-    return sum;
+        return {.none = asked};
+    return exits_of(strips(), places, frame_.cast<float>(), asked);
 }
 
 std::optional<int> BorderWalls::exits(const ProjectedBox& box) const
@@ -287,36 +263,7 @@ std::optional<int> BorderWalls::exits(const ProjectedBox& box) const
         return std::nullopt;
     if (edges_.empty())
         return 0;
-    const Eigen::Vector3d low = box.low.cast<double>();
-    const Eigen::Vector3d high = box.high.cast<double>();
-    const Eigen::Vector3d middle = seen((low + high) / 2);
-    const Eigen::Vector3d half = (high - low) / 2;
-    const double across = half.x() * std::abs(down_.y()) + half.y() * std::abs(down_.x());
-    const double along = half.x() * std::abs(down_.x()) + half.y() * std::abs(down_.y());
-    const double depth = half.z() + std::abs(slope_) * along;
-    const Starts starts{
-        {static_cast<float>(middle.y() - along), static_cast<float>(middle.y() + along)},
-        {static_cast<float>(middle.z() - depth), static_cast<float>(middle.z() + depth)}};
-    const std::size_t first = strip_at(middle.x() - across);
-    const std::size_t last = strip_at(middle.x() + across);
-    if (last - first > most_strips ||
-        begin_[last + 1] - begin_[first] > most_strips * most_pieces)
-        return std::nullopt;
-    std::optional<int> all;
-    for (std::size_t strip = first; strip <= last; ++strip) {
-        int sum = 0;
-        for (std::uint32_t k = begin_[strip];
-             k < begin_[strip + 1] && pieces_[k].depth[1] >= starts.depth[0]; ++k) {
-            const std::optional<int> here = exits(pieces_[k], starts);
-            if (!here)
-                return std::nullopt;
-            sum += *here;
-        }
-        if (all && *all != sum)
-            return std::nullopt;
-        all = sum;
-    }
-    return all;
+    return exits_of(strips(), box);
 }
 
 }  // namespace endmill

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <span>
 #include <utility>
 
@@ -108,6 +109,7 @@ private:
     {
         FacetGroup& group = groups.groups.emplace_back();
         GroupNormals& normals = groups.normals.emplace_back();
+        GroupCentroids& centroids = groups.centroids.emplace_back();
         group.count = static_cast<int>(facets.size());
         for (int lane = 0; lane < float_lanes; ++lane) {
             const std::int32_t facet = facets[std::min(lane, group.count - 1)];
@@ -120,7 +122,9 @@ private:
             normals.x[lane] = static_cast<float>(normal.x());
             normals.y[lane] = static_cast<float>(normal.y());
             normals.z[lane] = static_cast<float>(normal.z());
-            groups.centroids.push_back(facets_.centroids[facet]);
+            centroids.x[lane] = facets_.centroids[facet].x();
+            centroids.y[lane] = facets_.centroids[facet].y();
+            centroids.z[lane] = facets_.centroids[facet].z();
         }
     }
 
@@ -159,6 +163,30 @@ std::array<std::uint64_t, 3> facets_above(std::span<const GroupNormals> groups,
                             << (float_lanes * k);
     }
     return above;
+}
+
+ENDMILL_WIDEST_REGISTERS
+PlaceLanes projected(const GroupCentroids& centroids, const Eigen::Matrix3d& rows,
+                     const Vec3& centre)
+{
+    using Doubles = double __attribute__((vector_size(float_lanes * sizeof(double))));
+    using Floats = float __attribute__((vector_size(float_lanes * sizeof(float))));
+    Doubles x;
+    Doubles y;
+    Doubles z;
+    std::memcpy(&x, centroids.x.data(), sizeof x);
+    std::memcpy(&y, centroids.y.data(), sizeof y);
+    std::memcpy(&z, centroids.z.data(), sizeof z);
+    x -= centre.x();
+    y -= centre.y();
+    z -= centre.z();
+    PlaceLanes places;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Doubles sum = rows(axis, 0) * x + rows(axis, 1) * y + rows(axis, 2) * z;
+        const auto rounded = __builtin_convertvector(sum, Floats);
+        std::memcpy(places.at[axis].data(), &rounded, sizeof rounded);
+    }
+    return places;
 }
 
 FacetGroups facet_groups(const TriangleMesh& part, const PartFacets& facets)

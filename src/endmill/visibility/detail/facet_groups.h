@@ -12,6 +12,7 @@
 #include "endmill/core/vec.h"
 #include "endmill/mesh/triangle_mesh.h"
 #include "endmill/visibility/detail/part_facets.h"
+#include "endmill/visibility/detail/point_cells.h"
 
 namespace endmill {
 
@@ -28,6 +29,13 @@ struct alignas(32) GroupNormals {
     std::array<float, float_lanes> x{};
     std::array<float, float_lanes> y{};
     std::array<float, float_lanes> z{};
+};
+
+/// The centroids of the facets of a group, mm; 0 in further lanes.
+struct alignas(32) GroupCentroids {
+    std::array<double, float_lanes> x{};
+    std::array<double, float_lanes> y{};
+    std::array<double, float_lanes> z{};
 };
 
 /// Up to eight groups that follow each other. Their facets are the bits of a word: bit k
@@ -47,8 +55,8 @@ struct FacetCluster {
 struct FacetGroups {
     std::vector<Vec3> points;  ///< mm, points of the part in the order of their first use
     std::vector<FacetGroup> groups;
-    std::vector<GroupNormals> normals;  ///< of each group
-    std::vector<Vec3> centroids;        ///< mm, of all facets in the order of the groups
+    std::vector<GroupNormals> normals;      ///< of each group
+    std::vector<GroupCentroids> centroids;  ///< of each group
     std::vector<FacetCluster> clusters;
 };
 
@@ -57,6 +65,11 @@ struct FacetGroups {
 std::array<std::uint64_t, 3> facets_above(std::span<const GroupNormals> groups,
                                           const Eigen::Vector3f& direction,
                                           const std::array<float, 3>& limits);
+
+/// The projected centroids of a group, computed in doubles and rounded.
+/// \param rows scaled rotation of the projection. \param centre mm, is projected to 0.
+PlaceLanes projected(const GroupCentroids& centroids, const Eigen::Matrix3d& rows,
+                     const Vec3& centre);
 
 /// Groups the facets of a part.
 /// \param part facets in mm. \param facets properties of the facets of `part`.

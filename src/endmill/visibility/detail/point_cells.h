@@ -14,6 +14,20 @@
 
 namespace endmill {
 
+/// One number for each of the things that are processed together.
+using LaneFloats = std::array<float, float_lanes>;
+
+/// Eight projected points: [axis].
+struct alignas(32) PlaceLanes {
+    std::array<LaneFloats, 3> at{};
+
+    /// The point in a lane.
+    Eigen::Vector3f place(int lane) const
+    {
+        return {at[0][lane], at[1][lane], at[2][lane]};
+    }
+};
+
 /// Eight points that are processed together, in a layout for SIMD registers.
 struct alignas(32) PointBlock {
     static constexpr int size = 8;

@@ -16,9 +16,6 @@
 
 namespace endmill {
 
-/// One number for each of the facets that are processed together.
-using LaneFloats = std::array<float, float_lanes>;
-
 /// Eight projected facets with the coefficients of their edge functions and depths.
 ///
 /// Edge functions and depth take the difference (dx, dy, dz) of a point and the first

@@ -41,6 +41,46 @@ constexpr std::size_t cells_a_cluster = 4;
 
 constexpr std::size_t groups_a_cluster = FacetCluster::size / float_lanes;
 
+// The facets of a group of a cluster.
+constexpr std::uint64_t facets_of(std::size_t group)
+{
+    return std::uint64_t{0xFF} << (group * float_lanes);
+}
+
+// Boxes around clusters after a linear map.
+class BoxProjection {
+public:
+    // `frame` is applied to the coordinates that `rows` projects with this accuracy.
+    BoxProjection(const Eigen::Matrix3d& frame, const Eigen::Matrix3d& rows,
+                  const Vec3& centre, double accuracy)
+        : rows_{frame * rows},
+          sizes_{rows_.cwiseAbs()},
+          centre_{centre},
+          margin_{accuracies * accuracy * frame.cwiseAbs().rowwise().sum()}
+    {
+    }
+
+    ProjectedBox box_of(const FacetCluster& cluster) const
+    {
+        const Vec3 at = cluster.centre - centre_;
+        const Vec3 centre =
+            rows_.col(0) * at.x() + rows_.col(1) * at.y() + rows_.col(2) * at.z();
+        const Vec3 half = sizes_.col(0) * cluster.half.x() +
+                          sizes_.col(1) * cluster.half.y() +
+                          sizes_.col(2) * cluster.half.z() + margin_;
+        return {(centre - half).cast<float>(), (centre + half).cast<float>()};
+    }
+
+private:
+    // The roundings of a box are at most a few accuracies.
+    static constexpr double accuracies = 16;
+
+    Eigen::Matrix3d rows_;
+    Eigen::Matrix3d sizes_;
+    Vec3 centre_;
+    Vec3 margin_;
+};
+
 // Tests whether a facet without area is one, beyond the range of coordinates in which
 // are_collinear is exact. Such a facet casts no shadow but closes the part.
 bool is_certainly_collinear(const TriangleMesh& part, std::size_t facet)
@@ -143,15 +183,10 @@ void ShadowRaster::find_facing(const Vec3& direction, double least)
 
 void ShadowRaster::find_boxes()
 {
-    // The roundings of a box are at most a few accuracies.
-    constexpr double accuracies = 16;
-    const Eigen::Matrix3d sizes = rows_.cwiseAbs();
-    for (std::size_t k = 0; k < boxes_.size(); ++k) {
-        const FacetCluster& here = groups_->clusters[k];
-        const Vec3 centre = rows_ * (here.centre - centre_);
-        const Vec3 half = sizes * here.half + Vec3::Constant(accuracies * accuracy_);
-        boxes_[k] = {(centre - half).cast<float>(), (centre + half).cast<float>()};
-    }
+    const BoxProjection projection{Eigen::Matrix3d::Identity(), rows_, centre_,
+                                   accuracy_};
+    for (std::size_t k = 0; k < boxes_.size(); ++k)
+        boxes_[k] = projection.box_of(groups_->clusters[k]);
 }
 
 // Sets the bits of some facets of a cluster.
@@ -165,12 +200,6 @@ void ShadowRaster::mark(std::size_t cluster, std::uint64_t facets,
     }
 }
 
-template <typename Start>
-std::optional<int> ShadowRaster::exits_of(const Start& start) const
-{
-    return is_closed_ ? walls_.exits(start) : std::nullopt;
-}
-
 // Answers for whole clusters where the walls and the boxes around the casting clusters
 // suffice, and removes these facets from the question.
 void ShadowRaster::answer_clusters(std::span<std::uint64_t> column)
@@ -179,12 +208,15 @@ void ShadowRaster::answer_clusters(std::span<std::uint64_t> column)
     for (std::size_t cluster = 0; cluster < boxes_.size(); ++cluster)
         if (casting_[cluster] != 0)
             heights_.add(boxes_[cluster]);
+    const BoxProjection in_walls{walls_.frame(), rows_, centre_, accuracy_};
     for (std::size_t cluster = 0; cluster < boxes_.size(); ++cluster) {
         if (asked_[cluster] == 0)
             continue;
         const std::uint64_t outside =
             asked_[cluster] & outside_[cluster] & facing_[cluster];
-        const std::optional<int> exits = exits_of(boxes_[cluster]);
+        const std::optional<int> exits =
+            is_closed_ ? walls_.exits(in_walls.box_of(groups_->clusters[cluster]))
+                       : std::nullopt;
         walled_[cluster] = exits == 0 ? 0 : ~std::uint64_t{0};
         const bool is_clear =
             exits == 0 && outside != 0 && heights_.are_clear_of(boxes_[cluster]);
@@ -201,20 +233,31 @@ void ShadowRaster::collect_points()
 {
     points_.clear();
     for (std::size_t cluster = 0; cluster < asked_.size(); ++cluster)
-        for (std::uint64_t rest = asked_[cluster]; rest != 0; rest &= rest - 1) {
-            const std::uint64_t bit = rest & -rest;
-            const std::size_t place =
-                cluster * FacetCluster::size + std::countr_zero(rest);
-            const Eigen::Vector3f at = seen(rows_, groups_->centroids[place] - centre_);
-            if ((walled_[cluster] & bit) != 0) {
-                const std::optional<int> exits = exits_of(at);
-                if (exits == 0)
-                    walled_[cluster] &= ~bit;
-                else if (exits && (outside_[cluster] & facing_[cluster] & bit) != 0)
-                    continue;
-            }
-            points_.push_back({at, static_cast<std::int32_t>(place)});
-        }
+        for (std::size_t group = 0; group < groups_a_cluster; ++group)
+            if ((asked_[cluster] & facets_of(group)) != 0)
+                collect_group(cluster * groups_a_cluster + group);
+}
+
+void ShadowRaster::collect_group(std::size_t group)
+{
+    const std::size_t cluster = group / groups_a_cluster;
+    const std::size_t shift = group % groups_a_cluster * float_lanes;
+    const PlaceLanes places = projected(groups_->centroids[group], rows_, centre_);
+    const auto lanes_of = [&](std::uint64_t facets) {
+        return static_cast<unsigned>(facets >> shift & 0xFFU);
+    };
+    unsigned asked = lanes_of(asked_[cluster]);
+    const unsigned walled = lanes_of(asked_[cluster] & walled_[cluster]);
+    if (is_closed_ && walled != 0) {
+        const ExitLanes exits = walls_.exits(places, walled);
+        walled_[cluster] &= ~(std::uint64_t{exits.none} << shift);
+        asked &= ~(exits.some & lanes_of(outside_[cluster] & facing_[cluster]));
+    }
+    for (unsigned rest = asked; rest != 0; rest &= rest - 1) {
+        const int lane = std::countr_zero(rest);
+        points_.push_back(
+            {places.place(lane), static_cast<std::int32_t>(group * float_lanes) + lane});
+    }
 }
 
 void ShadowRaster::mark_seen(const Vec3& direction, double least,

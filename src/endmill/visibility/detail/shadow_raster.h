@@ -60,10 +60,9 @@ private:
     void choose_rows(const Vec3& direction);
     void find_facing(const Vec3& direction, double least);
     void find_boxes();
-    template <typename Start>
-    std::optional<int> exits_of(const Start& start) const;
     void answer_clusters(std::span<std::uint64_t> column);
     void collect_points();
+    void collect_group(std::size_t group);
     void project_corners();
     void cast_shadows(const Vec3& direction);
     bool may_cover_points(const ProjectedBox& box) const;
