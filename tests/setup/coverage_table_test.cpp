@@ -24,11 +24,14 @@ TEST(CoverageTable, ExcludesNoWindowThatTheSweepFinds)
                 if (is_open(random))
                     map.column(cell)[0] |= std::uint64_t{1} << facet;
         const ConeSet cones{map};
+        std::vector<Vec3> centres;
+        for (const std::size_t cell : cones.cells())
+            centres.push_back(grid.centres[cell]);
         const Vec3 axis =
             Vec3{uniform(random), uniform(random), uniform(random)}.normalized();
         const auto family = trial % 2 == 0 ? RotaryFamily::CA : RotaryFamily::AB;
         const double radius = trial % 3 == 0 ? 0 : 0.1 * uniform(random);
-        const AxisView view = axis_view({family, axis, radius, {1.5, 1.5}}, grid.centres);
+        const AxisView view = axis_view({family, axis, radius, {1.5, 1.5}}, centres);
         CoverageTable table{cones};
         WindowSweep sweep{cones};
         table.fill(view, {1.5, 1.5});

@@ -16,6 +16,8 @@
 /// \file
 /// The search over whole cones: it takes every cell of every cone and every pose into
 /// account, and proves a lower bound of the objective.
+///
+/// Implemented in `detail/many_cones_search.cpp`.
 
 namespace endmill {
 

@@ -30,6 +30,10 @@ constexpr double pi = std::numbers::pi;
 /// Relative decrease of the objective that a step of a descent must reach.
 constexpr double least_gain = 1e-7;
 
+/// rad; azimuths about one axis are computed in one way, so that only their differences
+/// and whole turns are rounded, by 1e-15.
+constexpr double range_rounding = 1e-12;
+
 /// The unit vector perpendicular to an axis, at an azimuth about it.
 Vec3 at_azimuth(const Vec3& axis, double azimuth)
 {
@@ -55,6 +59,27 @@ bool is_turned(const RotaryRange& range, const RotaryRange& limits)
     return -range.from > range.to;
 }
 
+/// Cells of a view that has no radius in a window with levels up to those of `ranges`.
+/// Cells that exceed it by `range_rounding` or less belong to it.
+std::vector<std::uint32_t> cells_within(const AxisView& view, const AzimuthWindow& window,
+                                        const PoseRanges& ranges)
+{
+    const std::array<double, 2> levels{ranges.m0, ranges.m1};
+    std::vector<std::uint32_t> within;
+    for (const SeenCell& cell : view.free)
+        if (cell.level <= levels[cell.side])
+            within.push_back(cell.cell);
+    for (const SeenCell& cell : view.swept) {
+        if (cell.level > levels[cell.side])
+            continue;
+        double from_begin = cell.begin - window.begin + range_rounding;
+        from_begin -= 2 * pi * std::floor(from_begin / (2 * pi));
+        if (from_begin <= window.width + 2 * range_rounding)
+            within.push_back(cell.cell);
+    }
+    return within;
+}
+
 }  // namespace
 
 struct AxisFitter::Later {
@@ -64,8 +89,9 @@ struct AxisFitter::Later {
     }
 };
 
-AxisFitter::AxisFitter(const ConeFitting& fitting)
+AxisFitter::AxisFitter(const ConeFitting& fitting, GrowCones grow)
     : fitting_{fitting},
+      grow_{std::move(grow)},
       sweep_{*fitting.cones},
       table_{*fitting.cones}
 {
@@ -127,6 +153,26 @@ void AxisFitter::take(const AzimuthWindow& window, const PoseRanges& ranges,
     }
 }
 
+/// The least window up to these levels. If it is better than the best range but misses
+/// cones, some are added and the window is searched again.
+std::optional<AzimuthWindow> AxisFitter::least_window(const PoseRanges& most, double cap)
+{
+    const LevelLimits upto{{most.m0, most.m1}};
+    const auto places = table_.places(upto, cap);
+    auto window = sweep_.least(view_, places, upto, cap);
+    bool has_grown = false;
+    while (window && grow_ &&
+           fitting_.measure({window->width, most.m0, most.m1}) < below_ &&
+           fitting_.limits.hold(most.m0, most.m1) &&
+           grow_(cells_within(view_, *window, most))) {
+        has_grown = true;
+        window = sweep_.least(view_, places, upto, cap);
+    }
+    if (has_grown)
+        table_.fill(view_, {levels_[0].back(), levels_[1].back()});
+    return window;
+}
+
 /// Bounds a box. Takes the range of its upper levels if it is better than the best one,
 /// and puts the box on the heap if its bound is.
 void AxisFitter::look_at(RankBox box)
@@ -136,13 +182,12 @@ void AxisFitter::look_at(RankBox box)
     if (is_needless(box))
         return;
     const PoseRanges most{0, high(box, 0), high(box, 1)};
-    const LevelLimits upto{{most.m0, most.m1}};
     const double cap =
         std::min(fitting_.measure.useful_width(below_ * (1 - slack_), low0, low1),
                  fitting_.limits.widest());
     if (cap <= 0)
         return;
-    const auto window = sweep_.least(view_, table_.places(upto, cap), upto, cap);
+    const auto window = least_window(most, cap);
     if (!window)
         return;
     const PoseRanges ranges{window->width, most.m0, most.m1};
@@ -194,7 +239,15 @@ std::optional<AxisFit> AxisFitter::best(const Vec3& axis, const FitRequest& requ
     return found_;
 }
 
-AxisFit descend(AxisFitter& fitter, AxisFit fit, const Descent& descent)
+AxisFit descend(AxisFitter& fitter, const AxisFit& fit, const Descent& descent)
+{
+    auto best = [&fitter](const Vec3& axis, const FitRequest& request) {
+        return fitter.best(axis, request);
+    };
+    return descend(best, fit, descent);
+}
+
+AxisFit descend(const FitAbout& best, AxisFit fit, const Descent& descent)
 {
     constexpr double steps_of_levels = 3;
     double phase =
@@ -214,7 +267,7 @@ AxisFit descend(AxisFitter& fitter, AxisFit fit, const Descent& descent)
             const Vec3 towards =
                 at_azimuth(from, phase + 2 * pi * k / descent.directions);
             const auto next =
-                fitter.best((from + std::tan(step) * towards).normalized(), request);
+                best((from + std::tan(step) * towards).normalized(), request);
             has_moved = next.has_value();
             if (next)
                 fit = *next;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -43,6 +45,10 @@ struct AxisFit {
     double objective = 0;  ///< rad^2 or rad
 };
 
+/// Adds cones that hold none of some cells to the cones of a problem.
+/// \param cells indices of centres. \return true if a cone was added.
+using GrowCones = std::function<bool(std::span<const std::uint32_t> cells)>;
+
 /// Which ranges about an axis are asked for.
 struct FitRequest {
     double below;  ///< only those with a smaller objective
@@ -57,7 +63,9 @@ struct FitRequest {
 class AxisFitter {
 public:
     /// \param fitting the problem; its cones and centres must outlive the fitter.
-    explicit AxisFitter(const ConeFitting& fitting);
+    /// \param grow if set, it is called with the cells of each range that is better than
+    ///        those found before. The range counts if no cone is added.
+    explicit AxisFitter(const ConeFitting& fitting, GrowCones grow = {});
 
     /// The range of least objective about `axis` among those asked for and within the
     /// limits. The objective is exact up to rounding (1e-14 relative), except for cells
@@ -85,7 +93,10 @@ private:
     void look_at(RankBox box);
     void split(const RankBox& box);
 
+    std::optional<AzimuthWindow> least_window(const PoseRanges& most, double cap);
+
     ConeFitting fitting_;
+    GrowCones grow_;
     WindowSweep sweep_;
     CoverageTable table_;
     AxisView view_;
@@ -105,10 +116,17 @@ struct Descent {
     int directions = 12;
 };
 
+/// Finds the best range about an axis among those asked for, as AxisFitter::best.
+using FitAbout =
+    std::function<std::optional<AxisFit>(const Vec3& axis, const FitRequest& request)>;
+
 /// Improves a fit by moving its axis, with step lengths that are halved when no step
 /// helps. The result is close to a local minimum. Levels may change by three steps at a
 /// time.
-AxisFit descend(AxisFitter& fitter, AxisFit fit, const Descent& descent);
+AxisFit descend(const FitAbout& best, AxisFit fit, const Descent& descent);
+
+/// The same with `fitter.best`.
+AxisFit descend(AxisFitter& fitter, const AxisFit& fit, const Descent& descent);
 
 /// Converts a fit to a pose on a machine, in words with R2 = C x R1 (A,B: a, then b).
 ///

@@ -53,10 +53,18 @@ double lune_slack(double t)
 
 /// The side at which boxes are no longer split, in radii of their node. Smaller boxes
 /// would not improve the bound, because the radius moves levels as much.
-double least_box(NodeKind kind, RotaryFamily family)
+/// `is_fine` asks for sides that give the best bound, in C,A.
+double least_box(NodeKind kind, RotaryFamily family, bool is_fine)
 {
-    return kind == NodeKind::Axis && family == RotaryFamily::CA ? 3 : 1;
+    if (kind != NodeKind::Axis || family != RotaryFamily::CA)
+        return 1;
+    return is_fine ? 0.75 : 3;
 }
+
+/// rad, for problems whose cones grow: below this radius boxes of C,A are fine. Many
+/// cones have flat optima, about which the radius must be small, and fine boxes allow
+/// twice the radius. Larger nodes are hardly ever excluded.
+constexpr double fine_radius = 0.07;
 
 /// Two cell centres, unit vectors, are opposite if their sum is shorter than this. The
 /// sum of opposite centres is a few roundings of 1e-16, that of any other pair is above
@@ -76,6 +84,25 @@ std::vector<std::size_t> half_of(const SphereGrid& grid)
             half.push_back(k);
     }
     return half;
+}
+
+/// The cells up to these levels whose azimuths may lie in a window.
+std::vector<std::uint32_t> met_cells(const AxisView& view, const LevelLimits& upto,
+                                     const AzimuthWindow& window)
+{
+    std::vector<std::uint32_t> cells;
+    for (const SeenCell& cell : view.free)
+        if (cell.level <= upto.upto[cell.side])
+            cells.push_back(cell.cell);
+    for (const SeenCell& cell : view.swept) {
+        if (cell.level > upto.upto[cell.side])
+            continue;
+        double from_begin = cell.end - window.begin + angle_rounding;
+        from_begin -= 2 * pi * std::floor(from_begin / (2 * pi));
+        if (from_begin <= window.width + cell.end - cell.begin + 2 * angle_rounding)
+            cells.push_back(cell.cell);
+    }
+    return cells;
 }
 
 AxisNode root_node(const SphereGrid& grid, std::size_t cell, NodeKind kind, LevelBox box)
@@ -204,7 +231,22 @@ void NodeBounder::split(NodeKind kind, const LevelBox& box)
     }
 }
 
-void NodeBounder::bound(AxisNode& node, double target)
+/// The least window up to these levels. If the cells that it meets miss cones, adds some
+/// and searches once more: the children of the node and later boxes profit from them.
+/// The places of the window remain valid, because further cones only exclude windows.
+std::optional<AzimuthWindow> NodeBounder::least_window(const LevelLimits& upto,
+                                                       double cap, const GrowCones& grow)
+{
+    const auto places = table_.places(upto, cap);
+    auto least = sweep_.least(view_, places, upto, cap);
+    if (!least || !grow || !grow(met_cells(view_, upto, *least)))
+        return least;
+    least = sweep_.least(view_, places, upto, cap);
+    table_.fill(view_, reach_);
+    return least;
+}
+
+void NodeBounder::bound(AxisNode& node, double target, const GrowCones& grow)
 {
     const double rho = radius(node) + angle_rounding;
     std::array<double, 2> reach{0, 0};
@@ -213,10 +255,12 @@ void NodeBounder::bound(AxisNode& node, double target)
             reach[side] = std::max(reach[side], box.high[side]);
     const bool is_arc = node.kind == NodeKind::Arc;
     const RotaryFamily family = is_arc ? RotaryFamily::AB : fitting_.measure.family;
-    const AxisView view = axis_view({family, centre(node), rho, reach}, fitting_.centres);
-    table_.fill(view, {reach[0] + rho, reach[1] + rho});
+    view_ = axis_view({family, centre(node), rho, reach}, fitting_.centres);
+    reach_ = {reach[0] + rho, reach[1] + rho};
+    table_.fill(view_, reach_);
 
-    const double smallest = least_box(node.kind, fitting_.measure.family) * rho;
+    const double smallest =
+        least_box(node.kind, fitting_.measure.family, grow && rho < fine_radius) * rho;
     open_.swap(node.boxes);
     node.boxes.clear();
     node.bound = std::numeric_limits<double>::infinity();
@@ -233,7 +277,7 @@ void NodeBounder::bound(AxisNode& node, double target)
             continue;
         }
         const double cap = window.to + angle_rounding;
-        const auto least = sweep_.least(view, table_.places(upto, cap), upto, cap);
+        const auto least = least_window(upto, cap, grow);
         if (!least)
             continue;
         const double width = std::max(least->width - angle_rounding, window.from);

@@ -4,6 +4,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "endmill/core/vec.h"
@@ -74,7 +77,10 @@ public:
     /// Splits the boxes of a node and drops those without a range below `target`. The
     /// remaining boxes are in node.boxes, their least bound in node.bound. Bounds are
     /// rounded down.
-    void bound(AxisNode& node, double target);
+    /// \param node to be bounded. \param target rad^2 or rad.
+    /// \param grow if set, it is called with the cells that the windows of the remaining
+    ///        boxes meet. The bound then takes the cones that it adds into account.
+    void bound(AxisNode& node, double target, const GrowCones& grow = {});
 
 private:
     /// Windows that can lead to an objective below the target, rad.
@@ -86,10 +92,14 @@ private:
     Useful useful(NodeKind kind, const LevelBox& box, double target) const;
     double objective(NodeKind kind, const LevelBox& box, double window) const;
     void split(NodeKind kind, const LevelBox& box);
+    std::optional<AzimuthWindow> least_window(const LevelLimits& upto, double cap,
+                                              const GrowCones& grow);
 
     ConeFitting fitting_;
     WindowSweep sweep_;
     CoverageTable table_;
+    AxisView view_;
+    std::array<double, 2> reach_{};  ///< largest levels that count, rad
     std::vector<LevelBox> open_;
 };
 

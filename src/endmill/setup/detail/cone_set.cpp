@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "endmill/setup/detail/least_cones.h"
 
@@ -33,16 +34,24 @@ std::optional<std::size_t> apart_from_first(const DistinctCones& cones,
     return std::nullopt;
 }
 
-/// For each cone the lowest facet that has it.
-std::vector<std::size_t> first_facets(const DistinctCones& cones)
+bool holds(std::span<const std::uint64_t> row, std::size_t cell)
 {
-    std::vector<std::size_t> facets(cones.size(), cones.none);
-    for (std::size_t facet = 0; facet < cones.cone_of().size(); ++facet) {
-        const std::size_t cone = cones.cone_of()[facet];
-        if (cone != cones.none && facets[cone] == cones.none)
-            facets[cone] = facet;
-    }
-    return facets;
+    return (row[cell / 64] >> cell % 64 & 1) != 0;
+}
+
+/// The cells of these cones, ascending.
+std::vector<std::size_t> cells_of(const DistinctCones& cones,
+                                  std::span<const std::size_t> chosen)
+{
+    std::vector<std::uint64_t> any(cones.row_words());
+    for (const std::size_t cone : chosen)
+        for (std::size_t k = 0; k < any.size(); ++k)
+            any[k] |= cones.row(cone)[k];
+    std::vector<std::size_t> cells;
+    for (std::size_t cell = 0; cell < cones.cells(); ++cell)
+        if ((any[cell / 64] >> cell % 64 & 1) != 0)
+            cells.push_back(cell);
+    return cells;
 }
 
 }  // namespace
@@ -51,35 +60,60 @@ ConeSet::ConeSet(const VisibilityMap& map)
 {
     const DistinctCones all{map};
     const std::vector<std::size_t> least = least_cones(all);
-    const std::vector<std::size_t> facet_of = first_facets(all);
-    for (const std::size_t cone : least)
-        facets_.push_back(facet_of[cone]);
-    if (facets_.empty()) {
-        everything_.resize(words_);
-        return;
-    }
-    const std::size_t smallest = facets_.front();
-    const auto other = apart_from_first(all, least);
-    std::sort(facets_.begin(), facets_.end());
-    words_ = padded_words(facets_.size());
-    everything_.resize(words_);
-    for (std::size_t k = 0; k < facets_.size(); ++k)
-        everything_[k / 64] |= std::uint64_t{1} << k % 64;
+    cells_ = cells_of(all, least);
+    fill(all, least);
+}
 
-    for (std::size_t cell = 0; cell < map.cells(); ++cell) {
-        std::vector<std::uint64_t> column = everything_;
-        for (std::size_t k = 0; k < facets_.size(); ++k)
-            if (map.is_accessible(facets_[k], cell))
-                column[k / 64] &= ~(std::uint64_t{1} << k % 64);
-        if (column == everything_)
-            continue;
-        if (map.is_accessible(smallest, cell))
-            smallest_.push_back(cells_.size());
-        if (!other || map.is_accessible(facet_of[*other], cell))
-            other_.push_back(cells_.size());
-        cells_.push_back(cell);
-        missing_.insert(missing_.end(), column.begin(), column.end());
+ConeSet::ConeSet(const DistinctCones& cones, std::span<const std::size_t> chosen,
+                 std::span<const std::size_t> cells)
+    : cells_{cells.begin(), cells.end()}
+{
+    fill(cones, chosen);
+}
+
+void ConeSet::fill(const DistinctCones& cones, std::span<const std::size_t> chosen)
+{
+    widen(padded_words(chosen.size()));
+    std::vector<std::size_t> in_order{chosen.begin(), chosen.end()};
+    std::sort(in_order.begin(), in_order.end());
+    for (const std::size_t cone : in_order)
+        add(cones, cone);
+    if (chosen.empty())
+        return;
+    const auto smallest = cones.row(chosen.front());
+    const auto apart = apart_from_first(cones, chosen);
+    for (std::size_t at = 0; at < cells_.size(); ++at) {
+        if (holds(smallest, cells_[at]))
+            smallest_.push_back(at);
+        if (!apart || holds(cones.row(*apart), cells_[at]))
+            other_.push_back(at);
     }
+}
+
+/// Lengthens the columns.
+void ConeSet::widen(std::size_t words)
+{
+    std::vector<std::uint64_t> wide(cells_.size() * words);
+    for (std::size_t at = 0; at < wide.size() / words && !missing_.empty(); ++at)
+        std::copy_n(missing(at), words_, wide.data() + at * words);
+    missing_ = std::move(wide);
+    everything_.resize(words);
+    words_ = words;
+}
+
+void ConeSet::add(const DistinctCones& cones, std::size_t chosen)
+{
+    const std::size_t number = facets_.size();
+    if (number == 64 * words_)
+        widen(padded_words(number + 1));
+    const std::size_t facet = cones.first_facet(chosen);
+    facets_.insert(std::upper_bound(facets_.begin(), facets_.end(), facet), facet);
+    const std::uint64_t bit = std::uint64_t{1} << number % 64;
+    everything_[number / 64] |= bit;
+    const auto row = cones.row(chosen);
+    for (std::size_t at = 0; at < cells_.size(); ++at)
+        if (!holds(row, cells_[at]))
+            missing_[at * words_ + number / 64] |= bit;
 }
 
 }  // namespace endmill

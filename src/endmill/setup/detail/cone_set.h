@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "endmill/setup/detail/distinct_cones.h"
 #include "endmill/visibility/visibility.h"
 
 namespace endmill {
@@ -21,10 +22,23 @@ public:
     /// Of equal cones the first is kept. For the time see `least_cones`.
     explicit ConeSet(const VisibilityMap& map);
 
+    /// Takes some of the cones.
+    /// \param cones of a part. \param chosen numbers of cones of which none contains
+    ///         another, smallest first.
+    /// \param cells ascending, with every cell of the cones that are chosen or added. All
+    ///         of them are in cells(), also those in none of the cones.
+    ConeSet(const DistinctCones& cones, std::span<const std::size_t> chosen,
+            std::span<const std::size_t> cells);
+
+    /// Adds a cone. smallest_cone() and other_cone() stay as they are.
+    /// \param cones of the part. \param chosen number of a cone that contains none of the
+    ///         others and lies in none of them.
+    void add(const DistinctCones& cones, std::size_t chosen);
+
     /// Facets whose cones are kept, ascending.
     std::span<const std::size_t> facets() const { return facets_; }
 
-    /// Cells that lie in at least one kept cone, ascending.
+    /// Cells that lie in at least one kept cone, or those given; ascending.
     std::span<const std::size_t> cells() const { return cells_; }
 
     /// Words of a column: 1, 2 or a multiple of 4. Bits beyond the last cone are 0.
@@ -49,9 +63,12 @@ public:
     std::span<const std::size_t> other_cone() const { return other_; }
 
 private:
+    void fill(const DistinctCones& cones, std::span<const std::size_t> chosen);
+    void widen(std::size_t words);
+
     std::vector<std::size_t> facets_;
     std::vector<std::size_t> cells_;
-    std::size_t words_ = 1;
+    std::size_t words_ = 0;
     std::vector<std::uint64_t> missing_;
     std::vector<std::uint64_t> everything_;
     std::vector<std::size_t> smallest_;
@@ -70,6 +87,8 @@ auto with_words(std::size_t words, Body&& body)
             return body(std::integral_constant<std::size_t, 2>{});
         case 4:
             return body(std::integral_constant<std::size_t, 4>{});
+        case 8:
+            return body(std::integral_constant<std::size_t, 8>{});
         default:
             return body(std::integral_constant<std::size_t, 0>{});
     }

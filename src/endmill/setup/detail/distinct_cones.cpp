@@ -91,6 +91,7 @@ DistinctCones::DistinctCones(const VisibilityMap& map)
         if (cone == none) {
             cone = facets_.size();
             facets_.push_back(0);
+            first_facets_.push_back(facet);
             std::ranges::copy(
                 found, rows_.begin() + static_cast<std::ptrdiff_t>(cone * row_words_));
         }

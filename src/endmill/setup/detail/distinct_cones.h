@@ -32,6 +32,9 @@ public:
     /// Number of facets that have this cone. \pre cone < size().
     std::size_t facets(std::size_t cone) const { return facets_[cone]; }
 
+    /// The lowest facet that has this cone. \pre cone < size().
+    std::size_t first_facet(std::size_t cone) const { return first_facets_[cone]; }
+
     /// The cells of a cone: bit i % 64 of word i / 64 is set if cell i belongs to it.
     /// \pre cone < size().
     std::span<const std::uint64_t> row(std::size_t cone) const
@@ -53,7 +56,8 @@ private:
     std::size_t row_words_;
     std::vector<std::uint64_t> rows_;
     std::vector<std::size_t> cone_of_;
-    std::vector<std::size_t> facets_;
+    std::vector<std::size_t> facets_;        // by cone: number of its facets
+    std::vector<std::size_t> first_facets_;  // by cone
 };
 
 }  // namespace endmill

@@ -10,20 +10,16 @@ namespace endmill {
 /// The search over whole cones for parts with many minimal cones. The result has the same
 /// gap as that of `whole_cone_search`.
 ///
-/// 1. `whole_cone_search` runs for some of the cones. Its lower bound holds for all
-///    cones, because further cones only exclude poses.
-/// 2. If its pose meets all cones, the search ends. It also ends if the best range about
-///    the axis of this pose that meets all cones is within the gap of the largest bound.
-/// 3. Otherwise some of the cones that the pose misses are added, and step 1 is repeated.
-///    Every round has more cones, so that the search ends, usually with far fewer than
-///    all.
+/// One branch and bound begins with some of the cones. Its bounds hold for all cones,
+/// because further cones only exclude poses. Every range that it finds is checked against
+/// all cones; cones that a node's range or window misses are added to the node and its
+/// parts. So each node takes a few hundred cones into account, out of tens of thousands.
 ///
 /// The result does not depend on the number of threads.
 /// \param grid cells. \param map cones over these cells. \param options as
 ///         `whole_cone_search`.
-/// \param few at least 4. With at most so many minimal cones one search takes all of
-///         them. Else a quarter of this number are the first cones, and as many are added
-///         in each round.
+/// \param few at least 4. With at most so many minimal cones every node takes all of them.
+///         Else the first nodes begin with a quarter of this number.
 /// \throws DomainError as `whole_cone_search`, or if `few` is below 4.
 WholeConeSearchResult many_cones_search(const SphereGrid& grid, const VisibilityMap& map,
                                         const WholeConeSearchOptions& options,

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/setup/whole_cone_search.h"
+#include "endmill/setup/detail/axis_search.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/setup/detail/adaptive_fit.h"
 #include "endmill/setup/detail/axis_fit.h"
 #include "endmill/setup/detail/axis_node.h"
-#include "endmill/setup/detail/cone_set.h"
 #include "endmill/setup/detail/first_fits.h"
 #include "endmill/setup/detail/range_limits.h"
 
@@ -22,6 +23,9 @@
 //    whose bound reaches the target is dropped.
 // 3. The centre of each remaining node is fitted exactly and improved by descent, which
 //    may lower the best objective and the target.
+//    Of many cones only some are used at a time, see AdaptiveFitter.
+//    Each node has its own: those of its parent, and those that the windows of its bound
+//    or the range about its centre missed.
 // 4. The 64 nodes of least bound are split in four and bounded, until no node is left
 //    below the target. The least bound of all nodes, dropped or not, is the lower bound
 //    of the result.
@@ -59,29 +63,57 @@ constexpr Descent last_descent{.from = 2 * degree, .directions = 36};
 /// cell.
 constexpr double cell_sized = 3 * degree;
 
+/// Relative, if only some cones are in use: the search for better ranges about the centres
+/// of nodes may miss those that are better by less. The final descent finds them.
+constexpr double small_gain = 0.02;
+
+/// Most cones that the parts of a node inherit. They fill four words.
+constexpr std::ptrdiff_t cones_inherited = 256;
+
+/// Most times that the first range is searched for with cones that the last one missed.
+constexpr int first_rounds = 3;
+
+/// A node with the cones for which it is bounded.
+struct ConeNode {
+    AxisNode axes;
+    std::vector<std::size_t> cones;  ///< numbers of minimal cones
+};
+
 /// A node in the queue.
 struct Waiting {
-    AxisNode node;
+    ConeNode node;
     std::size_t created;  ///< its age: the number of nodes queued before it
 };
 
 bool comes_later(const Waiting& a, const Waiting& b)
 {
-    return a.node.bound != b.node.bound ? a.node.bound > b.node.bound
-                                        : a.created > b.created;
+    return a.node.axes.bound != b.node.axes.bound ? a.node.axes.bound > b.node.axes.bound
+                                                  : a.created > b.created;
 }
 
 /// A node after it was bounded.
 struct Bounded {
-    AxisNode node;
+    ConeNode node;
     std::optional<AxisFit> fit;      ///< a fit that is better than the best so far
     std::vector<std::size_t> tried;  ///< cells whose centres were tried as axes
 };
 
+/// Improves a range that meets all cones by descent.
+AxisFit lowest(AdaptiveFitter& fitter, const AxisFit& fit, const Descent& descent)
+{
+    auto best = [&fitter](const Vec3& axis, const FitRequest& request) {
+        return fitter.best(axis, request);
+    };
+    return descend(best, fit, descent);
+}
+
 class AxisSearch {
 public:
-    AxisSearch(const ConeFitting& fitting, const WholeConeSearchOptions& options)
-        : fitting_{fitting},
+    AxisSearch(const MinimalCones& cones, std::vector<std::size_t> first_cones,
+               const ConeFitting& fitting, const WholeConeSearchOptions& options)
+        : cones_{cones},
+          first_cones_{std::move(first_cones)},
+          fitting_{fitting},
           options_{options},
           is_tried_(fitting.centres.size(), 0)
     {
@@ -89,15 +121,20 @@ public:
 
     WholeConeSearchResult run(std::span<const Vec3> starts)
     {
-        improve(first_fit(fitting_, starts));
-        fitting_.thin_width = thin_width(fitting_.measure, below());
-        for (int retries = 0; !resolves_arcs(retries < most_retries); ++retries)
+        improve_from(starts);
+        fitting_.thin_width =
+            std::min(thin_width(fitting_.measure, below()), fitting_.limits.widest());
+        // A smaller thin width does not help if it is the limit.
+        const int most =
+            fitting_.thin_width < fitting_.limits.widest() ? most_retries : 0;
+        for (int retries = 0; !resolves_arcs(retries < most); ++retries)
             fitting_.thin_width /= 4;
         const double proved =
             target();  // no pose of a dropped node has a smaller objective
         if (best_) {
-            AxisFitter fitter{fitting_};
-            best_ = descend(fitter, *best_, last_descent);
+            AdaptiveFitter fitter{cones_, fitting_};
+            fitter.begin_with(first_cones_);
+            best_ = lowest(fitter, *best_, last_descent);
         }
         return result(proved);
     }
@@ -124,7 +161,9 @@ private:
         queue_.clear();
         unresolved_.clear();
         bool has_small_arc = false;
-        std::vector<AxisNode> fresh = root_nodes(fitting_);
+        std::vector<ConeNode> fresh;
+        for (AxisNode& node : root_nodes(fitting_))
+            fresh.push_back({std::move(node), first_cones_});
         while (!fresh.empty()) {
             has_small_arc = bound(std::move(fresh)) || has_small_arc;
             report();
@@ -150,7 +189,7 @@ private:
     {
         double bound = dropped;
         if (!queue_.empty())
-            bound = std::min(bound, queue_.front().node.bound);
+            bound = std::min(bound, queue_.front().node.axes.bound);
         for (const double unresolved : unresolved_)
             bound = std::min(bound, unresolved);
         return bound;
@@ -162,18 +201,46 @@ private:
             best_ = fit;
     }
 
+    /// Finds a first range that meets all cones, and the set of cones of the first nodes.
+    void improve_from(std::span<const Vec3> starts)
+    {
+        AdaptiveFitter fitter{cones_, fitting_};
+        fitter.begin_with(first_cones_);
+        if (!is_complete())
+            for (const Vec3& axis : starts)
+                improve(fitter.best(axis, {below()}));
+        for (int round = 0; round < (is_complete() ? 1 : first_rounds); ++round) {
+            const std::size_t cones = fitter.set().size();
+            improve(first_fit(fitter.fitting(), starts), fitter);
+            if (fitter.set().size() == cones)
+                break;
+        }
+    }
+
+    /// Improves the best range by one for the cones of the fitter, which grow.
+    void improve(const std::optional<AxisFit>& fit, AdaptiveFitter& fitter)
+    {
+        if (is_complete())
+            improve(fit);
+        else if (fit)
+            improve(fitter.best(fit->axis, {below()}));
+        if (best_ && !is_complete())
+            best_ = lowest(fitter, *best_, last_descent);
+    }
+
+    bool is_complete() const { return first_cones_.size() == cones_.size(); }
+
     /// Bounds nodes and queues those that are not dropped. \return true if a node of arcs
     /// became too small to split.
-    bool bound(std::vector<AxisNode> fresh)
+    bool bound(std::vector<ConeNode> fresh)
     {
         std::vector<Bounded> bounded(fresh.size());
         parallel_for(fresh.size(), [&](std::size_t begin, std::size_t end) {
-            NodeBounder bounder{fitting_};
-            AxisFitter fitter{fitting_};
+            AdaptiveFitter fitter{cones_, fitting_};
+            NodeBounder bounder{fitter.fitting()};
             for (std::size_t k = begin; k < end; ++k) {
                 bounded[k].node = std::move(fresh[k]);
-                bounder.bound(bounded[k].node, target());
-                try_axes(fitter, bounded[k]);
+                bound(bounder, fitter, bounded[k]);
             }
         });
         result_.nodes += bounded.size();
@@ -182,27 +249,51 @@ private:
             improve(one.fit);
             for (const std::size_t cell : one.tried)
                 is_tried_[cell] = 1;
-            const bool is_arc = one.node.kind == NodeKind::Arc;
-            if (!one.node.boxes.empty() && !enqueue(std::move(one.node)))
+            const bool is_arc = one.node.axes.kind == NodeKind::Arc;
+            if (!one.node.axes.boxes.empty() && !enqueue(std::move(one.node)))
                 has_small_arc = has_small_arc || is_arc;
         }
         return has_small_arc;
+    }
+
+    /// Bounds a node for its cones, and for those that turn out to be missed. Its parts
+    /// begin with the last of these cones.
+    void bound(NodeBounder& bounder, AdaptiveFitter& fitter, Bounded& one) const
+    {
+        fitter.begin_with(one.node.cones);
+        GrowCones grow;
+        if (!is_complete())
+            grow = [&](std::span<const std::uint32_t> cells) {
+                return fitter.grow(cells);
+            };
+        bounder.bound(one.node.axes, target(), grow);
+        const std::size_t bounded_for = fitter.set().size();
+        try_axes(fitter, one);
+        if (fitter.set().size() > bounded_for)
+            bounder.bound(one.node.axes, target(), grow);
+        const auto set = fitter.set();
+        one.node.cones.assign(is_complete() || std::ssize(set) <= cones_inherited
+                                  ? set.begin()
+                                  : set.end() - cones_inherited,
+                              set.end());
     }
 
     /// Fits ranges about the node's centre, and about the cells in a small node. A cell
     /// has no azimuth about itself, so that the range about it may be better than those
     /// about all axes nearby. Without these fits the bounds of such nodes would never be
     /// reached.
-    void try_axes(AxisFitter& fitter, Bounded& one) const
+    void try_axes(AdaptiveFitter& fitter, Bounded& one) const
     {
-        if (one.node.boxes.empty() || one.node.kind == NodeKind::Arc)
+        const AxisNode& node = one.node.axes;
+        if (node.boxes.empty() || node.kind == NodeKind::Arc)
             return;
-        const Vec3 middle = centre(one.node);
-        const double size = radius(one.node);
+        const Vec3 middle = centre(node);
+        const double size = radius(node);
         double least = below();
+        const double slack = is_complete() ? 0 : small_gain;
         auto attempt = [&](const Vec3& axis) {
-            if (auto fit = fitter.best(axis, {least})) {
-                one.fit = descend(fitter, *fit, {first_step * size});
+            if (auto fit = fitter.best(axis, {least, slack})) {
+                one.fit = lowest(fitter, *fit, {first_step * size});
                 least = one.fit->objective;
             }
         };
@@ -221,10 +312,10 @@ private:
 
     /// Queues a node. \return false if it is too small to split; its bound is then
     /// unresolved.
-    bool enqueue(AxisNode&& node)
+    bool enqueue(ConeNode&& node)
     {
-        if (radius(node) < least_radius) {
-            unresolved_.push_back(node.bound);
+        if (radius(node.axes) < least_radius) {
+            unresolved_.push_back(node.axes.bound);
             return false;
         }
         queue_.push_back({std::move(node), created_++});
@@ -233,15 +324,16 @@ private:
     }
 
     /// Takes the nodes of least bound from the queue. \return their parts.
-    std::vector<AxisNode> next_round()
+    std::vector<ConeNode> next_round()
     {
-        std::vector<AxisNode> parts;
+        std::vector<ConeNode> parts;
         while (!queue_.empty() && parts.size() < nodes_per_round &&
                result_.nodes + parts.size() + 4 <= options_.max_nodes &&
-               queue_.front().node.bound < target()) {
+               queue_.front().node.axes.bound < target()) {
             std::pop_heap(queue_.begin(), queue_.end(), comes_later);
             for (int k = 0; k < 4; ++k)
-                parts.push_back(part(queue_.back().node, k));
+                parts.push_back(
+                    {part(queue_.back().node.axes, k), queue_.back().node.cones});
             queue_.pop_back();
         }
         return parts;
@@ -262,6 +354,8 @@ private:
         return result_;
     }
 
+    const MinimalCones& cones_;
+    std::vector<std::size_t> first_cones_;  ///< of the nodes with which the search begins
     ConeFitting fitting_;
     WholeConeSearchOptions options_;
     std::optional<AxisFit> best_;
@@ -272,34 +366,16 @@ private:
     WholeConeSearchResult result_;
 };
 
-/// The result without any cone: every pose fits, here the part stands upright.
-WholeConeSearchResult nothing_to_reach(RotaryFamily family)
-{
-    WholeConeSearchResult result;
-    result.machinable = Answer::Yes;
-    const bool is_ca = family == RotaryFamily::CA;
-    const SetupPose upright{Vec3::UnitZ(), is_ca ? Vec3::UnitZ() : Vec3::UnitX(),
-                            is_ca ? Vec3::UnitX() : Vec3::UnitY()};
-    result.pose = FittedPose{.pose = upright, .phi = {0, 0}, .theta = {0, 0}, .area = 0};
-    return result;
-}
-
 }  // namespace
 
-WholeConeSearchResult whole_cone_search(const SphereGrid& grid, const VisibilityMap& map,
-                                        const WholeConeSearchOptions& options)
+WholeConeSearchResult axis_search(const SphereGrid& grid, const MinimalCones& cones,
+                                  std::vector<std::size_t> first_cones,
+                                  const WholeConeSearchOptions& options)
 {
-    require(map.cells() == grid.centres.size(),
-            "whole_cone_search: map and grid differ in cells");
-    require(options.floor_rad > 0, "whole_cone_search: need floor_rad > 0");
-    require(options.gap > 0, "whole_cone_search: need gap > 0");
-    const ConeSet cones{map};
-    if (cones.facets().empty())
-        return nothing_to_reach(options.family);
     std::vector<Vec3> centres;
     for (const std::size_t cell : cones.cells())
         centres.push_back(grid.centres[cell]);
-    const ConeFitting fitting{&cones,
+    const ConeFitting fitting{nullptr,
                               centres,
                               {options.family, options.objective, options.floor_rad},
                               RangeLimits{options.family, options.limits}};
@@ -307,7 +383,7 @@ WholeConeSearchResult whole_cone_search(const SphereGrid& grid, const Visibility
     for (const SetupPose& pose : options.starts)
         starts.push_back(options.family == RotaryFamily::CA ? pose.tool_axis
                                                             : pose.r1_axis);
-    AxisSearch search{fitting, options};
+    AxisSearch search{cones, std::move(first_cones), fitting, options};
     WholeConeSearchResult result = search.run(starts);
     if (search.best())
         result.pose = fitted_pose(*search.best(), options.family, options.limits);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "endmill/setup/detail/cone_set.h"
+#include "endmill/setup/detail/distinct_cones.h"
+#include "endmill/visibility/sphere_grid.h"
+#include "endmill/visibility/visibility.h"
+
+namespace endmill {
+
+/// The minimal cones of a part: those that contain no other cone. They are numbered by
+/// size, smallest first.
+class MinimalCones {
+public:
+    /// For the time see `least_cones`. Empty cones are left out.
+    /// \param map cones over the cells of `grid`.
+    MinimalCones(const SphereGrid& grid, const VisibilityMap& map);
+
+    std::size_t size() const { return least_.size(); }  ///< number of cones
+
+    /// Cells that lie in at least one cone, ascending.
+    std::span<const std::size_t> cells() const { return cells_; }
+
+    /// The cones with these numbers, over all of cells().
+    ConeSet some(std::span<const std::size_t> numbers) const;
+
+    /// Adds the cone with this number to a set made by `some`.
+    void add(ConeSet& set, std::size_t number) const { set.add(all_, least_[number]); }
+
+    /// Numbers of the cones that hold none of these cells, ascending. If some of them are
+    /// farther than one and a half cells from these cells, only those. Distant cones
+    /// change a range most.
+    /// \param reached indices into cells(). \return nothing if all cones are met.
+    std::vector<std::size_t> missed(std::span<const std::uint32_t> reached) const;
+
+private:
+    DistinctCones all_;
+    std::vector<std::size_t> least_;         // numbers of the minimal cones in all_
+    VisibilityMap columns_;                  // the minimal cones as columns of bits
+    std::vector<std::uint64_t> everything_;  // a column with a bit for each cone
+    std::vector<std::size_t> cells_;
+    // By index of a cell: those of the cells within one and a half cells of it.
+    std::vector<std::vector<std::uint32_t>> nearby_;
+};
+
+}  // namespace endmill
