@@ -133,7 +133,7 @@ Json surface_summary(const PartFile& file, const SurfaceContinuity& continuity,
     const std::span<const Surface> surfaces = std::get<std::vector<Surface>>(file.part);
     const bool several = surfaces.size() > 1;
     const std::vector<double> sides = tool_side_signs(surfaces, axis);
-    const auto range = curvature_range(surfaces, sides);
+    const auto [range, local] = curvature_extremes(surfaces, sides);
     Json summary{{"name", file.name}, {"source", file.source}};
     for (const Vec3 along : {Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()})
         summary["size_mm"].push_back(extent(surfaces, along).length());
@@ -142,8 +142,7 @@ Json surface_summary(const PartFile& file, const SurfaceContinuity& continuity,
     add_continuity(summary, continuity, several);
     summary["min_curvature_per_mm"] = range ? Json(range->least) : Json(nullptr);
     summary["max_curvature_per_mm"] = range ? Json(range->greatest) : Json(nullptr);
-    add_cutter_limit(summary, largest_cutter(surfaces, sides), several);
-    const auto local = largest_cutter_by_curvature(surfaces, sides);
+    add_cutter_limit(summary, largest_cutter(surfaces, sides, local), several);
     summary["max_cutter_radius_local_mm"] =
         local ? Json(local->radius_mm) : Json(nullptr);
     summary["axis"] = vector_json(axis);

@@ -167,6 +167,7 @@ std::function<bool(const PartRay&)> accessibility(const VerifyInput& input)
             cutters.push_back(change.cutter);
     const auto& mesh = std::get<TriangleMesh>(input.part->part);
     std::vector<std::shared_ptr<const DropCutter>> drop_cutters;
+    drop_cutters.reserve(cutters.size());
     for (const Cutter& cutter : cutters)
         drop_cutters.push_back(std::make_shared<const DropCutter>(mesh, cutter));
     const double distance = reached_share * input.limits.scallop;

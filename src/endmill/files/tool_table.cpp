@@ -124,6 +124,7 @@ std::vector<NumberedTool> parse_tool_table(std::string_view content,
                            "tool " + std::to_string(twice->row.number) + " a second time",
                            "each number once"}};
     std::vector<NumberedTool> tools;
+    tools.reserve(rows.size());
     for (PlacedTool& row : rows)
         tools.push_back(std::move(row.row));
     return tools;

@@ -17,38 +17,41 @@ constexpr int samples_per_border = 17;
 // agree up to rounding.
 constexpr double g0_gap = 1e-9;
 
-SurfaceTangents tangents_of(const SurfaceJet& jet)
-{
-    return {jet.point, jet.du, jet.dv};
-}
-
 // The angle between the normals in rad; 0 where one of them does not exist.
 double normal_angle(const SurfaceTangents& one, const SurfaceTangents& other)
 {
-    if (is_singular(one) || is_singular(other))
+    const Vec3 n = one.du.cross(one.dv);
+    const Vec3 m = other.du.cross(other.dv);
+    if (is_singular(one, n) || is_singular(other, m))
         return 0;
-    const Vec3 n = unit_normal(one);
-    const Vec3 m = unit_normal(other);
-    return std::atan2(n.cross(m).norm(), n.dot(m));
+    const Vec3 unit_n = n.normalized();
+    const Vec3 unit_m = m.normalized();
+    return std::atan2(unit_n.cross(unit_m).norm(), unit_n.dot(unit_m));
 }
 
-// Two neighbouring patches, the second one above the first.
+// Two neighbouring patches, the second one above the first in the parameter `across`.
 struct PatchPair {
-    int i, j;               // column and row of the first
-    int k, l;               // column and row of the second
+    int i, j;  // column and row of the first
+    int k, l;  // column and row of the second
+    Parameter across;
     SurfacePoint from, to;  // ends of their border
 };
 
 // The worst of the samples along the border of two patches.
 BorderBreak worst_break(const Surface& surface, const PatchPair& pair)
 {
+    const BezierPatch& first = surface.patch(pair.i, pair.j);
+    const BezierPatch& second = surface.patch(pair.k, pair.l);
     BorderBreak worst{pair.from, {}, Angle::radians(-1), 0, Continuity::G1};
     for (int sample = 0; sample < samples_per_border; ++sample) {
         const double t = sample / double(samples_per_border - 1);
         const double u = std::lerp(pair.from.u, pair.to.u, t);
         const double v = std::lerp(pair.from.v, pair.to.v, t);
-        const auto one = tangents_of(surface.jet_in_patch(pair.i, pair.j, u, v));
-        const auto other = tangents_of(surface.jet_in_patch(pair.k, pair.l, u, v));
+        const bool is_across_u = pair.across == Parameter::U;
+        const SurfaceTangents one =
+            first.tangents(is_across_u ? 1 : t, is_across_u ? t : 1);
+        const SurfaceTangents other =
+            second.tangents(is_across_u ? 0 : t, is_across_u ? t : 0);
         worst.gap_mm = std::max(worst.gap_mm, (one.point - other.point).norm());
         const Angle angle = Angle::radians(normal_angle(one, other));
         if (angle.radians() > worst.normals.radians()) {
@@ -101,10 +104,12 @@ std::vector<BorderBreak> border_breaks(const Surface& surface)
     std::vector<PatchPair> pairs;
     for (int i = 1; i < columns; ++i)
         for (int j = 0; j < rows; ++j)
-            pairs.push_back({i - 1, j, i, j, {u[i], v[j]}, {u[i], v[j + 1]}});
+            pairs.push_back(
+                {i - 1, j, i, j, Parameter::U, {u[i], v[j]}, {u[i], v[j + 1]}});
     for (int j = 1; j < rows; ++j)
         for (int i = 0; i < columns; ++i)
-            pairs.push_back({i, j - 1, i, j, {u[i], v[j]}, {u[i + 1], v[j]}});
+            pairs.push_back(
+                {i, j - 1, i, j, Parameter::V, {u[i], v[j]}, {u[i + 1], v[j]}});
     std::vector<BorderBreak> breaks(pairs.size());
     parallel_for(pairs.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)

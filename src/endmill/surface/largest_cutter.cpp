@@ -34,9 +34,9 @@ constexpr double largest_pair_diagonals = 8;
 
 // A local minimum among the samples, from which the search is refined.
 struct Candidate {
-    double value;  // the smaller, the better
-    int i, j;      // column and row of the patch
-    SurfacePoint at;
+    double value;     // the smaller, the better
+    int i, j;         // column and row of the patch
+    SurfacePoint at;  // in the patch
     // Difference between the neighbouring samples and this one. The true minimum between
     // the samples is less far below it.
     double rise = 0;
@@ -44,55 +44,68 @@ struct Candidate {
 
 // Whether a partial derivative is so short, in the parameters of its patch, that it may
 // be rounding. This happens next to a collapsed edge.
-bool is_near_pole(const Surface& surface, const SurfacePoint& at, const Vec3& du,
-                  const Vec3& dv)
+bool is_near_pole(double diagonal, const Vec3& local_du, const Vec3& local_dv)
 {
     constexpr double shortest = 1e-8;  // of the surface's diagonal
-    const double along_u = du.norm() * surface.patch_width(Parameter::U, at.u);
-    const double along_v = dv.norm() * surface.patch_width(Parameter::V, at.v);
-    return surface.diagonal() == 0 ||
-           std::min(along_u, along_v) <= shortest * surface.diagonal();
+    return diagonal == 0 ||
+           std::min(local_du.norm(), local_dv.norm()) <= shortest * diagonal;
 }
 
-// The principal curvature to minimise.
+bool is_near_pole(const Surface& surface, const SurfacePoint& at,
+                  const SurfaceTangents& tangents)
+{
+    return is_near_pole(surface.diagonal(),
+                        tangents.du * surface.patch_width(Parameter::U, at.u),
+                        tangents.dv * surface.patch_width(Parameter::V, at.v));
+}
+
+// A function of the principal curvatures to minimise.
 using PrincipalValue = double (*)(const PrincipalCurvatures&);
 
-// The value to minimise as a function of a place; infinite where there is no normal.
-struct CurvatureField {
-    const Surface& surface;
-    double side;
-    PrincipalValue value;
+double least_curvature(const PrincipalCurvatures& k)
+{
+    return k.least;
+}
 
-    double operator()(int i, int j, const SurfacePoint& at) const
+double negative_greatest_curvature(const PrincipalCurvatures& k)
+{
+    return -k.greatest;
+}
+
+// A patch, examined in its own parameters from 0 to 1.
+struct SidedPatch {
+    const BezierPatch& patch;
+    double diagonal;  // of the surface
+    double side;
+
+    SidedPatch(const Surface& surface, int i, int j, double sign)
+        : patch{surface.patch(i, j)},
+          diagonal{surface.diagonal()},
+          side{sign}
     {
-        const SurfaceJet jet = surface.jet_in_patch(i, j, at.u, at.v);
-        if (is_near_pole(surface, at, jet.du, jet.dv) ||
-            is_singular({jet.point, jet.du, jet.dv}))
-            return infinity;
-        return value(principal_curvatures(fundamental_forms(jet, side)));
+    }
+
+    // Nothing where there is no normal.
+    std::optional<PrincipalCurvatures> curvatures(double u, double v) const
+    {
+        const SurfaceJet jet = patch.jet(u, v);
+        const Vec3 across = jet.du.cross(jet.dv);
+        if (is_near_pole(diagonal, jet.du, jet.dv) ||
+            is_singular({jet.point, jet.du, jet.dv}, across))
+            return std::nullopt;
+        return principal_curvatures(
+            fundamental_forms(jet, Vec3{side * across.normalized()}));
+    }
+
+    // The range of a parameter without the margin of a collapsed edge: next to a pole
+    // curvature loses its digits.
+    Interval range(Parameter along) const
+    {
+        constexpr double rim = 1e-3;
+        return {is_collapsed(patch, along, 0) ? rim : 0,
+                is_collapsed(patch, along, 1) ? 1 - rim : 1};
     }
 };
-
-struct PatchBox {
-    Interval u;
-    Interval v;
-};
-
-// The range of parameters of patch (i, j), without the margin of a collapsed edge: next
-// to a pole curvature loses its digits.
-PatchBox patch_box(const Surface& surface, int i, int j)
-{
-    constexpr double rim = 1e-3;  // of the patch's width
-    const auto range = [&](Parameter along, int number) -> Interval {
-        const auto breaks = surface.breaks(along);
-        const BezierPatch& patch = surface.patch(i, j);
-        return {std::lerp(breaks[number], breaks[number + 1],
-                          is_collapsed(patch, along, 0) ? rim : 0),
-                std::lerp(breaks[number], breaks[number + 1],
-                          is_collapsed(patch, along, 1) ? 1 - rim : 1)};
-    };
-    return {range(Parameter::U, i), range(Parameter::V, j)};
-}
 
 int curvature_samples_per_side(const Surface& surface)
 {
@@ -102,37 +115,37 @@ int curvature_samples_per_side(const Surface& surface)
                       least_samples_per_side, most_samples_per_side);
 }
 
-// The smallest samples of a patch that are not above their eight neighbours: one for each
-// local minimum, even if many samples around one minimum are below another minimum.
-std::vector<Candidate> basins(const CurvatureField& field, int i, int j)
-{
-    const auto [u_range, v_range] = patch_box(field.surface, i, j);
-    const int samples = curvature_samples_per_side(field.surface);
-    const auto parameter = [&](Interval range, int k) {
-        return std::lerp(range.low, range.high, k / (samples - 1.0));
-    };
-    Eigen::MatrixXd values{samples, samples};
-    for (int row = 0; row < samples; ++row)
-        for (int column = 0; column < samples; ++column)
-            values(column, row) =
-                field(i, j, {parameter(u_range, column), parameter(v_range, row)});
+// The samples of a patch, evenly over both ranges.
+struct SampleGrid {
+    Interval u;
+    Interval v;
+    int samples;  // in each direction
 
+    SurfacePoint at(int column, int row) const
+    {
+        return {std::lerp(u.low, u.high, column / (samples - 1.0)),
+                std::lerp(v.low, v.high, row / (samples - 1.0))};
+    }
+};
+
+// The smallest samples of patch (i, j) that are not above their eight neighbours: one for
+// each local minimum, even if many samples around one minimum are below another minimum.
+std::vector<Candidate> basins(const Eigen::MatrixXd& values, const SampleGrid& grid,
+                              int i, int j)
+{
     std::vector<Candidate> found;
-    for (int row = 0; row < samples; ++row)
-        for (int column = 0; column < samples; ++column) {
+    for (int row = 0; row < grid.samples; ++row)
+        for (int column = 0; column < grid.samples; ++column) {
             const int left = std::max(column - 1, 0);
             const int below = std::max(row - 1, 0);
-            const int right = std::min(column + 1, samples - 1);
-            const int above = std::min(row + 1, samples - 1);
+            const int right = std::min(column + 1, grid.samples - 1);
+            const int above = std::min(row + 1, grid.samples - 1);
             const double value = values(column, row);
             const auto around =
                 values.block(left, below, right - left + 1, above - below + 1);
             if (value <= around.minCoeff() && std::isfinite(value))
-                found.push_back({value,
-                                 i,
-                                 j,
-                                 {parameter(u_range, column), parameter(v_range, row)},
-                                 around.maxCoeff() - value});
+                found.push_back(
+                    {value, i, j, grid.at(column, row), around.maxCoeff() - value});
         }
     std::ranges::stable_sort(found, {}, &Candidate::value);
     if (found.size() > candidates_to_refine)
@@ -140,48 +153,79 @@ std::vector<Candidate> basins(const CurvatureField& field, int i, int j)
     return found;
 }
 
-// Refines a minimum by a local search in its patch.
-Candidate refined(const CurvatureField& field, const Candidate& start)
+// The basins of each of `functions` in a patch, from the same samples.
+std::vector<std::vector<Candidate>> basins_of(const Surface& surface, double side,
+                                              std::span<const PrincipalValue> functions,
+                                              int i, int j)
 {
-    const auto [u, v] = patch_box(field.surface, start.i, start.j);
+    const SidedPatch patch{surface, i, j, side};
+    const SampleGrid grid{patch.range(Parameter::U), patch.range(Parameter::V),
+                          curvature_samples_per_side(surface)};
+    std::vector<Eigen::MatrixXd> values(
+        functions.size(),
+        Eigen::MatrixXd::Constant(grid.samples, grid.samples, infinity));
+    for (int row = 0; row < grid.samples; ++row)
+        for (int column = 0; column < grid.samples; ++column) {
+            const auto [u, v] = grid.at(column, row);
+            if (const auto curvatures = patch.curvatures(u, v))
+                for (std::size_t f = 0; f < functions.size(); ++f)
+                    values[f](column, row) = functions[f](*curvatures);
+        }
+    std::vector<std::vector<Candidate>> found;
+    found.reserve(values.size());
+    for (const Eigen::MatrixXd& one : values)
+        found.push_back(basins(one, grid, i, j));
+    return found;
+}
+
+// Refines a minimum by a local search in its patch.
+Candidate refined(const Surface& surface, double side, PrincipalValue function,
+                  const Candidate& start)
+{
+    const SidedPatch patch{surface, start.i, start.j, side};
+    const Interval u = patch.range(Parameter::U);
+    const Interval v = patch.range(Parameter::V);
     const BoxMinimum found = minimize_in_box(
         [&](const Eigen::VectorXd& x) {
-            return field(start.i, start.j, {x[0], x[1]});
+            const auto curvatures = patch.curvatures(x[0], x[1]);
+            return curvatures ? function(*curvatures) : infinity;
         },
         {Eigen::Vector2d{u.low, v.low}, Eigen::Vector2d{u.high, v.high}},
         Eigen::Vector2d{start.at.u, start.at.v},
-        std::min(u.length(), v.length()) /
-            (curvature_samples_per_side(field.surface) - 1));
+        std::min(u.length(), v.length()) / (curvature_samples_per_side(surface) - 1));
     if (!(found.value < start.value))
         return start;
     return {found.value, start.i, start.j, {found.at[0], found.at[1]}};
 }
 
-// The least value over all patches; nothing if no sample of the surface has a normal. The
-// minima are refined in the order of their values. A minimum is skipped if it cannot fall
-// below the best one found.
-std::optional<Candidate> least_principal_value(const CurvatureField& field)
+// The least value of each of `functions` over all patches; nothing if no sample of the
+// surface has a normal. The minima are refined in the order of their values. A minimum is
+// skipped if it cannot fall below the best one found.
+std::vector<std::optional<Candidate>> least_values(
+    const Surface& surface, double side, std::span<const PrincipalValue> functions)
 {
-    const int columns = field.surface.patches(Parameter::U);
-    const int rows = field.surface.patches(Parameter::V);
-    std::vector<std::vector<Candidate>> by_patch(static_cast<std::size_t>(columns) *
-                                                 static_cast<std::size_t>(rows));
+    const auto columns = static_cast<std::size_t>(surface.patches(Parameter::U));
+    const auto rows = static_cast<std::size_t>(surface.patches(Parameter::V));
+    std::vector<std::vector<std::vector<Candidate>>> by_patch(columns * rows);
     parallel_for(by_patch.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t number = begin; number < end; ++number)
-            by_patch[number] = basins(field, static_cast<int>(number) % columns,
-                                      static_cast<int>(number) / columns);
+            by_patch[number] =
+                basins_of(surface, side, functions, static_cast<int>(number % columns),
+                          static_cast<int>(number / columns));
     });
-    std::vector<Candidate> starts;
-    for (const auto& patch : by_patch)
-        starts.insert(starts.end(), patch.begin(), patch.end());
-    std::ranges::stable_sort(starts, {}, &Candidate::value);
-    std::optional<Candidate> least;
-    for (const Candidate& start : starts) {
-        if (least && start.value - start.rise >= least->value)
-            continue;
-        const Candidate found = refined(field, start);
-        if (!least || found.value < least->value)
-            least = found;
+    std::vector<std::optional<Candidate>> least(functions.size());
+    for (std::size_t f = 0; f < functions.size(); ++f) {
+        std::vector<Candidate> starts;
+        for (const auto& patch : by_patch)
+            starts.insert(starts.end(), patch[f].begin(), patch[f].end());
+        std::ranges::stable_sort(starts, {}, &Candidate::value);
+        for (const Candidate& start : starts) {
+            if (least[f] && start.value - start.rise >= least[f]->value)
+                continue;
+            const Candidate found = refined(surface, side, functions[f], start);
+            if (!least[f] || found.value < least[f]->value)
+                least[f] = found;
+        }
     }
     return least;
 }
@@ -231,8 +275,7 @@ void add_samples(const SidedSurfaces& part, std::size_t number, double per_patch
     for (const double v : sample_lines(surface, Parameter::V, per_patch))
         for (const double u : along_u) {
             const SurfaceTangents tangents = surface.tangents(u, v);
-            if (!is_near_pole(surface, {u, v}, tangents.du, tangents.dv) &&
-                !is_singular(tangents))
+            if (!is_near_pole(surface, {u, v}, tangents) && !is_singular(tangents))
                 samples.push_back({number,
                                    {u, v},
                                    tangents.point,
@@ -331,8 +374,7 @@ BoxMinimum refined_pair(const SidedSurfaces& part, const Pair& start)
         const Surface& surface = part.surfaces[number];
         const SurfaceTangents tangents = surface.tangents(u, v);
         const bool has_normal =
-            !is_near_pole(surface, {u, v}, tangents.du, tangents.dv) &&
-            !is_singular(tangents);
+            !is_near_pole(surface, {u, v}, tangents) && !is_singular(tangents);
         const Vec3 normal =
             has_normal ? Vec3{part.sides[number] * unit_normal(tangents)} : Vec3::Zero();
         return {number, {u, v}, tangents.point, normal};
@@ -359,59 +401,92 @@ BoxMinimum refined_pair(const SidedSurfaces& part, const Pair& start)
 
 }  // namespace
 
-std::optional<CurvatureRange> curvature_range(const Surface& surface, double side)
+namespace {
+
+std::optional<CurvatureRange> range_of(const std::optional<Candidate>& least,
+                                       const std::optional<Candidate>& greatest)
 {
-    const auto least = least_principal_value(
-        {surface, side, [](const PrincipalCurvatures& k) { return k.least; }});
-    const auto greatest = least_principal_value(
-        {surface, side, [](const PrincipalCurvatures& k) { return -k.greatest; }});
     if (!least || !greatest)
         return std::nullopt;
     // Without a minus zero.
     return CurvatureRange{least->value + 0.0, 0.0 - greatest->value};
 }
 
+std::optional<CutterLimit> limit_of(const Surface& surface, std::size_t number,
+                                    const std::optional<Candidate>& tightest)
+{
+    if (!tightest || !(-tightest->value * flat_diagonals * surface.diagonal() > 1))
+        return std::nullopt;
+    const auto& [value, i, j, at, rise] = *tightest;
+    const auto place = [&](Parameter along, int patch, double local) {
+        const auto breaks = surface.breaks(along);
+        return std::lerp(breaks[patch], breaks[patch + 1], local);
+    };
+    return CutterLimit{-1 / value,
+                       number,
+                       {place(Parameter::U, i, at.u), place(Parameter::V, j, at.v)},
+                       surface.patch(i, j).tangents(at.u, at.v).point};
+}
+
+void widen(std::optional<CurvatureRange>& whole, const std::optional<CurvatureRange>& own)
+{
+    if (!own)
+        return;
+    if (!whole)
+        whole = own;
+    whole->least = std::min(whole->least, own->least);
+    whole->greatest = std::max(whole->greatest, own->greatest);
+}
+
+void tighten(std::optional<CutterLimit>& whole, const std::optional<CutterLimit>& own)
+{
+    if (own && (!whole || own->radius_mm < whole->radius_mm))
+        whole = own;
+}
+
+}  // namespace
+
+CurvatureExtremes curvature_extremes(std::span<const Surface> surfaces,
+                                     std::span<const double> sides)
+{
+    CurvatureExtremes whole;
+    for (std::size_t number = 0; number < surfaces.size(); ++number) {
+        const Surface& surface = surfaces[number];
+        const auto extremes = least_values(
+            surface, sides[number],
+            std::array<PrincipalValue, 2>{least_curvature, negative_greatest_curvature});
+        widen(whole.range, range_of(extremes[0], extremes[1]));
+        tighten(whole.limit, limit_of(surface, number, extremes[0]));
+    }
+    return whole;
+}
+
+std::optional<CurvatureRange> curvature_range(const Surface& surface, double side)
+{
+    return curvature_range(std::span{&surface, 1}, std::span{&side, 1});
+}
+
 std::optional<CurvatureRange> curvature_range(std::span<const Surface> surfaces,
                                               std::span<const double> sides)
 {
-    std::optional<CurvatureRange> whole;
-    for (std::size_t number = 0; number < surfaces.size(); ++number) {
-        const auto range = curvature_range(surfaces[number], sides[number]);
-        if (!range)
-            continue;
-        if (!whole)
-            whole = range;
-        whole->least = std::min(whole->least, range->least);
-        whole->greatest = std::max(whole->greatest, range->greatest);
-    }
-    return whole;
+    return curvature_extremes(surfaces, sides).range;
 }
 
 std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface,
                                                        double side)
 {
-    const auto tightest = least_principal_value(
-        {surface, side, [](const PrincipalCurvatures& k) { return k.least; }});
-    if (!tightest || !(-tightest->value * flat_diagonals * surface.diagonal() > 1))
-        return std::nullopt;
-    const auto [u, v] = tightest->at;
-    return CutterLimit{-1 / tightest->value,
-                       0,
-                       {u, v},
-                       surface.jet_in_patch(tightest->i, tightest->j, u, v).point};
+    return largest_cutter_by_curvature(std::span{&surface, 1}, std::span{&side, 1});
 }
 
 std::optional<CutterLimit> largest_cutter_by_curvature(std::span<const Surface> surfaces,
                                                        std::span<const double> sides)
 {
     std::optional<CutterLimit> limit;
-    for (std::size_t number = 0; number < surfaces.size(); ++number) {
-        auto own = largest_cutter_by_curvature(surfaces[number], sides[number]);
-        if (!own || (limit && limit->radius_mm <= own->radius_mm))
-            continue;
-        own->surface = number;
-        limit = own;
-    }
+    for (std::size_t number = 0; number < surfaces.size(); ++number)
+        tighten(limit, limit_of(surfaces[number], number,
+                                least_values(
+                                    surfaces[number], sides[number],
+                                    std::array<PrincipalValue, 1>{least_curvature})[0]));
     return limit;
 }
 
@@ -420,11 +495,18 @@ std::optional<CutterLimit> largest_cutter(const Surface& surface, double side)
     return largest_cutter(std::span{&surface, 1}, std::span{&side, 1});
 }
 
-// The limit by curvature is the start value of the search over pairs.
 std::optional<CutterLimit> largest_cutter(std::span<const Surface> surfaces,
                                           std::span<const double> sides)
 {
-    std::optional<CutterLimit> limit = largest_cutter_by_curvature(surfaces, sides);
+    return largest_cutter(surfaces, sides, largest_cutter_by_curvature(surfaces, sides));
+}
+
+// The limit by curvature is the start value of the search over pairs.
+std::optional<CutterLimit> largest_cutter(std::span<const Surface> surfaces,
+                                          std::span<const double> sides,
+                                          const std::optional<CutterLimit>& by_curvature)
+{
+    std::optional<CutterLimit> limit = by_curvature;
     double size = 0;
     for (const Surface& surface : surfaces)
         size = std::max(size, surface.diagonal());

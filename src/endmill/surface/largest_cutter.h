@@ -55,6 +55,18 @@ std::optional<CutterLimit> largest_cutter_by_curvature(const Surface& surface,
 std::optional<CutterLimit> largest_cutter_by_curvature(std::span<const Surface> surfaces,
                                                        std::span<const double> sides);
 
+/// The results of `curvature_range` and of `largest_cutter_by_curvature` for a part.
+struct CurvatureExtremes {
+    std::optional<CurvatureRange> range;  ///< nothing if no sample has a normal
+    std::optional<CutterLimit> limit;     ///< nothing if no place is concave
+};
+
+/// Both at once, from the same samples.
+/// \param surfaces of a part.
+/// \param sides from tool_side_signs.
+CurvatureExtremes curvature_extremes(std::span<const Surface> surfaces,
+                                     std::span<const double> sides);
+
 /// The largest ball that can touch the surface at every point without entering it at
 /// another point. Its radius is half the least |q - p|^2 / (N_p . (q - p)) over pairs of
 /// points p, q. It never exceeds the radius by curvature, which is the limit q -> p.
@@ -77,5 +89,11 @@ std::optional<CutterLimit> largest_cutter(const Surface& surface, double side);
 /// \param sides from tool_side_signs.
 std::optional<CutterLimit> largest_cutter(std::span<const Surface> surfaces,
                                           std::span<const double> sides);
+
+/// The same if the limit by curvature is known.
+/// \param by_curvature from largest_cutter_by_curvature for the same part.
+std::optional<CutterLimit> largest_cutter(std::span<const Surface> surfaces,
+                                          std::span<const double> sides,
+                                          const std::optional<CutterLimit>& by_curvature);
 
 }  // namespace endmill

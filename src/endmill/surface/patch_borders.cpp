@@ -35,24 +35,25 @@ struct SampledSide {
     }
 };
 
-// Parameter of the point of a side that is nearest to `point`: the best sample, refined
-// by golden section.
-double nearest_parameter(const SampledSide& sampled, const Vec3& point)
+// The step along a side from the share `t` of it towards the foot of `point`, by Gauss
+// and Newton; 0 where the side stands still.
+double newton_step(const PatchSide& side, double t, const Vec3& point)
 {
-    const PatchSide& side = *sampled.side;
+    const SurfaceTangents at = side.tangents(t);
+    const Vec3 along =
+        at.du * (side.to.u - side.from.u) + at.dv * (side.to.v - side.from.v);
+    const double speed2 = along.squaredNorm();
+    return speed2 > 0 ? (point - at.point).dot(along) / speed2 : 0;
+}
+
+// The least distance from `point` between two shares of a side, by golden section.
+double golden_section(const PatchSide& side, Interval bracket, const Vec3& point)
+{
     const auto distance = [&](double t) {
         return (side.tangents(t).point - point).squaredNorm();
     };
-    int nearest = 0;
-    double least = (sampled.points[0] - point).squaredNorm();
-    for (int k = 1; k <= search_samples; ++k)
-        if (const double d = (sampled.points[k] - point).squaredNorm(); d < least) {
-            least = d;
-            nearest = k;
-        }
     constexpr double golden = std::numbers::phi - 1;
-    double low = std::max(nearest - 1, 0) / double(search_samples);
-    double high = std::min(nearest + 1, search_samples) / double(search_samples);
+    auto [low, high] = bracket;
     for (int k = 0; k < refinements; ++k) {
         const double width = golden * (high - low);
         if (distance(high - width) < distance(low + width))
@@ -60,15 +61,40 @@ double nearest_parameter(const SampledSide& sampled, const Vec3& point)
         else
             low = high - width;
     }
-    // A last Newton step. Golden section finds the parameter to half the digits only,
-    // because the distance is flat at its minimum.
-    const double t = std::midpoint(low, high);
-    const SurfaceTangents at = side.tangents(t);
-    const Vec3 along =
-        at.du * (side.to.u - side.from.u) + at.dv * (side.to.v - side.from.v);
-    const double speed2 = along.squaredNorm();
-    const double step = speed2 > 0 ? (point - at.point).dot(along) / speed2 : 0;
-    return std::clamp(t + step, 0.0, 1.0);
+    return std::midpoint(low, high);
+}
+
+// Parameter of the point of a side that is nearest to `point`: the best sample, refined
+// by Newton steps. If they do not converge at once, golden section finds the parameter to
+// half the digits, because the distance is flat at its minimum, and a Newton step the
+// rest.
+double nearest_parameter(const SampledSide& sampled, const Vec3& point)
+{
+    constexpr int most_steps = 8;
+    constexpr double last_step = 1e-9;  // the next one would be about its square
+    const PatchSide& side = *sampled.side;
+    int nearest = 0;
+    double least = (sampled.points[0] - point).squaredNorm();
+    for (int k = 1; k <= search_samples; ++k)
+        if (const double d = (sampled.points[k] - point).squaredNorm(); d < least) {
+            least = d;
+            nearest = k;
+        }
+    const Interval bracket{
+        std::max(nearest - 1, 0) / double(search_samples),
+        std::min(nearest + 1, search_samples) / double(search_samples)};
+    double t = nearest / double(search_samples);
+    for (int k = 0; k < most_steps; ++k) {
+        const double next =
+            std::clamp(t + newton_step(side, t, point), bracket.low, bracket.high);
+        const bool is_stuck =
+            (next == bracket.low && next > 0) || (next == bracket.high && next < 1);
+        if (std::abs(next - t) <= last_step && !is_stuck)
+            return next;
+        t = next;
+    }
+    t = golden_section(side, bracket, point);
+    return std::clamp(t + newton_step(side, t, point), 0.0, 1.0);
 }
 
 // Unit direction into the surface, in its tangent plane and perpendicular to the side;
@@ -146,8 +172,8 @@ SurfaceContinuity continuity(std::span<const Surface> surfaces)
 {
     require(!surfaces.empty(), "continuity: need a surface");
     SurfaceContinuity whole = continuity(surfaces.front());
-    double size = 0;
-    for (std::size_t number = 0; number < surfaces.size(); ++number) {
+    double size = surfaces.front().diagonal();
+    for (std::size_t number = 1; number < surfaces.size(); ++number) {
         BorderBreak own = continuity(surfaces[number]).worst;
         own.surface = number;
         if (is_worse(own, whole.worst))
