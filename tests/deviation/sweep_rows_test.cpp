@@ -2,6 +2,8 @@
 #include "endmill/deviation/detail/sweep_rows.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -43,7 +45,15 @@ TEST_P(SweepRowsOf, HoldEverySweepThatShortensARay)
                             Vec3::Zero(), Vec3::Zero()});
         const std::vector<double> lengths(rays.size(), random.uniform(0, 3));
         const RayBounds bounds = CutRays{rays, lengths}.bounds();
-        const auto near = SweepRows{tree, bounds}.near(bounds);
+        // Some sweeps are omitted for a larger tile first.
+        RayBounds around = bounds;
+        around.centre += within(random, 0.5);
+        around.beside += 1;
+        around.above += 1;
+        std::vector<std::int32_t> near;
+        for (const NearSweep& sweep :
+             SweepRows{tree, around}.reduced(around).near(bounds))
+            near.push_back(sweep.number);
         kept += near.size();
         all += sweeps.size();
         for (std::size_t k = 0; k < sweeps.size(); ++k) {
@@ -54,6 +64,41 @@ TEST_P(SweepRowsOf, HoldEverySweepThatShortensARay)
         }
     }
     EXPECT_LT(kept, all / 2);
+}
+
+// The half space of a sweep contains all that the sweep clears: no place on a ray that the
+// sweep reaches is outside.
+TEST_P(SweepRowsOf, BoundWhatTheSweepsClear)
+{
+    test::Random random{53};
+    int reached = 0;
+    for (int round = 0; round < 60; ++round) {
+        std::vector<Vec3> tips;
+        for (int i = 0; i < 80; ++i)
+            tips.push_back((i % 2 ? tips.back() : within(random, 8)) +
+                           within(random, i % 8 == 0 ? 0 : 4));
+        const auto sweeps = path_sweeps(test::tip_path(tips), GetParam());
+        const SweepTree tree{sweeps};
+        const RayBounds bounds{.centre = within(random, 6),
+                               .upright = Vec3::UnitZ(),
+                               .beside = 1,
+                               .above = 1,
+                               .tilt = 0,
+                               .longest = 4};
+        for (const NearSweep& near : SweepRows{tree, bounds}.near(bounds)) {
+            const StraightSweep& sweep = sweeps[static_cast<std::size_t>(near.number)];
+            for (int i = 0; i < 20; ++i) {
+                Vec3 place = bounds.centre + within(random, 3);
+                place.z() = sweep.height(place.x(), place.y());
+                if (!std::isfinite(place.z()))
+                    continue;
+                ++reached;
+                EXPECT_GE(near.half.normal.dot(place), near.half.least - 1e-11);
+            }
+            EXPECT_NEAR(near.half.normal.norm(), 1, 1e-12);
+        }
+    }
+    EXPECT_GT(reached, 1000);
 }
 
 // Cutting tiles together gives the same result as cutting each alone.

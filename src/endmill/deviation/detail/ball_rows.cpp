@@ -97,87 +97,125 @@ struct Entries {
     Row t;       // mm; infinite if the line misses it
     Row cosine;  // between the normal of the surface there and the line
     Row inside;  // below 0 if the ray's point is outside
-    Row open;    // above 0 if another part may be entered earlier
 };
 
-// Computes how far the rays' points are inside the capsule, in mm^2.
-ENDMILL_WIDEST_REGISTERS
-void hold_origins(const RayRows& rows, BallMove move, Entries& entries)
+// Where the line of a ray enters the capsule.
+struct CapsuleEntry {
+    double t;       // mm; infinite if the line misses it
+    double cosine;  // as in Entries
+    double inside;  // as in Entries
+    double open;    // above 0 if another part may be entered earlier
+};
+
+// Computes how far the point (ox, oy, oz), from the centre at the start, is inside the
+// capsule, in mm^2.
+inline double depth_in_capsule(const BallMove& move, double ox, double oy, double oz)
 {
-    const double square = move.radius * move.radius;
-    for (int k = 0; k < rows.padded(); ++k) {
-        const double ox = rows.point[0][k] - move.x;
-        const double oy = rows.point[1][k] - move.y;
-        const double oz = rows.point[2][k] - move.z;
-        const double along =
-            (move.dx * ox + move.dy * oy + move.dz * oz) * move.per_squared;
-        const double positive = select(along > 0, along, 0);
-        const double nearest = select(positive < 1, positive, 1);
-        const double qx = ox - nearest * move.dx;
-        const double qy = oy - nearest * move.dy;
-        const double qz = oz - nearest * move.dz;
-        entries.inside[k] = square - (qx * qx + qy * qy + qz * qz);
-    }
+    const double along = (move.dx * ox + move.dy * oy + move.dz * oz) * move.per_squared;
+    const double positive = select(along > 0, along, 0);
+    const double nearest = select(positive < 1, positive, 1);
+    const double qx = ox - nearest * move.dx;
+    const double qy = oy - nearest * move.dy;
+    const double qz = oz - nearest * move.dz;
+    return move.radius * move.radius - (qx * qx + qy * qy + qz * qz);
 }
 
-// Computes the entries into the capsule.
-ENDMILL_WIDEST_REGISTERS
-void enter_capsule(const RayRows& rows, BallMove move, Entries& entries)
+// Computes the entry of ray `k`.
+inline CapsuleEntry capsule_entry(const RayRows& rows, const BallMove& move, int k)
 {
     const double square = move.radius * move.radius;
-    for (int k = 0; k < rows.padded(); ++k) {
-        const double nx = rows.normal[0][k];
-        const double ny = rows.normal[1][k];
-        const double nz = rows.normal[2][k];
-        const double ox = rows.point[0][k] - move.x;
-        const double oy = rows.point[1][k] - move.y;
-        const double oz = rows.point[2][k] - move.z;
-        const double dn = move.dx * nx + move.dy * ny + move.dz * nz;
-        const double d_o = move.dx * ox + move.dy * oy + move.dz * oz;
-        const double on = ox * nx + oy * ny + oz * nz;
-        const double oo = ox * ox + oy * oy + oz * oz;
-        // Entry into the infinite cylinder around the segment.
-        const double a = move.squared - dn * dn;
-        const double b = move.squared * on - d_o * dn;
-        const double c = move.squared * (oo - square) - d_o * d_o;
-        const double h = b * b - a * c;
-        const double t_beside = (-b - std::sqrt(select(h > 0, h, 0))) / a;
-        const double at = (d_o + t_beside * dn) * move.per_squared;
-        const bool is_oblique = a > 0;
-        const bool is_beside = is_oblique & (at >= 0) & (at <= 1);
-        // Entry into the ball at an end of the segment. A line along the move enters the
-        // nearer ball.
-        const double far = select(is_oblique, at, 0.5 - dn);
-        const bool is_last = far > 0.5;
-        const double vx = select(is_last, ox - move.dx, ox);
-        const double vy = select(is_last, oy - move.dy, oy);
-        const double vz = select(is_last, oz - move.dz, oz);
-        const double vn = vx * nx + vy * ny + vz * nz;
-        const double px = vx - vn * nx;
-        const double py = vy - vn * ny;
-        const double pz = vz - vn * nz;
-        const double rest = square - (px * px + py * py + pz * pz);
-        const double t_end = -vn - std::sqrt(select(rest > 0, rest, 0));
-        // A line that misses the cylinder also misses the balls.
-        const double least = select(is_oblique & (h < rest), h, rest);
-        const double t = select(is_beside, t_beside, t_end);
-        const double over = select(is_beside, h, least);
-        entries.t[k] = select(over >= 0, t, infinite);
-        const double end_dn = select(is_last, dn, 0);
-        entries.cosine[k] = (on + t - select(is_beside, at * dn, end_dn)) / move.radius;
-        // The lower half of the capsule's surface belongs to the boundary of the whole
-        // volume. The upright parts start at the height of the centres.
-        const double end_dz = select(is_last, move.dz, 0);
-        const double height = oz + t * nz - select(is_beside, at * move.dz, end_dz);
-        const double above = select(over >= 0, height, infinite);
-        const double reached = rows.point[2][k] + rows.left[k] * nz - move.lowest;
-        const double high = select(nz >= 0, reached, infinite);
-        const double both = select(above < high, above, high);
-        // A point above the capsule may also be cleared.
-        const bool is_over = (t < 0) & (entries.inside[k] < 0);
-        const double over_it = select(is_over, rows.point[2][k] - move.lowest, both);
-        entries.open[k] = select(both > over_it, both, over_it);
-    }
+    const double nx = rows.normal[0][k];
+    const double ny = rows.normal[1][k];
+    const double nz = rows.normal[2][k];
+    const double ox = rows.point[0][k] - move.x;
+    const double oy = rows.point[1][k] - move.y;
+    const double oz = rows.point[2][k] - move.z;
+    const double dn = move.dx * nx + move.dy * ny + move.dz * nz;
+    const double d_o = move.dx * ox + move.dy * oy + move.dz * oz;
+    const double on = ox * nx + oy * ny + oz * nz;
+    const double oo = ox * ox + oy * oy + oz * oz;
+    // Entry into the infinite cylinder around the segment.
+    const double a = move.squared - dn * dn;
+    const double b = move.squared * on - d_o * dn;
+    const double c = move.squared * (oo - square) - d_o * d_o;
+    const double h = b * b - a * c;
+    const double t_beside = (-b - std::sqrt(select(h > 0, h, 0))) / a;
+    const double at = (d_o + t_beside * dn) * move.per_squared;
+    const bool is_oblique = a > 0;
+    const bool is_beside = is_oblique & (at >= 0) & (at <= 1);
+    // Entry into the ball at an end of the segment. A line along the move enters the
+    // nearer ball.
+    const double far = select(is_oblique, at, 0.5 - dn);
+    const bool is_last = far > 0.5;
+    const double vx = select(is_last, ox - move.dx, ox);
+    const double vy = select(is_last, oy - move.dy, oy);
+    const double vz = select(is_last, oz - move.dz, oz);
+    const double vn = vx * nx + vy * ny + vz * nz;
+    const double px = vx - vn * nx;
+    const double py = vy - vn * ny;
+    const double pz = vz - vn * nz;
+    const double rest = square - (px * px + py * py + pz * pz);
+    const double t_end = -vn - std::sqrt(select(rest > 0, rest, 0));
+    // A line that misses the cylinder also misses the balls.
+    const double least = select(is_oblique & (h < rest), h, rest);
+    const double t = select(is_beside, t_beside, t_end);
+    const double over = select(is_beside, h, least);
+    const double end_dn = select(is_last, dn, 0);
+    // The lower half of the capsule's surface belongs to the boundary of the whole
+    // volume. The upright parts start at the height of the centres.
+    const double end_dz = select(is_last, move.dz, 0);
+    const double height = oz + t * nz - select(is_beside, at * move.dz, end_dz);
+    const double above = select(over >= 0, height, infinite);
+    const double reached = rows.point[2][k] + rows.left[k] * nz - move.lowest;
+    const double high = select(nz >= 0, reached, infinite);
+    const double both = select(above < high, above, high);
+    // A point above the capsule may also be cleared.
+    const double inside = depth_in_capsule(move, ox, oy, oz);
+    const bool is_over = (t < 0) & (inside < 0);
+    const double over_it = select(is_over, rows.point[2][k] - move.lowest, both);
+    return {.t = select(over >= 0, t, infinite),
+            .cosine = (on + t - select(is_beside, at * dn, end_dn)) / move.radius,
+            .inside = inside,
+            .open = select(both > over_it, both, over_it)};
+}
+
+// Shortens ray `k` if its entry comes before its end. An entry below the ray's point counts
+// only if the volume clears the point. A volume that ends at the point, within rounding,
+// leaves thickness 0.
+inline void shorten(RayRows& rows, int k, const CapsuleEntry& entry, double number)
+{
+    const double t = entry.t;
+    const double left = rows.left[k];
+    const bool clears = (t >= 0) | (entry.inside >= 0);
+    const bool touches = (t >= -touching_depth) & (left > 0);
+    const bool is_shorter = (t < left) & (clears | touches);
+    const double kept = select(clears, t, 0);
+    rows.left[k] = select(is_shorter, kept, left);
+    rows.cosine[k] = select(is_shorter, entry.cosine, rows.cosine[k]);
+    rows.sweep[k] = select(is_shorter, number, rows.sweep[k]);
+}
+
+// Computes the entries into the capsule, and shortens the rays if that is all.
+// \return whether a line may enter another part earlier. The rays are unchanged then.
+ENDMILL_WIDEST_REGISTERS
+bool enter_capsule(RayRows& rows, const BallMove& move, double number, Entries& entries)
+{
+    const BallMove own = move;
+    std::array<double, RayRows::lanes> open{};
+    for (int first = 0; first < rows.padded(); first += RayRows::lanes)
+        for (int lane = 0; lane < RayRows::lanes; ++lane) {
+            const int k = first + lane;
+            const CapsuleEntry entry = capsule_entry(rows, own, k);
+            entries.t[k] = entry.t;
+            entries.cosine[k] = entry.cosine;
+            entries.inside[k] = entry.inside;
+            open[lane] = select(entry.open > open[lane], entry.open, open[lane]);
+        }
+    if (std::ranges::max(open) > 0)
+        return true;
+    for (int k = 0; k < rows.padded(); ++k)
+        shorten(rows, k, {entries.t[k], entries.cosine[k], entries.inside[k], 0}, number);
+    return false;
 }
 
 // The interval low <= t <= high of a line.
@@ -310,23 +348,12 @@ void enter_sooner(const RayRows& rows, BallMove move, const Upright& upright,
     }
 }
 
-// Shortens the rays whose entry comes before their end. An entry below the ray's point
-// counts only if the volume clears the point. A volume that ends at the point, within
-// rounding, leaves thickness 0.
+// Shortens the rays by the entries.
 ENDMILL_WIDEST_REGISTERS
 void take(RayRows& rows, const Entries& entries, double number)
 {
-    for (int k = 0; k < rows.padded(); ++k) {
-        const double t = entries.t[k];
-        const double left = rows.left[k];
-        const bool clears = (t >= 0) | (entries.inside[k] >= 0);
-        const bool touches = (t >= -touching_depth) & (left > 0);
-        const bool is_shorter = (t < left) & (clears | touches);
-        const double kept = select(clears, t, 0);
-        rows.left[k] = select(is_shorter, kept, left);
-        rows.cosine[k] = select(is_shorter, entries.cosine[k], rows.cosine[k]);
-        rows.sweep[k] = select(is_shorter, number, rows.sweep[k]);
-    }
+    for (int k = 0; k < rows.padded(); ++k)
+        shorten(rows, k, {entries.t[k], entries.cosine[k], entries.inside[k], 0}, number);
 }
 
 }  // namespace
@@ -339,16 +366,14 @@ void shorten_by_ball(RayRows& rows, const StraightSweep& sweep, std::int32_t num
     pick(rows, short_by, few, which);
     const BallMove move = ball_move(sweep);
     Entries entries;
-    hold_origins(few, move, entries);
-    enter_capsule(few, move, entries);
-    if (greatest(entries.open, few.count) > 0) {
+    if (enter_capsule(few, move, number, entries)) {
         Upright upright;
         enter_prism(few, move, upright);
         enter_round(few, move, 0, upright);
         enter_round(few, move, 1, upright);
         enter_sooner(few, move, upright, entries);
+        take(few, entries, number);
     }
-    take(few, entries, number);
     for (int i = 0; i < few.count; ++i) {
         const auto k = static_cast<std::size_t>(which[static_cast<std::size_t>(i)]);
         rows.left[k] = few.left[static_cast<std::size_t>(i)];

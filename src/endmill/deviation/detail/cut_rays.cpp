@@ -29,6 +29,9 @@ namespace {
 constexpr double negligible_share = 1e-13;
 // Rays of a tile that are cut first.
 constexpr int few_rays = 5;
+// Tiles with a common list of sweeps. Tiles arise by halving a patch, so four consecutive
+// ones mostly form a square.
+constexpr std::size_t tiles_beside = 4;
 
 bool holds(std::span<const std::int32_t> numbers, std::int32_t number)
 {
@@ -100,23 +103,28 @@ bool CutRays::may_matter(const Cutter& cutter, const Vec3& nearest, double margi
                                     length);
 }
 
-// Whether the sweep could shorten a ray that is `margin` longer than it is now, or a ray
+// Whether a sweep in this half space could shorten a ray that is `margin` longer than it is now, or a ray
 // that close beside it. `short_by` receives the distance of each ray from the sweep's
 // half space; below 0 the sweep may reach it.
-bool CutRays::may_reach(const StraightSweep& sweep, double margin,
+bool CutRays::may_reach(const HalfSpace& half, const Cutter& cutter, double margin,
                         RayRows::Row& short_by) const
 {
-    const HalfSpace half = half_space_beyond(sweep, bounds_.centre);
     if (bounds_.is_out_of_reach(half, margin, bounds_.longest + margin))
         return false;
-    const double spare = negligible_share * sweep.cutter().radius();
+    const double spare = negligible_share * cutter.radius();
     return shortfalls(rows_, half, margin, spare, short_by) < 0;
 }
 
 void CutRays::cut(const StraightSweep& sweep, std::int32_t number)
 {
+    cut(sweep, number, half_space_beyond(sweep, bounds_.centre));
+}
+
+// \param half contains what the sweep clears.
+void CutRays::cut(const StraightSweep& sweep, std::int32_t number, const HalfSpace& half)
+{
     RayRows::Row short_by;
-    if (!may_reach(sweep, 0, short_by))
+    if (!may_reach(half, sweep.cutter(), 0, short_by))
         return;
     if (sweep.cutter().is_ball())
         shorten_by_ball(rows_, sweep, number, short_by);
@@ -141,26 +149,52 @@ void CutRays::shorten_each(const StraightSweep& sweep, std::int32_t number,
     }
 }
 
-// Returns some rays of each tile: the first, the last and others evenly between.
-CutRays CutRays::some(std::span<CutRays* const> tiles, int of_each)
+// Returns a few rays: the first, the last and others evenly between.
+CutRays CutRays::some() const
 {
     std::vector<PartRay> rays;
     std::vector<double> lengths;
-    for (const CutRays* tile : tiles)
-        for (int i = 0; i < of_each; ++i) {
-            const auto k =
-                static_cast<std::size_t>(i * (tile->rows_.count - 1) / (of_each - 1));
-            rays.push_back(tile->ray(k));
-            lengths.push_back(tile->rows_.left[k]);
-        }
+    for (int i = 0; i < few_rays; ++i) {
+        const auto k = static_cast<std::size_t>(i * (rows_.count - 1) / (few_rays - 1));
+        rays.push_back(ray(k));
+        lengths.push_back(rows_.left[k]);
+    }
     return {rays, lengths};
 }
 
-// Returns the numbers of the sweeps that made `count` of the rays, each once.
-std::vector<std::int32_t> CutRays::makers(int first, int count) const
+// Returns the number of the ray whose point is nearest to the place.
+std::size_t CutRays::nearest_ray(const Vec3& place) const
+{
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(rows_.count); ++k)
+        if (const double away = (ray(k).point - place).squaredNorm(); away < least) {
+            nearest = k;
+            least = away;
+        }
+    return nearest;
+}
+
+// Returns the middle rays of a few tiles: of the first, of the last and of others evenly
+// between.
+CutRays CutRays::middles(std::span<CutRays* const> tiles)
+{
+    std::vector<PartRay> rays;
+    std::vector<double> lengths;
+    for (std::size_t i = 0; i < few_rays; ++i) {
+        const CutRays& tile = *tiles[i * (tiles.size() - 1) / (few_rays - 1)];
+        const std::size_t k = tile.nearest_ray(tile.bounds_.centre);
+        rays.push_back(tile.ray(k));
+        lengths.push_back(tile.rows_.left[k]);
+    }
+    return {rays, lengths};
+}
+
+// Returns the numbers of the sweeps that made the rays, each once.
+std::vector<std::int32_t> CutRays::makers() const
 {
     std::vector<std::int32_t> numbers;
-    for (int i = first; i < first + count; ++i)
+    for (int i = 0; i < rows_.count; ++i)
         if (const std::int32_t number = (*this)[i].sweep;
             number >= 0 && !holds(numbers, number))
             numbers.push_back(number);
@@ -182,10 +216,9 @@ void CutRays::cut(const SweepTree& tree)
     std::vector<std::int32_t> done;
     if (rows_.count > 2 * few_rays) {
         // The sweeps that made the ends of a few rays cut all rays first.
-        CutRays* const own[] = {this};
-        CutRays few = some(own, few_rays);
+        CutRays few = some();
         few.cut(tree);
-        done = few.makers(0, few_rays);
+        done = few.makers();
         cut_by(tree, done);
     }
     tree.visit(
@@ -204,24 +237,28 @@ void CutRays::cut_together(std::span<CutRays* const> tiles, const SweepTree& tre
 {
     if (tiles.empty() || tree.sweeps().empty())
         return;
-    const int of_each = most_tile_cells / static_cast<int>(tiles.size());
-    require(of_each > 1, "CutRays: need 32 tiles at most");
-    const int few = std::min(of_each, few_rays);
-    CutRays first = some(tiles, few);
-    first.cut(tree);
+    CutRays few = middles(tiles);
+    few.cut(tree);
     std::vector<RayBounds> bounds;
-    std::vector<std::vector<std::int32_t>> done;
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        done.push_back(first.makers(static_cast<int>(i) * few, few));
-        tiles[i]->cut_by(tree, done.back());
-        bounds.push_back(tiles[i]->bounds_);
+    for (CutRays* tile : tiles) {
+        const CutRay beside =
+            few[static_cast<int>(few.nearest_ray(tile->bounds_.centre))];
+        if (beside.sweep >= 0)
+            tile->cut(tree.sweeps()[static_cast<std::size_t>(beside.sweep)],
+                      beside.sweep);
+        bounds.push_back(tile->bounds_);
     }
     // The rays are short now, so the list of sweeps that still matter is short.
     const SweepRows sweeps{tree, common_bounds(bounds)};
-    for (std::size_t i = 0; i < tiles.size(); ++i)
-        for (const std::int32_t number : sweeps.near(tiles[i]->bounds_))
-            if (!holds(done[i], number))
-                tiles[i]->cut(tree.sweeps()[static_cast<std::size_t>(number)], number);
+    for (std::size_t first = 0; first < tiles.size(); first += tiles_beside) {
+        const std::size_t count = std::min(tiles_beside, tiles.size() - first);
+        const SweepRows few_sweeps =
+            sweeps.reduced(common_bounds(std::span{bounds}.subspan(first, count)));
+        for (CutRays* tile : tiles.subspan(first, count))
+            for (const NearSweep& near : few_sweeps.near(tile->bounds_))
+                tile->cut(tree.sweeps()[static_cast<std::size_t>(near.number)],
+                          near.number, near.half);
+    }
 }
 
 std::vector<std::int32_t> CutRays::near_sweeps(const SweepTree& tree, double margin) const
@@ -236,7 +273,9 @@ std::vector<std::int32_t> CutRays::near_sweeps(const SweepTree& tree, double mar
             return may_matter(cutter, nearest, margin, bounds_.longest + margin);
         },
         [&](std::size_t number) {
-            if (may_reach(tree.sweeps()[number], margin, short_by))
+            const StraightSweep& sweep = tree.sweeps()[number];
+            if (may_reach(half_space_beyond(sweep, bounds_.centre), sweep.cutter(),
+                          margin, short_by))
                 near.push_back(static_cast<std::int32_t>(number));
         });
     std::ranges::sort(near);

@@ -28,9 +28,8 @@ public:
     /// Cuts the rays by every sweep of the tree that reaches them.
     void cut(const SweepTree& tree);
 
-    /// Cuts the rays of several tiles, at most 32, by every sweep of the tree that
-    /// reaches them. The result is that of each tile alone, within rounding; it is faster
-    /// for neighbours.
+    /// Cuts the rays of several tiles by every sweep of the tree that reaches them. The
+    /// result is that of each tile alone, within rounding; it is faster for neighbours.
     static void cut_together(std::span<CutRays* const> tiles, const SweepTree& tree);
 
     /// Cuts the rays by one sweep with this number.
@@ -55,13 +54,16 @@ public:
 
 private:
     PartRay ray(std::size_t k) const;
-    static CutRays some(std::span<CutRays* const> tiles, int of_each);
-    std::vector<std::int32_t> makers(int first, int count) const;
+    CutRays some() const;
+    static CutRays middles(std::span<CutRays* const> tiles);
+    std::size_t nearest_ray(const Vec3& place) const;
+    std::vector<std::int32_t> makers() const;
     void cut_by(const SweepTree& tree, std::span<const std::int32_t> numbers);
     bool may_matter(const Cutter& cutter, const Vec3& nearest, double margin,
                     double length) const;
-    bool may_reach(const StraightSweep& sweep, double margin,
+    bool may_reach(const HalfSpace& half, const Cutter& cutter, double margin,
                    RayRows::Row& short_by) const;
+    void cut(const StraightSweep& sweep, std::int32_t number, const HalfSpace& half);
     void shorten_each(const StraightSweep& sweep, std::int32_t number,
                       const RayRows::Row& short_by);
 

@@ -20,8 +20,9 @@ constexpr double small_loss = 1e-9;
 // at `at` and above.
 HalfSpace supported(const Cutter& cutter, const Vec3& normal, const Vec3& at)
 {
-    return {normal, normal.dot(at) - cutter.flat_radius() * normal.head<2>().norm() -
-                        cutter.corner_radius()};
+    const double flat = cutter.flat_radius();
+    const double beside = flat > 0 ? flat * normal.head<2>().norm() : 0;
+    return {normal, normal.dot(at) - beside - cutter.corner_radius()};
 }
 
 // Returns the distance of `place` from the half space; negative inside.
@@ -35,13 +36,15 @@ double gap(const HalfSpace& half, const Vec3& place)
 HalfSpace half_space(const Cutter& cutter, const Vec3& place, const Vec3& nearest)
 {
     Vec3 way = nearest - place;
-    const double distance = way.head<2>().norm();
-    if (distance > 0)
-        way.head<2>() *= std::max(0.0, 1 - cutter.flat_radius() / distance);
+    const double flat = cutter.flat_radius();
+    if (flat > 0)
+        if (const double distance = way.head<2>().norm(); distance > 0)
+            way.head<2>() *= std::max(0.0, 1 - flat / distance);
     way.z() = std::max(way.z(), 0.0);  // the swept volume is open above
     const double length = way.norm();
     if (length > 0)
         return supported(cutter, way / length, nearest);
+    const double distance = (nearest - place).head<2>().norm();
     // The place lies in the disc or below its rim. The shorter way out leads through the
     // bottom or the side.
     const HalfSpace below = supported(cutter, Vec3::UnitZ(), nearest);

@@ -1,25 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/deviation/detail/sweep_rows.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "endmill/core/detail/widest_registers.h"
 #include "endmill/stock/detail/tile_heights.h"
 
 namespace endmill {
 namespace {
 
-// Pointers to the arrays of `SweepRows`.
-struct SweepPointers {
-    const double* x;
-    const double* y;
-    const double* z;
-    const double* dx;
-    const double* dy;
-    const double* dz;
-    const double* per_squared;
-    const double* per_level;
-    const double* flat_radius;
-    const double* corner_radius;
-    std::size_t count;
+// Number of sweeps that are tested at a time.
+constexpr std::size_t block_size = 64;
+using Block = std::array<double, block_size>;
+
+// The half spaces of a block of sweeps. All but `size` are multiplied by `size`.
+struct Gaps {
+    Block gap;    // distance from the reach of the rays; below 0 a sweep may reach them
+    Block x;      // normal
+    Block y;      // normal
+    Block z;      // normal
+    Block size;   // length of the direction to the sweep, mm
+    Block least;  // as in HalfSpace, from the centre of the rays
+    // Below 0 if the normal is not perpendicular to the move. Another normal may then be
+    // better.
+    Block lost;
 };
 
 double reciprocal(double value)
@@ -29,12 +34,11 @@ double reciprocal(double value)
     return value > 1 / std::numeric_limits<double>::max() ? 1 / value : 0;
 }
 
-// Computes the distance of each sweep from the reach of the rays, times the length of the
-// direction that is used: the half space of `half_space`, against the bounds of
-// `RayBounds::is_out_of_reach`. A value of 0 or more is certain.
+// Computes the half spaces of `half_space`, and their distances from the rays by the bounds
+// of `RayBounds::is_out_of_reach`, without a division. A distance of 0 or more is certain.
 ENDMILL_WIDEST_REGISTERS
-void measure_gaps(const RayBounds rays, const SweepPointers sweeps,
-                  double* __restrict gaps)
+void measure_gaps(const RayBounds& rays, const SweepRows::Columns& sweeps,
+                  std::size_t count, Gaps& gaps)
 {
     const double cx = rays.centre.x();
     const double cy = rays.centre.y();
@@ -42,7 +46,11 @@ void measure_gaps(const RayBounds rays, const SweepPointers sweeps,
     const double ux = rays.upright.x();
     const double uy = rays.upright.y();
     const double uz = rays.upright.z();
-    for (std::size_t k = 0; k < sweeps.count; ++k) {
+    const double tilt = rays.tilt;
+    const double rays_beside = rays.beside;
+    const double rays_above = rays.above;
+    const double longest = rays.longest;
+    for (std::size_t k = 0; k < count; ++k) {
         const double px = cx - sweeps.x[k];
         const double py = cy - sweeps.y[k];
         const double pz = cz - sweeps.z[k];
@@ -77,20 +85,43 @@ void measure_gaps(const RayBounds rays, const SweepPointers sweeps,
         const double ax = wx - along * ux;
         const double ay = wy - along * uy;
         const double az = wz - along * uz;
-        const double rate = along + rays.tilt * size;
-        const double most = rays.beside * std::sqrt(ax * ax + ay * ay + az * az) +
-                            rays.above * std::abs(along) +
-                            rays.longest * select(rate > 0, rate, 0);
-        gaps[k] = select(size > 0, least - most, -1);
+        const double rate = along + tilt * size;
+        const double most = rays_beside * std::sqrt(ax * ax + ay * ay + az * az) +
+                            rays_above * std::abs(along) +
+                            longest * select(rate > 0, rate, 0);
+        gaps.gap[k] = select(size > 0, least - most, -1);
+        gaps.x[k] = wx;
+        gaps.y[k] = wy;
+        gaps.z[k] = wz;
+        gaps.size[k] = size;
+        gaps.least[k] = least;
+        gaps.lost[k] = turn;
     }
 }
 
 }  // namespace
 
-SweepRows::SweepRows(const SweepTree& tree, const RayBounds& rays)
+// Calls `visit(row, gaps, place of the row in them)` for each row that may clear a point of
+// the rays.
+template <typename Visit>
+void SweepRows::visit_near(const RayBounds& rays, const Visit& visit) const
 {
-    if (tree.sweeps().empty())
+    Gaps gaps;
+    for (std::size_t first = 0; first < numbers_.size(); first += block_size) {
+        const std::size_t count = std::min(block_size, numbers_.size() - first);
+        measure_gaps(rays, columns_from(first), count, gaps);
+        for (std::size_t k = 0; k < count; ++k)
+            if (!(gaps.gap[k] >= 0))
+                visit(first + k, gaps, k);
+    }
+}
+
+SweepRows::SweepRows(const SweepTree& tree, const RayBounds& rays)
+    : SweepRows{tree.sweeps()}
+{
+    if (sweeps_.empty())
         return;
+    SweepRows all{sweeps_};
     tree.visit(
         rays.centre,
         [&](const Vec3& nearest, const Cutter& cutter) {
@@ -98,43 +129,75 @@ SweepRows::SweepRows(const SweepTree& tree, const RayBounds& rays)
                                          rays.longest);
         },
         [&](std::size_t number) {
-            const StraightSweep& sweep = tree.sweeps()[number];
-            if (!rays.is_out_of_reach(half_space_beyond(sweep, rays.centre), 0,
-                                      rays.longest))
-                add(sweep, static_cast<std::int32_t>(number));
+            all.numbers_.push_back(static_cast<std::int32_t>(number));
         });
+    all.fill();
+    *this = all.reduced(rays);
 }
 
-void SweepRows::add(const StraightSweep& sweep, std::int32_t number)
+SweepRows::Columns SweepRows::columns_from(std::size_t first) const
 {
-    const Vec3 move = sweep.to() - sweep.from();
-    rows_.x.push_back(sweep.from().x());
-    rows_.y.push_back(sweep.from().y());
-    rows_.z.push_back(sweep.from().z() + sweep.cutter().corner_radius());
-    rows_.dx.push_back(move.x());
-    rows_.dy.push_back(move.y());
-    rows_.dz.push_back(move.z());
-    rows_.per_squared.push_back(reciprocal(move.squaredNorm()));
-    rows_.per_level.push_back(reciprocal(move.head<2>().squaredNorm()));
-    rows_.flat_radius.push_back(sweep.cutter().flat_radius());
-    rows_.corner_radius.push_back(sweep.cutter().corner_radius());
-    numbers_.push_back(number);
+    const auto at = [&](std::size_t column) { return column_begin(column) + first; };
+    return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9)};
 }
 
-std::vector<std::int32_t> SweepRows::near(const RayBounds& rays) const
+// Computes the columns, in the order of `Columns`.
+void SweepRows::fill()
 {
-    std::vector<double> gaps(numbers_.size());
-    measure_gaps(
-        rays,
-        {rows_.x.data(), rows_.y.data(), rows_.z.data(), rows_.dx.data(), rows_.dy.data(),
-         rows_.dz.data(), rows_.per_squared.data(), rows_.per_level.data(),
-         rows_.flat_radius.data(), rows_.corner_radius.data(), numbers_.size()},
-        gaps.data());
-    std::vector<std::int32_t> near;
-    for (std::size_t k = 0; k < gaps.size(); ++k)
-        if (!(gaps[k] >= 0))
-            near.push_back(numbers_[k]);
-    return near;
+    rows_.resize(columns * numbers_.size());
+    for (std::size_t k = 0; k < numbers_.size(); ++k) {
+        const StraightSweep& sweep = sweeps_[static_cast<std::size_t>(numbers_[k])];
+        const Vec3 move = sweep.to() - sweep.from();
+        const double corner = sweep.cutter().corner_radius();
+        const std::array<double, columns> row{sweep.from().x(),
+                                              sweep.from().y(),
+                                              sweep.from().z() + corner,
+                                              move.x(),
+                                              move.y(),
+                                              move.z(),
+                                              reciprocal(move.squaredNorm()),
+                                              reciprocal(move.head<2>().squaredNorm()),
+                                              sweep.cutter().flat_radius(),
+                                              corner};
+        for (std::size_t c = 0; c < columns; ++c)
+            rows_[c * numbers_.size() + k] = row[c];
+    }
+}
+
+SweepRows SweepRows::reduced(const RayBounds& rays) const
+{
+    std::vector<std::size_t> kept;
+    kept.reserve(numbers_.size());
+    visit_near(rays,
+               [&](std::size_t row, const Gaps&, std::size_t) { kept.push_back(row); });
+    SweepRows some{sweeps_};
+    some.numbers_.reserve(kept.size());
+    for (const std::size_t row : kept)
+        some.numbers_.push_back(numbers_[row]);
+    some.rows_.reserve(columns * kept.size());
+    for (std::size_t c = 0; c < columns; ++c)
+        for (const std::size_t row : kept)
+            some.rows_.push_back(column_begin(c)[row]);
+    return some;
+}
+
+std::vector<NearSweep> SweepRows::near(const RayBounds& rays) const
+{
+    std::vector<NearSweep> found;
+    visit_near(rays, [&](std::size_t row, const Gaps& gaps, std::size_t k) {
+        const std::int32_t number = numbers_[row];
+        if (!(gaps.size[k] > 0) || gaps.lost[k] < 0) {
+            found.push_back(
+                {number, half_space_beyond(sweeps_[static_cast<std::size_t>(number)],
+                                           rays.centre)});
+            return;
+        }
+        const double per_size = 1 / gaps.size[k];
+        const Vec3 normal = per_size * Vec3{gaps.x[k], gaps.y[k], gaps.z[k]};
+        found.push_back(
+            {number, {normal, normal.dot(rays.centre) + per_size * gaps.least[k]}});
+    });
+    return found;
 }
 
 }  // namespace endmill
