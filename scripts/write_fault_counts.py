@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the tests of faults in their long form and writes their counts to docs/faults.md.
 
-    scripts/write_fault_counts.py            runs all tests, some minutes, and writes the page
+    scripts/write_fault_counts.py            runs all tests, an hour or two, and writes the page
     scripts/write_fault_counts.py --check    exits with 1 if the page omits a test or lists an unknown one
 
 Uses the program and the library of failing calls in build/release, which scripts/test.sh builds. Exit 1 if a test
@@ -25,8 +25,8 @@ INTRODUCTION = """<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 The tests in `tests/faults` make system calls fail, or give the program files and numbers with faults. Each run must end
 with one of the [exit codes](conventions.md) within the time limit of its test, or state the time left; an error names the
 fault. The result folder is then old or new as a whole, and contains only finite numbers. The runs are those of the long
-form, `scripts/test.sh --all`; all pass. In a few runs the call with that number does not occur, and nothing fails. The
-number of a faulty file is the seed of its random faults.
+form, `scripts/test.sh --all`; all pass. Runs in which no fault occurs, because the program does not make that call, are
+not counted. Random faults and values come from the seeds 0, 1, 2 and so on, one for each run.
 
 | fault | what is tried | runs |
 | --- | --- | --- |
@@ -34,16 +34,20 @@ number of a faulty file is the seed of its random faults.
 # What each test tries.
 TRIALS = {
     "test_a_failing_call_leaves_the_old_or_the_new_folder":
-        ("a system call fails", "the n-th of each of eleven calls, up to n = 300, in every command that writes, over "
-                                       "the results of an earlier run"),
+        ("a system call fails", "the n-th of each of eleven calls, up to n = 300, alone or with all later ones, by four "
+                                "errors, in every command that writes, over the results of an earlier run"),
     "test_a_failing_call_leaves_no_half_of_a_new_folder": ("a system call fails", "the same in a new folder"),
     "test_a_kill_leaves_a_folder_that_the_next_run_mends":
         ("the process is killed", "at the n-th call, most of them between renames; the next run repairs the folder"),
     "test_a_killed_run_can_be_repeated_without_force": ("the process is killed", "in a new folder"),
+    "test_an_interrupt_leaves_the_old_or_the_new_folder":
+        ("the process is interrupted", "by SIGTERM during the n-th mkdir, rename or open, over earlier results and in a "
+                                       "new folder; no hidden folder stays"),
     "test_threads": ("no threads", "none at all, from the n-th on, or not the n-th"),
     "test_memory": ("no memory", "the n-th allocation fails, or all from then on"),
     "test_a_small_address_space": ("no memory", "40 to 200 MB of address space"),
     "test_every_option": ("extreme numbers", "19 values for every option with a value, taken from each `--help`"),
+    "test_several_options": ("extreme numbers", "random values for two to four options at once"),
     "test_mutants": ("faulty files", "1 to 3 random faults in a file, 16 kinds of files; limits of 30 s and 4 GB"),
 }
 

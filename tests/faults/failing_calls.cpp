@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A library to preload: it makes calls of the system fail, or kills the process there. It
-// counts from the first statement of main on.
+// A library to preload: it makes calls of the system fail, or kills or interrupts the process
+// there. It counts from the first statement of main on.
 //
 //   ENDMILL_FAULT=CALL:N:EFFECT   the N-th call of CALL, from 1; N+ is the N-th and all later.
-//                                 EFFECT is the number of an error, or "kill".
+//                                 EFFECT is the number of an error, "kill", or "term": the
+//                                 call succeeds and returns 30 ms after a SIGTERM.
 //   ENDMILL_FAULT_COUNTS=FILE     writes how often each call was made, as "CALL COUNT" lines.
 //
 // The call "memory" stands for malloc, calloc, realloc, aligned_alloc and posix_memalign.
@@ -59,7 +60,9 @@ std::atomic<long> counts[Calls];
 int faulty = -1;
 long first = 0;
 bool and_later = false;
-int error_number = 0;  // 0: kill
+int error_number = 0;  // 0: a signal
+bool interrupts = false;
+thread_local bool is_interrupting = false;
 
 bool fails(Call call)
 {
@@ -68,10 +71,25 @@ bool fails(Call call)
     const long number = ++counts[call];
     if (call != faulty || number < first || (number > first && !and_later))
         return false;
+    if (interrupts) {
+        is_interrupting = true;
+        return false;
+    }
     if (error_number == 0)
         ::kill(::getpid(), SIGKILL);
     errno = error_number;
     return true;
+}
+
+// The result of a call that was made.
+int made(int result)
+{
+    if (is_interrupting) {
+        is_interrupting = false;
+        ::kill(::getpid(), SIGTERM);
+        ::usleep(30'000);
+    }
+    return result;
 }
 
 void read_settings()
@@ -93,7 +111,8 @@ void read_settings()
             faulty = call;
     if (faulty < 0)
         std::abort();
-    error_number = std::strcmp(effect, "kill") == 0 ? 0 : std::atoi(effect);
+    error_number = std::atoi(effect);
+    interrupts = std::strcmp(effect, "term") == 0;
 }
 
 void write_counts()
@@ -149,7 +168,9 @@ int open(const char* path, int flags, ...)
     va_start(rest, flags);
     const mode_t mode = mode_of(flags, rest);
     va_end(rest);
-    return fails(Open) ? -1 : real<int(const char*, int, ...)>("open")(path, flags, mode);
+    return fails(Open)
+               ? -1
+               : made(real<int(const char*, int, ...)>("open")(path, flags, mode));
 }
 
 int openat(int folder, const char* path, int flags, ...)
@@ -165,12 +186,13 @@ int openat(int folder, const char* path, int flags, ...)
 
 int mkdir(const char* path, mode_t mode) noexcept
 {
-    return fails(Mkdir) ? -1 : real<int(const char*, mode_t)>("mkdir")(path, mode);
+    return fails(Mkdir) ? -1 : made(real<int(const char*, mode_t)>("mkdir")(path, mode));
 }
 
 int rename(const char* from, const char* to) noexcept
 {
-    return fails(Rename) ? -1 : real<int(const char*, const char*)>("rename")(from, to);
+    return fails(Rename) ? -1
+                         : made(real<int(const char*, const char*)>("rename")(from, to));
 }
 
 int unlink(const char* path) noexcept

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Shared code of the tests of faults: the commands that write, and runs in which the system fails.
 
-The tests run in a short form. With ENDMILL_FAULTS=long they run many times as often. ENDMILL_FAULT_RUNS names a file
-to which each test without a finding adds a line: its name and its number of runs."""
+The tests run in a short form. With ENDMILL_FAULTS=long they run many times as often, for about an hour on two cores.
+ENDMILL_FAULT_RUNS names a file to which each test without a finding adds a line: its name and its number of runs. Runs
+whose fault did not occur, since the program does not make that call, do not count."""
 import concurrent.futures
 import errno
 import os
@@ -51,12 +52,13 @@ COMMANDS = {
 
 
 class Finished:
-    """A run that has ended: status (negative: the number of the signal), error text, and the content of the
-    output folder by file, without staging folders, whose number is in `left`."""
+    """A run that has ended: status (negative: the number of the signal), error text, whether the fault that was asked
+    for occurred, and the content of the output folder by file, without staging folders, whose number is in `left`."""
 
-    def __init__(self, status, error, folder):
+    def __init__(self, status, error, occurred, folder):
         self.status = status
         self.error = error
+        self.occurred = occurred
         self.left = len(list(folder.parent.rglob(STAGING + "*")))
         self.files = contents(folder)
 
@@ -81,6 +83,18 @@ def not_finite(files):
     texts = {name: content for name, content in (files or {}).items() if name.endswith((".csv", ".json", ".ngc", ".svg"))}
     return [name for name, content in texts.items()
             if NOT_FINITE.search(STRING.sub(b"", content) if name.endswith(".json") else content)]
+
+
+def calls(counts):
+    """How often a run made each call, from the file that it wrote at its end."""
+    lines = counts.read_text(encoding="utf-8").splitlines() if counts.exists() else []
+    return {call: int(count) for call, count in map(str.split, lines)}
+
+
+def made_call(fault, counts):
+    """Whether a run that ended made the call that should fail."""
+    call, number, _ = fault.split(":")
+    return calls(counts).get(call, 0) >= int(number.rstrip("+"))
 
 
 def environment(fault=None, counts=None):
@@ -115,10 +129,12 @@ class FaultTest(unittest.TestCase):
     def run_command(self, name, folder, *options, fault=None, counts=None, timeout=120, **settings):
         path = self.place / "path/u/toolpath.csv"
         words = [{"PATH": path, "FOLDER": folder}.get(word, word) for word in COMMANDS[name]]
+        counts = counts or folder.parent / "counts"
         done = subprocess.run([ENDMILL, *map(str, words), *options], capture_output=True, check=False,
                               stdin=subprocess.DEVNULL, timeout=timeout, cwd=folder.parent,
                               env=environment(fault, counts), **settings)
-        return Finished(done.returncode, done.stderr.decode(errors="replace"), folder)
+        occurred = not fault or done.returncode < 0 or made_call(fault, counts)
+        return Finished(done.returncode, done.stderr.decode(errors="replace"), occurred, folder)
 
     def in_new_place(self, act):
         """The result of act(folder), where the folder does not exist yet; its parent is removed afterwards."""
@@ -131,16 +147,14 @@ class FaultTest(unittest.TestCase):
             counts = folder.parent / "counts"
             done = self.run_command(name, folder, counts=counts)
             self.assertIn(done.status, (0, 1), f"{name}: {done.error}")
-            lines = counts.read_text().splitlines()
-            return done.files, {call: int(count) for call, count in map(str.split, lines)}
+            return done.files, calls(counts)
         return self.in_new_place(act)
 
     def in_parallel(self, act, cases):
-        """act(*case) for all cases, on as many threads as there are processors."""
-        self.runs += len(cases)
+        """act(*case) for all cases, on as many threads as there are processors. It returns False if no fault occurred."""
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             for done in [pool.submit(act, *case) for case in cases]:
-                done.result()
+                self.runs += done.result() is not False
 
 
 def some_of(count, short):
@@ -152,6 +166,8 @@ def some_of(count, short):
     return sorted({1 + round(k * (count - 1) / (short - 1)) for k in range(short)})
 
 
-FULL_DISK = errno.ENOSPC
+# The errors of a call of the system: once, or from that call on ("+").
+FAILURES = [(number, later) for number in (errno.ENOSPC, errno.EIO, errno.EACCES, errno.EROFS) for later in ("", "+")]
+FAILURES = FAILURES if IS_LONG else FAILURES[:1]
 NO_MEMORY = errno.ENOMEM
 NO_MORE_THREADS = errno.EAGAIN

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from faults import (ENDMILL, IS_LONG, MESH, PLAN, PLANE, ROOT, STEEL, FaultTest, contents, environment, not_finite)
 
-MUTANTS = 3000 if IS_LONG else 90
+MUTANTS = 31_200 if IS_LONG else 90
 SECONDS = 30
 MEMORY_BYTES = 4 << 30
 NUMBERS = (b"0", b"-1", b"1e308", b"-1e308", b"1e-320", b"nan", b"inf", b"2147483648", b"99999999999999999999", b"1e5",

@@ -1,14 +1,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Calls of the system fail, or the process is killed at one, in every command that writes. Its output folder is
-then old or new as a whole."""
+"""Calls of the system fail, or the process is killed or interrupted at one, in every command that writes. Its output
+folder is then old or new as a whole."""
+import signal
 import unittest
 
-from faults import COMMANDS, FULL_DISK, FaultTest, difference, some_of
+from faults import COMMANDS, FAILURES, IS_LONG, FaultTest, difference, some_of
 
 CALLS = ("open", "mkdir", "rename", "unlink", "rmdir", "write", "read", "fsync", "fchmod", "flock", "opendir")
 # Without these the process cannot remove its staging folder. The next run does.
 REMOVING = ("open", "unlink", "rmdir", "opendir")
+# The calls at which the process is killed, beside rename.
+KILLS = ("mkdir", "write", "unlink", "fsync") + (("open", "read", "rmdir", "fchmod", "flock", "opendir") if IS_LONG else ())
+INTERRUPTS = ("mkdir", "rename", "open")
 OLD = {"summary.json": b"old", "u/old.csv": b"old", "mine.txt": b"mine"}
+
+
+def fault_of(call, number, failure):
+    error, later = failure
+    return f"{call}:{number}{later}:{error}"
 
 
 def put_old(folder, names):
@@ -31,40 +40,55 @@ class FailingCallTest(FaultTest):
             return done.files
         return new, counts, before, self.in_new_place(act)
 
-    def check(self, name, call, number, new, before, after):
+    def check(self, name, call, number, failure, new, before, after):
         def act(folder):
             put_old(folder, new)
-            done = self.run_command(name, folder, "--force", fault=f"{call}:{number}:{FULL_DISK}")
-            case = f"{name}, {call} {number}: exit {done.status}, {done.error}"
+            done = self.run_command(name, folder, "--force", fault=fault_of(call, number, failure))
+            case = f"{name}, {call} {number}, error {failure}: exit {done.status}, {done.error}"
             self.assertIn(done.status, (0, 1, 3, 5, 6), case)
-            self.assertEqual("", difference(done.files, after if done.status in (0, 1) else before), case)
-            if call not in REMOVING:
-                self.assertEqual(done.left, 0, case)
-        self.in_new_place(act)
+            change = difference(done.files, after if done.status in (0, 1) else before)
+            if change and failure[1]:
+                # The process cannot restore the folder while its calls fail. The next run does, as after a kill.
+                self.check_mended(name, folder, done, before, after, case)
+            else:
+                self.assertEqual("", change, case)
+                if call not in REMOVING and not failure[1]:
+                    self.assertEqual(done.left, 0, case)
+            return done.occurred
+        return self.in_new_place(act)
 
     def test_a_failing_call_leaves_the_old_or_the_new_folder(self):
         for name in COMMANDS:
             with self.subTest(name):
                 new, counts, before, after = self.states(name)
-                cases = [(name, call, number, new, before, after)
-                         for call in CALLS for number in some_of(counts[call] + 5, 3)]
+                cases = [(name, call, number, failure, new, before, after)
+                         for call in CALLS for number in some_of(counts[call] + 5, 3) for failure in FAILURES]
                 self.in_parallel(self.check, cases)
 
-    def check_new_folder(self, name, call, number, new):
+    def check_new_folder(self, name, call, number, failure, new):
         def act(folder):
-            done = self.run_command(name, folder, fault=f"{call}:{number}:{FULL_DISK}")
-            case = f"{name}, {call} {number}: exit {done.status}, {done.error}"
+            done = self.run_command(name, folder, fault=fault_of(call, number, failure))
+            case = f"{name}, {call} {number}, error {failure}: exit {done.status}, {done.error}"
             self.assertIn(done.status, (0, 1, 3, 5, 6), case)
             self.assertEqual("", difference(done.files, new if done.status in (0, 1) else None), case)
-        self.in_new_place(act)
+            return done.occurred
+        return self.in_new_place(act)
 
     def test_a_failing_call_leaves_no_half_of_a_new_folder(self):
         for name in COMMANDS:
             with self.subTest(name):
                 new, counts = self.sound(name)
                 self.in_parallel(self.check_new_folder,
-                                 [(name, call, number, new) for call in CALLS
-                                  for number in some_of(counts[call], 2)])
+                                 [(name, call, number, failure, new) for call in CALLS
+                                  for number in some_of(counts[call], 2) for failure in FAILURES])
+
+    def check_mended(self, name, folder, done, before, after, case):
+        """A folder between the old and the new state has no summary, and the next run makes it new."""
+        if difference(done.files, before) and difference(done.files, after):
+            self.assertNotIn("summary.json", done.files, case)
+        again = self.run_command(name, folder, "--force")
+        self.assertIn(again.status, (0, 1), case)
+        self.assertEqual(("", 0), (difference(again.files, after), again.left), case)
 
     def check_kill(self, name, call, number, new, before, after):
         def act(folder):
@@ -72,13 +96,10 @@ class FailingCallTest(FaultTest):
             done = self.run_command(name, folder, "--force", fault=f"{call}:{number}:kill")
             case = f"{name}, killed at {call} {number}: exit {done.status}, {done.error}"
             if done.status != -9:
-                return  # there was no such call
-            if difference(done.files, before) and difference(done.files, after):
-                self.assertNotIn("summary.json", done.files, case)
-            again = self.run_command(name, folder, "--force")
-            self.assertIn(again.status, (0, 1), case)
-            self.assertEqual(("", 0), (difference(again.files, after), again.left), case)
-        self.in_new_place(act)
+                return False  # there was no such call
+            self.check_mended(name, folder, done, before, after, case)
+            return True
+        return self.in_new_place(act)
 
     def test_a_kill_leaves_a_folder_that_the_next_run_mends(self):
         for name in COMMANDS:
@@ -86,9 +107,31 @@ class FailingCallTest(FaultTest):
                 new, counts, before, after = self.states(name)
                 renames = 2 * len(new) + 4
                 cases = [(name, "rename", number, new, before, after) for number in some_of(renames, 6)]
-                cases += [(name, call, number, new, before, after) for call in ("mkdir", "write", "unlink", "fsync")
+                cases += [(name, call, number, new, before, after) for call in KILLS
                           for number in some_of(counts[call], 2)]
                 self.in_parallel(self.check_kill, cases)
+
+    def check_interrupt(self, name, call, number, new, before, after, options):
+        def act(folder):
+            if options:
+                put_old(folder, new)
+            done = self.run_command(name, folder, *options, fault=f"{call}:{number}:term")
+            case = f"{name}, interrupted at {call} {number}: exit {done.status}, {done.error}"
+            self.assertIn(done.status, (0, 1, 128 + signal.SIGTERM), case)
+            if done.status == 128 + signal.SIGTERM and difference(done.files, before):
+                self.assertEqual("", difference(done.files, after), case)
+            self.assertEqual(done.left, 0, case)
+            return done.status == 128 + signal.SIGTERM
+        return self.in_new_place(act)
+
+    def test_an_interrupt_leaves_the_old_or_the_new_folder(self):
+        for name in COMMANDS:
+            with self.subTest(name):
+                new, counts, before, after = self.states(name)
+                self.in_parallel(self.check_interrupt,
+                                 [(name, call, number, new, *states) for call in INTERRUPTS
+                                  for number in some_of(counts[call], 2)
+                                  for states in ((before, after, ("--force",)), (None, new, ()))])
 
     def check_killed_new(self, name, call, number, new):
         def act(folder):
@@ -96,18 +139,19 @@ class FailingCallTest(FaultTest):
             case = f"{name}, killed at {call} {number}: {done.error}"
             if done.files is not None:
                 self.assertEqual("", difference(done.files, new), case)
-            else:
+            elif done.status == -9:
                 again = self.run_command(name, folder)
                 self.assertIn(again.status, (0, 1), case + again.error)
                 self.assertEqual(("", 0), (difference(again.files, new), again.left), case)
-        self.in_new_place(act)
+            return done.status == -9
+        return self.in_new_place(act)
 
     def test_a_killed_run_can_be_repeated_without_force(self):
         for name in COMMANDS:
             with self.subTest(name):
                 new, counts = self.sound(name)
                 self.in_parallel(self.check_killed_new,
-                                 [(name, call, number, new) for call in ("rename", "write", "fsync")
+                                 [(name, call, number, new) for call in ("rename", *KILLS)
                                   for number in some_of(counts[call], 2)])
 
 

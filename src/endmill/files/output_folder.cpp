@@ -198,22 +198,20 @@ struct OutputFolder::Staging {
     unsigned parts = 0;      // files that were begun
 };
 
-// The folder registers itself before it creates anything, so that an interruption at any
-// time can clean up.
+// The folder registers itself and creates its staging folder under the mutex: an
+// interruption comes before or after both, and cleans up what there is.
 OutputFolder::OutputFolder(fs::path path, FullFolder full) : path_{std::move(path)}
 {
     require(!path_.empty(), "the output folder has an empty name");
     const bool is_present = require_usable(path_, full);
-    {
-        const std::scoped_lock lock{registry().mutex};
-        registry().folders.insert(this);
-    }
+    const std::scoped_lock lock{registry().mutex};
+    require_not_abandoned();
+    registry().folders.insert(this);
     try {
         if (!is_present)
             make_parents();
         make_staging();
     } catch (...) {
-        const std::scoped_lock lock{registry().mutex};
         registry().folders.erase(this);
         abandon();
         throw;
@@ -329,7 +327,8 @@ void OutputFolder::abandon_all_unless_busy()
 }
 
 // Creates the missing folders above the output folder, the outermost first. They are created
-// one by one, so that exactly the created ones can be removed.
+// one by one, so that exactly the created ones can be removed. The caller holds the
+// registry's mutex.
 void OutputFolder::make_parents()
 {
     std::error_code error;
@@ -338,8 +337,6 @@ void OutputFolder::make_parents()
     for (fs::path path = folder.parent_path(); !path.empty() && !fs::exists(path, error);
          path = path.parent_path())
         missing.push_back(path);
-    const std::scoped_lock lock{registry().mutex};
-    require_not_abandoned();
     while (!missing.empty()) {
         const int failure = ::mkdir(missing.back().c_str(), 0777) == 0 ? 0 : errno;
         if (failure == 0)
@@ -351,7 +348,7 @@ void OutputFolder::make_parents()
 }
 
 // The staging folder of a new output folder lies beside it, and that of an existing one in
-// it.
+// it. The caller holds the registry's mutex.
 void OutputFolder::make_staging()
 {
     std::error_code error;

@@ -177,10 +177,12 @@ bool lies_inside(const fs::path& folder, const fs::path& name)
 
 int make_folders(const fs::path& folder, const fs::path& name)
 {
+    std::error_code ignored;
     fs::path path = folder;
     for (const fs::path& part : name.parent_path()) {
         path /= part;
-        if (::mkdir(path.c_str(), 0777) != 0 && errno != EEXIST)
+        if (!fs::is_directory(path, ignored) && ::mkdir(path.c_str(), 0777) != 0 &&
+            errno != EEXIST)
             return errno;
     }
     return 0;
