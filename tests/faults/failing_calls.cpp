@@ -154,8 +154,10 @@ mode_t mode_of(int flags, std::va_list& rest)
 
 extern "C" {
 
+// The C library fixes name and parameters.
+// NOLINTNEXTLINE(bugprone-*, readability-*)
 int __libc_start_main(Main main, int argc, char** argv, void (*init)(), void (*fini)(),
-                      void (*rtld_fini)(), void* stack_end)  // NOLINT
+                      void (*rtld_fini)(), void* stack_end)
 {
     real_main = main;
     return real<int(Main, int, char**, void (*)(), void (*)(), void (*)(), void*)>(
