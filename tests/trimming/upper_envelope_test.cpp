@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -93,6 +94,60 @@ TEST(UpperEnvelope, IsTheHighestSegmentEverywhere)
         const auto [least, largest] = std::ranges::minmax_element(
             curve.points, {}, [](const SectionPoint& point) { return point[0]; });
         EXPECT_NEAR(covered, (*largest)[0] - (*least)[0], 1e-9);
+    }
+}
+
+// A roof of two segments, and below it a zigzag of 400 with one peak of the given height
+// at s = 32, where the roof is 24 high. A vertical segment belongs to the zigzag.
+SectionCurve roof_over_a_zigzag(double peak)
+{
+    SectionCurve curve = test::open_curve({{0, 16}, {64, 32}, {128, 16}, {128, 0}});
+    test::Random random{5};
+    for (int k = 0; k < 399; ++k) {
+        if (k == 200)
+            curve.points.emplace_back(32, peak);
+        const double s = k == 199 ? 10 : k == 200 ? 50 : random.uniform(1, 127);
+        curve.points.emplace_back(s, random.uniform(0, 4));
+        if (k == 100)
+            curve.points.emplace_back(s, 5);
+    }
+    return curve;
+}
+
+TEST(UpperEnvelope, LeavesOutSegmentsBelowIt)
+{
+    EXPECT_EQ(carriers(envelope_of(roof_over_a_zigzag(23))),
+              (std::vector<std::int32_t>{0, 1}));
+}
+
+TEST(UpperEnvelope, HasThePeakOfAZigzagThatRisesAboveItByTheLastBit)
+{
+    const std::int32_t peak = 205;  // behind 4 vertices of the roof and 201 others
+    EXPECT_EQ(carriers(envelope_of(roof_over_a_zigzag(24))),
+              (std::vector<std::int32_t>{0, 1}));
+    const std::vector<std::int32_t> found =
+        carriers(envelope_of(roof_over_a_zigzag(std::nextafter(24.0, 25.0))));
+    EXPECT_EQ(found, (std::vector<std::int32_t>{0, peak - 1, peak, 0, 1}));
+}
+
+// Every vertex of the zigzag, turned with the roof, lies below the roof or on it.
+TEST(UpperEnvelope, LeavesOutAZigzagThatTouchesASteepRoof)
+{
+    for (const double slope : {0.5, -3.0, 1e6, 1e90}) {
+        SectionCurve curve = test::open_curve({{0, 0}, {64, 64 * slope}});
+        test::Random random{3};
+        for (int k = 0; k < 200; ++k) {
+            const double s = random.uniform(1, 63);
+            // below the roof by far, but for some vertices that touch it at s = 32
+            if (k % 50 == 49)
+                curve.points.emplace_back(32, 32 * slope);
+            else
+                curve.points.emplace_back(
+                    s, slope * s - random.uniform(1, 2) * std::abs(slope));
+        }
+        curve.points.insert(curve.points.begin() + 2,
+                            {64, 64 * slope - 9 * std::abs(slope)});
+        EXPECT_EQ(carriers(envelope_of(curve)), (std::vector<std::int32_t>{0})) << slope;
     }
 }
 

@@ -96,8 +96,12 @@ private:
     }
 
     // Writes the vertical segments in front of `place`, then the place itself.
-    void write_place(const Sides& sides, std::int32_t place, std::size_t most_points)
+    void write_place(const Sides& sides, std::int32_t place, std::size_t most_places)
     {
+        if (next_vertical_ == verticals_.size() && is_common_vertex(sides, place)) {
+            write(made_.vertex(place));
+            return;
+        }
         while (next_vertical_ < verticals_.size() && compare_next_vertical(place) < 0) {
             const Vertical& vertical = verticals_[next_vertical_++];
             if (sides.left == no_segment)
@@ -107,7 +111,9 @@ private:
         }
         if (sides.left == no_segment) {
             trimmed_.curves.emplace_back();
-            trimmed_.curves.back().points.reserve(most_points + 1);
+            // Most places become one point, and steps two or three. Room that is too
+            // small by one point would be copied and doubled.
+            trimmed_.curves.back().points.reserve(most_places + most_places / 8 + 2);
         }
         const Vertical* vertical = nullptr;
         if (next_vertical_ < verticals_.size() && compare_next_vertical(place) == 0)
@@ -116,6 +122,13 @@ private:
             write_crossing(sides, vertical);
         else
             write_vertex(sides, place, vertical);
+    }
+
+    // Whether `place` is the vertex between two consecutive segments of a curve.
+    static bool is_common_vertex(const Sides& sides, std::int32_t place)
+    {
+        return (sides.right == place && sides.left == place - 1) ||
+               (sides.left == place && sides.right == place - 1);
     }
 
     // Whether the next vertical segment lies in front of `place` (-1), at its s (0) or

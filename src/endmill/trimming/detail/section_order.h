@@ -31,6 +31,10 @@ public:
     /// \pre the coordinates are finite.
     explicit SectionOrder(const SectionPoints& section);
 
+    /// Whether all coordinates are below 2^250 in size, so that no product of two
+    /// lengths overflows.
+    bool is_filtered() const { return std::isfinite(slack_); }
+
     /// s of a vertex in mm
     double s(std::int32_t vertex) const { return points_[vertex][0]; }
 

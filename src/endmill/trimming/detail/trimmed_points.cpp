@@ -20,13 +20,4 @@ TrimmedPoint TrimmedPoints::link(std::int32_t segment, std::int32_t vertex) cons
             TrimmedKind::Link};
 }
 
-void append(TrimmedCurve& curve, const TrimmedPoint& point)
-{
-    auto& points = curve.points;
-    if (points.empty() || points.back().at != point.at)
-        points.push_back(point);
-    else if (points.back().kind != TrimmedKind::Vertex)
-        points.back() = point;
-}
-
 }  // namespace endmill

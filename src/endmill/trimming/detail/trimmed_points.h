@@ -41,6 +41,13 @@ private:
 
 /// Appends `point` to `curve`. If rounding made it equal to the last point, only one of
 /// the two remains: the vertex, if one of them is a vertex.
-void append(TrimmedCurve& curve, const TrimmedPoint& point);
+inline void append(TrimmedCurve& curve, const TrimmedPoint& point)
+{
+    auto& points = curve.points;
+    if (points.empty() || points.back().at != point.at)
+        points.push_back(point);
+    else if (points.back().kind != TrimmedKind::Vertex)
+        points.back() = point;
+}
 
 }  // namespace endmill

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/trimming/detail/upper_envelope.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -63,6 +65,41 @@ private:
     std::vector<EnvelopePiece>& pieces_;
 };
 
+// Number of segments that are tested together for lying below the envelope. A larger
+// block needs fewer tests, but the envelope over it deviates more from a line.
+constexpr std::int32_t block_size = 8;
+
+// Largest slope of the line of a ShearedRange, so that no product overflows.
+constexpr double largest_slope = 0x1p+100;
+
+// The range of points in s, and of their heights above a line through the origin.
+struct ShearedRange {
+    double slope;  // of the line
+    double least_s = std::numeric_limits<double>::infinity();
+    double largest_s = -std::numeric_limits<double>::infinity();
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -std::numeric_limits<double>::infinity();
+    double size = 0;  // largest sum of the terms of a height
+
+    void add(const SectionPoint& point)
+    {
+        const double line = slope * point[0];
+        const double height = point[1] - line;
+        least_s = std::min(least_s, point[0]);
+        largest_s = std::max(largest_s, point[0]);
+        lowest = std::min(lowest, height);
+        highest = std::max(highest, height);
+        size = std::max(size, std::abs(line) + std::abs(point[1]));
+    }
+
+    // Whether all points certainly lie lower than all points of `other`.
+    bool is_below(const ShearedRange& other) const
+    {
+        constexpr double underflow = std::numeric_limits<double>::min();
+        return highest + 0x1p-50 * (size + other.size) + underflow < other.lowest;
+    }
+};
+
 void append(std::vector<EnvelopePiece>& half, std::int32_t segment, std::int32_t outer)
 {
     if (half.empty() || half.back().segment != segment)
@@ -80,11 +117,14 @@ bool touches(std::int32_t segment, std::int32_t vertex)
 // 2. A chain begins where the chain before it ended, which is the finger of the current
 //    envelope. It is merged from there (walk): the pieces that it passes move from one
 //    stack to the other. For a curve with short folds this takes O(1) per segment.
-// 3. A chain that would pass many more pieces than it has segments begins an envelope of
+// 3. Before a chain is built, blocks of segments that lie below the envelope are skipped
+//    by one comparison for each block (skip_buried). In the folds of an offset most
+//    segments are such.
+// 4. A chain that would pass many more pieces than it has segments begins an envelope of
 //    its own (is_costly). Envelopes are merged when the last one is at least half as
 //    large as the one before it, as the runs of a natural merge sort are, so that the
 //    total is O(n log n).
-// 4. At the end all envelopes are merged into one.
+// 5. At the end all envelopes are merged into one.
 class Builder {
 public:
     explicit Builder(const SectionPoints& section) : section_{section}, order_{section}
@@ -130,8 +170,98 @@ private:
             }
             add_chain({first, last, is_rightwards}, is_new);
             is_new = false;
-            first = last;
+            first = skip_buried(last, end);
         }
+    }
+
+    // Skips the blocks of segments from `vertex` on that lie below the envelope, and
+    // returns the vertex behind them. After a block that does not, the next test waits
+    // for as many segments.
+    std::int32_t skip_buried(std::int32_t vertex, std::int32_t end)
+    {
+        while (vertex >= next_test_ && vertex + block_size < end) {
+            if (!is_buried(vertex)) {
+                next_test_ = vertex + block_size;
+                break;
+            }
+            vertex += block_size;
+            move_finger(vertex);
+        }
+        return vertex;
+    }
+
+    // Whether the next `block_size` segments certainly lie below the last open envelope,
+    // whose finger is at `vertex`. Heights are measured from a line with the slope of the
+    // piece above the finger. Proof: paper/notes/envelope-filters.md, section 9.
+    bool is_buried(std::int32_t vertex) const
+    {
+        const OpenEnvelope& envelope = open_.back();
+        if (envelope.left.empty() || envelope.right.empty())
+            return false;
+        const std::int32_t over = envelope.right.back().segment;
+        if (over == no_segment || touches(over, vertex))
+            return false;
+        const auto& points = section_.points;
+        const double slope = (points[over + 1][1] - points[over][1]) /
+                             (points[over + 1][0] - points[over][0]);
+        if (!(std::abs(slope) < largest_slope) || !order_.is_filtered())
+            return false;
+        ShearedRange block{slope};
+        for (std::int32_t k = vertex; k <= vertex + block_size; ++k)
+            block.add(points[k]);
+        ShearedRange above{slope};
+        return add_pieces(envelope.left, -1, -block.least_s, above) &&
+               add_pieces(envelope.right, 1, block.largest_s, above) &&
+               block.is_below(above);
+    }
+
+    // Adds the segments of the pieces of `half` from the finger to `end`, a value of s.
+    // Both are negated if `direction` is -1. Returns false if the pieces do not reach it,
+    // or if there are too many of them for the test to pay.
+    bool add_pieces(const std::vector<EnvelopePiece>& half, double direction, double end,
+                    ShearedRange& range) const
+    {
+        const auto most = std::min<std::size_t>(half.size(), 2 * block_size);
+        for (std::size_t k = 1; k <= most; ++k) {
+            const auto [segment, from] = half[half.size() - k];
+            if (segment == no_segment)
+                return false;
+            range.add(section_.points[segment]);
+            range.add(section_.points[segment + 1]);
+            const double error = from < 0 ? crossings_[~from].error : 0;
+            if (direction * place_s(from) - 1.001 * error >= end)
+                return true;
+        }
+        return false;
+    }
+
+    // Moves the finger of the last open envelope to a vertex below that envelope.
+    void move_finger(std::int32_t vertex)
+    {
+        OpenEnvelope& envelope = open_.back();
+        if (order_.s(vertex) > order_.s(envelope.finger))
+            move_pieces<true>(envelope, vertex);
+        else
+            move_pieces<false>(envelope, vertex);
+    }
+
+    template <bool is_rightwards>
+    void move_pieces(OpenEnvelope& envelope, std::int32_t vertex)
+    {
+        auto& behind = is_rightwards ? envelope.left : envelope.right;
+        auto& ahead = is_rightwards ? envelope.right : envelope.left;
+        std::int32_t place = envelope.finger;
+        int farther = -1;
+        while (farther < 0) {
+            const auto [p, p_end] = ahead.back();
+            farther =
+                is_rightwards ? place_order(p_end, vertex) : place_order(vertex, p_end);
+            append(behind, p, place);
+            place = p_end;
+            if (farther <= 0)
+                ahead.pop_back();
+        }
+        envelope.finger = vertex;
     }
 
     void add_chain(const Chain& chain, bool is_new)
@@ -325,6 +455,7 @@ private:
     std::vector<EnvelopeCrossing> crossings_;
     std::vector<OpenEnvelope> open_;
     std::vector<std::int32_t> verticals_;
+    std::int32_t next_test_ = 0;  // first vertex at which skip_buried tests a block
 };
 
 }  // namespace
