@@ -3,9 +3,11 @@
 
 #include <atomic>
 #include <csignal>
+#include <ctime>
 #include <exception>
 #include <thread>
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include "cli/child_process.h"
@@ -35,6 +37,28 @@ void wait_for(const sigset_t& signals)
     _exit(128 + number);
 }
 
+// At a hard limit of processor time the system kills without a signal that can be
+// handled. Where the soft limit, which is signalled, is the same, as `ulimit -t` sets it,
+// a timer sends the signal while there is time left to remove what is unfinished.
+void signal_before_hard_limit()
+{
+    constexpr long time_left_ns = 200'000'000;
+    rlimit limit{};
+    if (getrlimit(RLIMIT_CPU, &limit) != 0 || limit.rlim_max == RLIM_INFINITY ||
+        limit.rlim_max == 0 || limit.rlim_cur < limit.rlim_max)
+        return;
+    sigevent event{};
+    event.sigev_notify = SIGEV_SIGNAL;
+    event.sigev_signo = SIGXCPU;
+    timer_t timer{};
+    if (timer_create(CLOCK_PROCESS_CPUTIME_ID, &event, &timer) != 0)
+        return;
+    itimerspec when{};
+    when.it_value.tv_sec = static_cast<std::time_t>(limit.rlim_max - 1);
+    when.it_value.tv_nsec = 1'000'000'000 - time_left_ns;
+    timer_settime(timer, TIMER_ABSTIME, &when, nullptr);
+}
+
 }  // namespace
 
 void handle_interrupts()
@@ -48,6 +72,7 @@ void handle_interrupts()
     // Block the signals here and in all later threads. Only the waiting thread receives
     // them, and unlike a signal handler it may take locks and free memory.
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    signal_before_hard_limit();
     try {
         std::thread{[signals] { wait_for(signals); }}.detach();
     } catch (const std::exception&) {

@@ -308,6 +308,15 @@ class Output(ProgramTest):
             self.assertEqual(process.returncode, 128 + number)
             self.assert_nothing_left()
 
+    def test_the_end_of_the_processor_time_leaves_nothing(self):
+        """Also a hard limit, at which the system kills."""
+        for limit in ((1, 1), (1, resource.RLIM_INFINITY)):
+            with self.subTest(limit=limit):
+                done = endmill("plan", SURFACES / "net_rot24_7D.json", "--chord-tolerance", "5e-4", "-o", "out",
+                               cwd=self.folder, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, limit))
+                self.assertEqual(done.returncode, 128 + signal.SIGXCPU, done.stderr)
+                self.assert_nothing_left()
+
 
 if __name__ == "__main__":
     unittest.main()
