@@ -43,6 +43,9 @@ TRIALS = {
     "test_an_interrupt_leaves_the_old_or_the_new_folder":
         ("the process is interrupted", "by SIGTERM during the n-th mkdir, rename or open, over earlier results and in a "
                                        "new folder; no hidden folder stays"),
+    "test_bytes_do_not_depend_on_threads":
+        ("threads", "one to eight threads, in every command that writes and with random values for one or two options; all "
+                    "write the same bytes"),
     "test_threads": ("no threads", "none at all, from the n-th on, or not the n-th"),
     "test_memory": ("no memory", "the n-th allocation fails, or all from then on"),
     "test_a_small_address_space": ("no memory", "40 to 200 MB of address space"),

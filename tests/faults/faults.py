@@ -6,7 +6,10 @@ ENDMILL_FAULT_RUNS names a file to which each test without a finding adds a line
 whose fault did not occur, since the program does not make that call, do not count."""
 import concurrent.futures
 import errno
+import functools
+import math
 import os
+import random
 import re
 import shutil
 import subprocess
@@ -49,6 +52,41 @@ COMMANDS = {
     "machine": ["machine", "W/caxyBz/T", "-o", "FOLDER"],
     "cite": ["cite", "-o", "FOLDER"],
 }
+
+EXTREMES = ("0", "-0", "-1", "1e-320", "1e-9", "0.5", "65536", "2147483648", "9223372036854775808", "1e19", "1e100",
+            "1e308", "-1e308", "1e999", "nan", "inf", "1,2", "x", "")
+# An option with a value: at the beginning of a line of the help, with the name of the value in capitals.
+OPTION = re.compile(r"^  (?:-\w,)?(--[\w-]+) [^ a-z]*[A-Z]", re.MULTILINE)
+
+
+@functools.cache
+def options_of(command):
+    said = subprocess.run([ENDMILL, command, "--help"], capture_output=True, text=True, check=True).stdout
+    return sorted(set(OPTION.findall(said)) - {"--output"})
+
+
+def usual_value(chance):
+    """A number as a user may give it, of the size of a part or of a tolerance."""
+    number = 10 ** chance.uniform(-1.5, 1.5)
+    return chance.choice((f"{number:.6g}", f"{number:.2g}", str(math.ceil(number))))
+
+
+def random_value(chance):
+    """An extreme value, or a number of any magnitude."""
+    kind = chance.randrange(4)
+    if kind == 0:
+        return chance.choice(EXTREMES)
+    number = 10 ** chance.uniform(-6, 6) if kind == 1 else 10 ** chance.uniform(-1, 2)
+    return str(round(number)) if kind == 3 else f"{chance.choice((1, 1, 1, -1)) * number:.6g}"
+
+
+def with_random_options(seed, counts, value):
+    """The name of a command, and some of its options, counts[0] to counts[1], with values value(chance)."""
+    chance = random.Random(seed)
+    name = sorted(COMMANDS)[seed % len(COMMANDS)]
+    options = options_of(COMMANDS[name][0])
+    chosen = chance.sample(options, min(len(options), chance.randint(*counts)))
+    return name, *(f"{option}={value(chance)}" for option in chosen)
 
 
 class Finished:
@@ -151,10 +189,12 @@ class FaultTest(unittest.TestCase):
         return self.in_new_place(act)
 
     def in_parallel(self, act, cases):
-        """act(*case) for all cases, on as many threads as there are processors. It returns False if no fault occurred."""
+        """act(*case) for all cases, on as many threads as there are processors. It returns the number of runs that count,
+        or nothing for one."""
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
             for done in [pool.submit(act, *case) for case in cases]:
-                self.runs += done.result() is not False
+                count = done.result()
+                self.runs += 1 if count is None else int(count)
 
 
 def some_of(count, short):

@@ -47,14 +47,20 @@ constexpr double gap_scan = 1.0 / 256;
 // Accuracy of that place, as a share of the spacing.
 constexpr double gap_precision = 1.0 / 64;
 
+// Least share of a pass that is reported as progress.
+constexpr double reported_share = 1.0 / 256;
+
 // Builds one pass.
 class PassBuilder {
 public:
     PassBuilder(const VerifiedSurface& surface, double v,
-                std::span<const CoverDemand> demands)
+                std::span<const CoverDemand> demands,
+                const std::function<void(double)>& advance)
         : surface_{surface},
           line_{surface.marched, v, surface.direction},
-          demands_{demands}
+          demands_{demands},
+          advance_{advance},
+          reported_u_{line_.range().low}
     {
     }
 
@@ -66,6 +72,8 @@ public:
             const SurfaceContact contact = first_at(line_.range().low);
             if (fits(contact))
                 pass.pieces.push_back({contact});
+            if (advance_)
+                advance_(1);
             return pass;
         }
         std::optional<double> u = fitting_from(line_.range().low);
@@ -75,6 +83,7 @@ public:
             pass.pieces.push_back(std::move(piece));
             u = last < end ? fitting_from(last + least_step * width(last)) : std::nullopt;
         }
+        report(end);
         return pass;
     }
 
@@ -136,8 +145,20 @@ private:
                 throw LimitError{"a pass has more than " +
                                  std::to_string(surface_.most_points) +
                                  " points, the limit"};
+            report(next->u);
         }
         return piece;
+    }
+
+    // Reports that the pass is built up to `u`, if that is enough to report.
+    void report(double u)
+    {
+        const auto [low, high] = line_.range();
+        const double share = (u - reported_u_) / (high - low);
+        if (!advance_ || (share < reported_share && u < high))
+            return;
+        advance_(share);
+        reported_u_ = u;
     }
 
     // The greatest parameter to which a step from `u` may lead.
@@ -274,6 +295,8 @@ private:
     // allow.
     double share_ = 1;
     std::size_t points_ = 1;
+    const std::function<void(double)>& advance_;
+    double reported_u_;
 };
 
 // Whether the moves from one contact to the next but one keep the tolerances.
@@ -303,9 +326,10 @@ std::vector<double> contact_offsets(const MotionTolerances& tolerances)
 }
 
 VerifiedPass verified_pass(const VerifiedSurface& surface, double v,
-                           std::span<const CoverDemand> demands)
+                           std::span<const CoverDemand> demands,
+                           const std::function<void(double)>& advance)
 {
-    return PassBuilder{surface, v, demands}.build();
+    return PassBuilder{surface, v, demands, advance}.build();
 }
 
 SweptPass swept(const VerifiedPass& pass, const BallCutter& cutter)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -118,10 +119,13 @@ struct VerifiedPass {
 /// \param surface the surface and its tests.
 /// \param v       parameter of the pass.
 /// \param demands in order of rising `foot_u`.
+/// \param advance if not empty, is called now and then with the share of the pass that
+///        was added since its last call; the shares add up to 1.
 /// \throws GeometryError where the surface has no normal.
 /// \throws LimitError if a pass has more than `most_points` points.
 VerifiedPass verified_pass(const VerifiedSurface& surface, double v,
-                           std::span<const CoverDemand> demands);
+                           std::span<const CoverDemand> demands,
+                           const std::function<void(double)>& advance = {});
 
 /// The straight moves of all pieces of a pass.
 SweptPass swept(const VerifiedPass& pass, const BallCutter& cutter);

@@ -177,19 +177,21 @@ private:
     {
         const std::size_t first = passes_.size();
         passes_.resize(first + laid_.size());
-        std::atomic<std::size_t> done = 0;
+        std::atomic<double> done = 0;  // passes
+        const auto advance = [&](double share) {
+            const double before = done.fetch_add(share);
+            report((before + share) / static_cast<double>(laid_.size()));
+        };
         parallel_for(laid_.size(), [&](std::size_t begin, std::size_t stop) {
-            for (std::size_t k = begin; k < stop; ++k) {
+            for (std::size_t k = begin; k < stop; ++k)
                 passes_[first + k] =
-                    verified_pass(surface_, laid_[k].v, laid_[k].demands);
-                report(static_cast<double>(++done) / static_cast<double>(laid_.size()));
-            }
+                    verified_pass(surface_, laid_[k].v, laid_[k].demands, advance);
         });
         for (std::size_t k = first; k < passes_.size(); ++k)
             count_points(passes_[k]);
     }
 
-    // Reports that a share of the laid passes is divided. A single pass may take seconds.
+    // Reports that a share of the laid passes is divided.
     void report(double share) const
     {
         if (!options_.progress)
