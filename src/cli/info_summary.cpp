@@ -57,9 +57,8 @@ std::string shown_or_none(const Json& number)
 }
 
 // Number of the boundary loops, their total length and the length of the longest.
-void add_boundary_loops(Json& summary, const TriangleMesh& mesh)
+void add_boundary_loops(Json& summary, std::span<const BoundaryLoop> loops)
 {
-    const std::vector<BoundaryLoop> loops = boundary_loops(mesh);
     double total = 0;
     double longest = 0;
     for (const BoundaryLoop& loop : loops) {
@@ -170,8 +169,12 @@ Json mesh_summary(const PartFile& file, const PartOptions& options)
 {
     const auto& mesh = std::get<TriangleMesh>(file.part);
     // As every other command, edges are counted without duplicate triangles.
-    const CleanedMesh cleaned = without_degenerate_or_duplicate(mesh);
-    const MeshReport report = mesh_report(cleaned.mesh);
+    const bool is_clean = file.mesh_report->degenerate_triangles == 0 &&
+                          file.mesh_report->duplicate_triangles == 0;
+    const CleanedMesh cleaned =
+        is_clean ? CleanedMesh{} : without_degenerate_or_duplicate(mesh);
+    const TriangleMesh& sound = is_clean ? mesh : cleaned.mesh;
+    const MeshReport report = is_clean ? *file.mesh_report : mesh_report(sound);
     Eigen::AlignedBox3d box;
     for (const Vec3& point : mesh.points())
         box.extend(point);
@@ -182,7 +185,7 @@ Json mesh_summary(const PartFile& file, const PartOptions& options)
     summary["vertices"] = mesh.points().size();
     summary["components"] = report.components;
     summary["boundary_edges"] = report.boundary_edges;
-    add_boundary_loops(summary, cleaned.mesh);
+    add_boundary_loops(summary, boundary_loops(sound, report.points_at_breaks));
     summary["non_manifold_edges"] = report.non_manifold_edges;
     summary["first_non_manifold_edge"] = report.first_non_manifold_edge
                                              ? Json(*report.first_non_manifold_edge)

@@ -89,5 +89,31 @@ TEST(DuplicateTriangles, AreThoseWithTheCornersOfAnEarlierOne)
     }
 }
 
+// Here the edges of a duplicate have no other triangles.
+TEST(DuplicateTriangles, AreFoundAlone)
+{
+    std::vector<Triangle> triangles{{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {6, 8, 9}};
+    const std::vector<Vec3> points(10, Vec3::Zero());
+    EXPECT_TRUE(duplicate_triangles(EdgeUses{{points, triangles}}).empty());
+    for (const Triangle& copy : {Triangle{5, 4, 3}, {2, 0, 1}, {8, 6, 7}})
+        triangles.push_back(copy);
+    EXPECT_EQ(duplicate_triangles(EdgeUses{{points, triangles}}),
+              (std::vector<std::int32_t>{4, 5, 6}));
+}
+
+TEST(DuplicateTriangles, AreFoundAtPointsOfManyTriangles)
+{
+    for (const std::int32_t rim : {3, 15, 16, 17, 18, 100}) {
+        std::vector<Triangle> fan;
+        for (std::int32_t k = 1; k <= rim; ++k)
+            fan.push_back({0, k, k % rim + 1});
+        const std::vector<Vec3> points(rim + 1, Vec3::Zero());
+        EXPECT_TRUE(duplicate_triangles(EdgeUses{{points, fan}}).empty());
+        fan.push_back({fan[rim / 2][1], 0, fan[rim / 2][2]});
+        EXPECT_EQ(duplicate_triangles(EdgeUses{{points, fan}}),
+                  (std::vector<std::int32_t>{rim}));
+    }
+}
+
 }  // namespace
 }  // namespace endmill

@@ -88,6 +88,22 @@ TEST(BoundaryLoops, DoNotDependOnTheOrderOfTriangles)
 }
 
 // Two pieces that touch at a point have a loop each.
+TEST(BoundaryLoops, AreTheSameWithThePointsAtBreaks)
+{
+    test::Random random{7};
+    for (int round = 0; round < 20; ++round) {
+        std::vector<Triangle> triangles = test::triangles_of(test::torus_mesh(12, 8));
+        std::ranges::shuffle(triangles, random.engine());
+        triangles.resize(triangles.size() - 10 * round);
+        std::swap(triangles[0][0], triangles[0][round % 3]);
+        const TriangleMesh mesh{test::points_of(test::torus_mesh(12, 8)), triangles};
+        const auto loops = boundary_loops(mesh, mesh_report(mesh).points_at_breaks);
+        ASSERT_EQ(loops.size(), loop_points(mesh).size());
+        for (std::size_t k = 0; k < loops.size(); ++k)
+            EXPECT_EQ(loops[k].points, loop_points(mesh)[k]);
+    }
+}
+
 TEST(BoundaryLoops, PassAPointOfTwoFansTwice)
 {
     EXPECT_EQ(loop_points({points(5), {{0, 1, 2}, {0, 3, 4}}}),

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/mesh/mesh_checks.h"
 
+#include <algorithm>
 #include <numeric>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
 
+#include "endmill/mesh/detail/edge_uses.h"
+#include "endmill/mesh/detail/place_order.h"
 #include "test_meshes.h"
 
 namespace endmill {
@@ -167,6 +170,63 @@ TEST(MeshReport, DoesNotDependOnTheOrderOfTriangles)
     EXPECT_EQ(a.components, b.components);
     EXPECT_EQ(a.boundary_edges, b.boundary_edges);
     EXPECT_NEAR(a.area, b.area, 1e-13 * a.area);
+}
+
+// A large grid with fins, holes, turned and repeated triangles. With its triangles
+// and points in no order, the report is made by another route.
+TEST(MeshReport, OfALargeMeshInNoOrderIsThatOfTheMeshInOrder)
+{
+    const TriangleMesh grid = test::grid_mesh(400, 400, [](int i, int j) {
+        return Vec3{double(i), double(j), 0.01 * i * j};
+    });
+    std::vector<Vec3> points = test::points_of(grid);
+    std::vector<Triangle> triangles = test::triangles_of(grid);
+    for (std::size_t k = 5; k < 300'000; k += 1000) {
+        const auto [a, b, c] = triangles[k];
+        triangles.push_back({a, c, b});  // repeats triangle k
+        std::swap(triangles[k + 10][0], triangles[k + 10][1]);
+        triangles[k + 20] = triangles[k + 20 + 1];
+        const auto tip = static_cast<std::int32_t>(points.size());
+        points.emplace_back(points[a] + Vec3{0, 0, 5});
+        triangles.push_back({triangles[k + 100][0], triangles[k + 100][2], tip});
+    }
+    const MeshReport report = mesh_report({points, triangles});
+
+    test::Random random{3};
+    std::vector<std::int32_t> names(points.size());
+    std::iota(names.begin(), names.end(), 0);
+    std::ranges::shuffle(names, random.engine());
+    std::vector<Vec3> moved(points.size());
+    for (std::size_t k = 0; k < names.size(); ++k)
+        moved[names[k]] = points[k];
+    std::vector<std::int32_t> breaks;
+    for (const std::int32_t point : report.points_at_breaks)
+        breaks.push_back(names[point]);
+    std::ranges::sort(breaks);
+    std::ranges::shuffle(triangles, random.engine());
+    for (Triangle& triangle : triangles)
+        for (std::int32_t& corner : triangle)
+            corner = names[corner];
+    const TriangleMesh mixed{moved, triangles};
+    ASSERT_TRUE(are_scattered(mixed));
+    const MeshReport other = mesh_report(mixed);
+    EXPECT_GT(report.duplicate_triangles, 0U);
+    EXPECT_GT(report.inconsistent_edges, 0U);
+    EXPECT_EQ(other.boundary_edges, report.boundary_edges);
+    EXPECT_EQ(other.non_manifold_edges, report.non_manifold_edges);
+    EXPECT_EQ(other.inconsistent_edges, report.inconsistent_edges);
+    EXPECT_EQ(other.components, report.components);
+    EXPECT_EQ(other.degenerate_triangles, report.degenerate_triangles);
+    EXPECT_EQ(other.duplicate_triangles, report.duplicate_triangles);
+    EXPECT_EQ(other.points_at_breaks, breaks);
+    EXPECT_NEAR(other.area, report.area, 1e-9 * report.area);
+    EXPECT_EQ(other.closed, report.closed);
+    std::optional<MeshEdge> first;
+    EdgeUses{mixed}.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
+        if (uses.size() > 2 && !first)
+            first = edge;
+    });
+    EXPECT_EQ(other.first_non_manifold_edge, first);
 }
 
 }  // namespace

@@ -92,6 +92,23 @@ TEST(PointTree, OfEqualPointsFindsTheSameEachTime)
     EXPECT_EQ(*PointTree{points}.nearest_within({0, 0, 0}, everywhere), first);
 }
 
+TEST(PointTree, FindsTheNearestAmongManyCopiesOfEachPoint)
+{
+    test::Random random{5};
+    std::vector<Vec3> points;
+    for (int k = 0; k < 20; ++k)
+        points.insert(points.end(), 60, random_point(random, 1));
+    std::ranges::shuffle(points, random.engine());
+    expect_nearest(points, random, 2);
+    const PointTree tree{points};
+    for (int k = 0; k < 200; ++k) {
+        const Vec3 place = random_point(random, 2);
+        const double least = least_distance(points, place);
+        EXPECT_FALSE(tree.nearest_within(place, least * (1 - 1e-12)));
+        EXPECT_TRUE(tree.nearest_within(place, least * (1 + 1e-12)));
+    }
+}
+
 TEST(PointTree, DistinguishesPointsByHeightFromFarAway)
 {
     const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 1}, {0, 1, 2}, {-1, 0, 3}};

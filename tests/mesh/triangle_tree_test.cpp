@@ -94,6 +94,39 @@ TEST(Nearest, EqualsTheResultOfTestingEveryTriangle)
         }
 }
 
+// Seen from afar, slabs exclude the smooth parts. Every triangle is tested by the function
+// that the tree uses, so the results must be equal bit by bit.
+TEST(Nearest, OfASmoothMeshEqualsTheResultOfTestingEveryTriangle)
+{
+    test::Random random{11};
+    const TriangleMesh sheet = test::grid_mesh(40, 30, [](int i, int j) {
+        return Vec3{0.1 * i, 0.1 * j, std::sin(i / 6.0) * std::cos(j / 9.0)};
+    });
+    for (const TriangleMesh& mesh : {sheet, test::torus_mesh(40, 25)}) {
+        const TriangleTree tree{mesh};
+        for (const double away : {0.01, 0.1, 1.0, 10.0, 1e3, 1e6})
+            for (int k = 0; k < 40; ++k) {
+                const Vec3 place =
+                    mesh.points()[static_cast<std::size_t>(random.uniform(0, 999))] +
+                    test::random_point(random, away);
+                double least = std::numeric_limits<double>::infinity();
+                std::size_t triangle = 0;
+                for (std::size_t t = 0; t < mesh.triangles().size(); ++t) {
+                    const double square =
+                        (nearest_on_triangle(place, mesh.corners(t)) - place)
+                            .squaredNorm();
+                    if (square < least) {
+                        least = square;
+                        triangle = t;
+                    }
+                }
+                const auto found = tree.nearest(place);
+                EXPECT_EQ(found->distance, std::sqrt(least));
+                EXPECT_EQ(found->triangle, triangle);
+            }
+    }
+}
+
 TEST(Nearest, HoldsItsAccuracyFarAwayAndFarFromTheOrigin)
 {
     test::Random random{2};

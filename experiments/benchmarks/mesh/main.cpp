@@ -3,11 +3,14 @@
 //
 //   benchmarks-mesh OUTPUT_FOLDER
 //
-// About 20 s; measures time, so nothing else should run. Columns: README.md beside this.
+// About 35 s; measures time, so nothing else should run. Columns: README.md beside this.
 
+#include <array>
+#include <cmath>
 #include <optional>
 
 #include "benchmarks/height_parts.h"
+#include "endmill/core/text.h"
 #include "endmill/mesh/detail/weld.h"
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/mesh/triangle_tree.h"
@@ -18,6 +21,10 @@
 using namespace endmill;
 
 namespace {
+
+constexpr int scattered_places = 10'000;
+// mm over the mesh
+constexpr std::array scattered_heights{0.1, 1.0, 10.0, 100.0};
 
 // Nearest points to places 0.006 mm apart at a height over the middle of the mesh. Each
 // search starts from the answer to the previous one.
@@ -31,6 +38,20 @@ double walk_over(const TriangleTree& tree, double middle_mm, double above_mm)
         const auto found = tree.nearest({x, y, wavy_height(x, y) + above_mm}, hint);
         hint = found->triangle;
         sum += found->distance;
+    }
+    return sum;
+}
+
+// Nearest points to places at a height that are far from each other, so that a search
+// finds little of the tree in the nearest caches.
+double search_scattered(const TriangleTree& tree, double along_mm, double above_mm)
+{
+    double sum = 0;
+    for (int k = 0; k < scattered_places; ++k) {
+        // Multiples of the powers of the plastic number cover the square evenly.
+        const double x = along_mm * std::fmod(0.7548776662466927 * k, 1);
+        const double y = along_mm / 2 * std::fmod(0.5698402909980532 * k, 1);
+        sum += tree.nearest({x, y, wavy_height(x, y) + above_mm})->distance;
     }
     return sum;
 }
@@ -54,12 +75,17 @@ int main(int argc, char** argv)
         const TriangleMesh mesh = wavy_part(along, cell_mm);
         const auto soup = soup_of(mesh);
         const TriangleTree tree{mesh};
-        const double middle_mm = along * cell_mm / 2;
+        const double along_mm = along * cell_mm;
+        const double middle_mm = along_mm / 2;
         add_benchmark("weld", [&] { return weld(soup).welded_points; });
         add_benchmark("checks", [&] { return mesh_report(mesh).components; });
         add_benchmark("tree", [&] { return TriangleTree{mesh}.nearest({0, 0, 0}); });
         add_benchmark("near", [&] { return walk_over(tree, middle_mm, 0.1); });
         add_benchmark("far", [&] { return walk_over(tree, middle_mm, 1); });
+        for (const double above : scattered_heights)
+            add_benchmark("scattered " + to_text(above), [&tree, along_mm, above] {
+                return search_scattered(tree, along_mm, above);
+            });
         add_benchmark("ray", [&] { return cast_down(tree, middle_mm); });
         const ShortestTimes times = shortest_times();
         const auto triangles = static_cast<double>(mesh.triangles().size());
@@ -74,6 +100,10 @@ int main(int argc, char** argv)
         add("its tree", times.of("tree").cpu_s, "s", {});
         add("nearest point, 0.1 mm away", us * times.of("near").cpu_s, "us", 3);
         add("nearest point, 1 mm away", us * times.of("far").cpu_s, "us", 3);
+        for (const double above : scattered_heights)
+            add("nearest point to a scattered place, " + to_text(above) + " mm away",
+                1e6 / scattered_places * times.of("scattered " + to_text(above)).cpu_s,
+                "us", above <= 1 ? CsvCell{3} : CsvCell{});
         add("first hit of a ray", us * times.of("ray").cpu_s, "us", {});
         run.write_result(result);
     });

@@ -195,7 +195,9 @@ SortedTriangles sorted_triangles(const TriangleMesh& mesh)
 {
     SortedTriangles sorted;
     sorted.sound.reserve(mesh.triangles().size());
+    constexpr std::size_t triangles_ahead = 12;
     for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
+        mesh.prefetch_corners(i + triangles_ahead);
         const auto [a, b, c] = mesh.corners(i);
         if (are_collinear(a, b, c))
             sorted.degenerate.push_back(i);
@@ -203,6 +205,16 @@ SortedTriangles sorted_triangles(const TriangleMesh& mesh)
             sorted.sound.push_back(mesh.triangles()[i]);
     }
     return sorted;
+}
+
+// The points with `up` turned to +z.
+std::vector<Vec3> all_points(std::span<const Vec3> points, UpAxis up)
+{
+    std::vector<Vec3> all;
+    all.reserve(points.size());
+    for (const Vec3& point : points)
+        all.push_back(turned(point, up));
+    return all;
 }
 
 // The points that the triangles use, with `up` turned to +z. The triangles are renumbered
@@ -277,7 +289,11 @@ MeshFile parse_mesh(std::string content, const std::filesystem::path& path,
                  ? "the only triangle has no area"
                  : "none of the " + counted(degenerate, "triangle") + " has an area",
              "triangles whose corners are not on one line"}};
-    std::vector<Vec3> points = used_points(all.points(), triangles, options.up);
+    // Every point of a soup is a corner.
+    const bool are_all_used = extension == ".stl" && degenerate == 0;
+    std::vector<Vec3> points = are_all_used
+                                   ? all_points(all.points(), options.up)
+                                   : used_points(all.points(), triangles, options.up);
     const std::size_t unused = all.points().size() - points.size();
     if (degenerate > 0)
         notes.push_back(left_out(degenerate, "triangle", "without an area"));

@@ -31,7 +31,7 @@ PartFile surface_part(const std::string& content, const std::filesystem::path& p
                           ": --units and --up are for meshes; a surface file states its "
                           "own unit"};
     return {std::move(file.name), std::move(file.source), std::move(file.surfaces), {}, 0,
-            std::move(file.notes)};
+            std::nullopt,         std::move(file.notes)};
 }
 
 // "1 triangle was ", "2 triangles were ".
@@ -64,14 +64,14 @@ double bytes_to_orient(const TriangleMesh& mesh, const MeshReport& report)
 }
 
 // Turns triangles over until neighbours agree and closed pieces face outwards, and adds
-// notes.
-void orient(MeshFile& file)
+// notes. `report` on the mesh becomes that on the result.
+void orient(MeshFile& file, MeshReport& report)
 {
     OrientedMesh upright = oriented(file.mesh);
     file.mesh = std::move(upright.mesh);
     if (upright.turned_triangles > 0) {
-        const auto volume = mesh_report(file.mesh).volume;
-        const bool is_solid = volume && *volume > 0;
+        report = mesh_report(file.mesh);
+        const bool is_solid = report.volume && *report.volume > 0;
         file.notes.push_back(
             counted_that_were(upright.turned_triangles, "triangle") +
             "turned over, so that " +
@@ -89,15 +89,16 @@ PartFile mesh_part(std::string content, const std::filesystem::path& path,
                    const MeshReadOptions& options)
 {
     MeshFile file = parse_mesh(std::move(content), path, options);
-    const MeshReport report = mesh_report(file.mesh);
+    MeshReport report = mesh_report(file.mesh);
     if (may_be_turned(report)) {
         require_memory(shown_path(path), bytes_to_orient(file.mesh, report),
                        options.limits);
-        orient(file);
+        orient(file, report);
     }
     return {std::move(file.name), {},
             std::move(file.mesh), std::move(file.degenerate_triangles),
-            file.welded_points,   std::move(file.notes)};
+            file.welded_points,   std::move(report),
+            std::move(file.notes)};
 }
 
 // Whether two characters are equal without regard to case.

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "endmill/files/mesh_file.h"
+#include "endmill/mesh/mesh_checks.h"
 #include "endmill/surface/part.h"
 
 /// \file
@@ -23,6 +25,8 @@ struct PartFile {
     /// left out; empty for a surface file.
     std::vector<std::size_t> degenerate_triangles;
     std::size_t welded_points;  ///< merged points of a mesh file; 0 for a surface file
+    /// `mesh_report` of the mesh; nothing for a surface.
+    std::optional<MeshReport> mesh_report;
     /// One sentence for each change and each peculiarity.
     std::vector<std::string> notes;
 };

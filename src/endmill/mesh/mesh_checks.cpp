@@ -13,6 +13,7 @@
 #include "endmill/core/orientation.h"
 #include "endmill/mesh/detail/edge_uses.h"
 #include "endmill/mesh/detail/manifold_pieces.h"
+#include "endmill/mesh/detail/place_order.h"
 
 namespace endmill {
 namespace {
@@ -36,6 +37,9 @@ private:
     double rounding_ = 0;
 };
 
+// Triangles by which their points are fetched in advance.
+constexpr std::size_t triangles_ahead = 12;
+
 // Sums over all triangles.
 struct Measures {
     std::size_t without_area = 0;
@@ -53,6 +57,7 @@ Measures measures(const TriangleMesh& mesh)
     // near the mesh, so that volumes lose no digits far from the origin
     const Vec3 origin = mesh.corners(0)[0];
     for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
+        mesh.prefetch_corners(k + triangles_ahead);
         const auto [a, b, c] = mesh.corners(k);
         const Vec3 doubled = (b - a).cross(c - a);
         sum.doubled_area.add(doubled.norm());
@@ -72,14 +77,20 @@ struct EdgeReport {
     std::size_t joints = 0;  // number of joins that made one component of two
     bool all_even = true;
     bool all_balanced = true;
+    std::size_t duplicates = 0;
+    std::vector<bool> is_at_break;  // of each point, see points_at_breaks
 };
 
 // Each join of two sets of triangles reduces the number of components by one.
-EdgeReport edge_report(const EdgeUses& edges, std::size_t triangles)
+// `name(point)` is the number of a point in the mesh; `points` is their count.
+template <typename Name>
+EdgeReport edge_report(std::size_t points, const EdgeUses& edges, std::size_t triangles,
+                       const Name& name)
 {
     EdgeReport report;
+    report.is_at_break.resize(points);
     DisjointSets components{triangles};
-    edges.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
+    edges.for_each([&](const MeshEdge& ends, std::span<const EdgeUse> uses) {
         std::ptrdiff_t surplus = 0;  // of triangles that run along the edge forwards
         for (const EdgeUse& use : uses)
             surplus += use.is_forward() ? 1 : -1;
@@ -89,25 +100,44 @@ EdgeReport edge_report(const EdgeUses& edges, std::size_t triangles)
         report.inconsistent += uses.size() == 2 && surplus != 0;
         report.all_even &= uses.size() % 2 == 0;
         report.all_balanced &= surplus == 0;
+        if (are_neighbours(uses))
+            return;
+        const auto [low, high] = std::minmax({name(ends[0]), name(ends[1])});
+        report.is_at_break[low] = report.is_at_break[high] = true;
         if (uses.size() > 2) {
             ++report.non_manifold;
-            if (!report.first_non_manifold)
-                report.first_non_manifold = edge;
+            const MeshEdge first =
+                report.first_non_manifold.value_or(MeshEdge{low, high});
+            report.first_non_manifold = std::min(first, MeshEdge{low, high});
         }
     });
+    report.duplicates = duplicate_triangles(edges).size();
     return report;
 }
 
-// Which points of a mesh are at an edge across which two triangles are no neighbours. All
-// boundaries of its manifold pieces run through these points.
-std::vector<bool> points_at_breaks(const TriangleMesh& mesh)
+// Triangles in no order are first ordered by place, so that the work on their edges finds
+// neighbours in the caches. The report does not depend on the order.
+EdgeReport edge_report(const TriangleMesh& mesh)
 {
-    std::vector<bool> is_at_break(mesh.points().size(), false);
-    EdgeUses{mesh}.for_each([&](const MeshEdge& edge, std::span<const EdgeUse> uses) {
-        if (!are_neighbours(uses))
-            is_at_break[edge[0]] = is_at_break[edge[1]] = true;
-    });
-    return is_at_break;
+    const std::size_t points = mesh.points().size();
+    const std::size_t triangles = mesh.triangles().size();
+    if (!are_scattered(mesh))
+        return edge_report(points, EdgeUses{mesh}, triangles,
+                           [](std::int32_t point) { return point; });
+    const TrianglesByPlace by_place = triangles_by_place(mesh);
+    return edge_report(points, EdgeUses{by_place.points.size(), by_place.triangles},
+                       triangles,
+                       [&](std::int32_t point) { return by_place.points[point]; });
+}
+
+// The numbers of the points that are marked.
+std::vector<std::int32_t> marked_points(const std::vector<bool>& is_marked)
+{
+    std::vector<std::int32_t> marked;
+    for (std::size_t k = 0; k < is_marked.size(); ++k)
+        if (is_marked[k])
+            marked.push_back(static_cast<std::int32_t>(k));
+    return marked;
 }
 
 // The triangles at points that are marked.
@@ -129,9 +159,12 @@ struct PiecesAtBreaks {
 };
 
 // Only the triangles at breaks have a boundary, unless triangles had to be detached.
-PiecesAtBreaks pieces_at_breaks(const TriangleMesh& mesh)
+PiecesAtBreaks pieces_at_breaks(const TriangleMesh& mesh,
+                                std::span<const std::int32_t> points_at_breaks)
 {
-    std::vector<bool> is_at_break = points_at_breaks(mesh);
+    std::vector<bool> is_at_break(mesh.points().size(), false);
+    for (const std::int32_t point : points_at_breaks)
+        is_at_break[point] = true;
     ManifoldPieces pieces = manifold_pieces(triangles_at(is_at_break, mesh));
     if (!pieces.has_detached)
         return {std::move(pieces), std::move(is_at_break)};
@@ -208,9 +241,8 @@ BoundaryLoop in_mesh(std::span<const std::int32_t> loop, const TriangleMesh& mes
 
 MeshReport mesh_report(const TriangleMesh& mesh)
 {
-    const EdgeUses uses{mesh};
     const Measures sum = measures(mesh);
-    const EdgeReport edges = edge_report(uses, mesh.triangles().size());
+    const EdgeReport edges = edge_report(mesh);
     const bool has_edges = sum.with_three_corners > 0;
     MeshReport report{};
     report.boundary_edges = edges.boundary;
@@ -219,8 +251,9 @@ MeshReport mesh_report(const TriangleMesh& mesh)
     report.inconsistent_edges = edges.inconsistent;
     report.components = sum.with_three_corners - edges.joints;
     report.degenerate_triangles = sum.without_area;
-    report.duplicate_triangles = duplicate_triangles(uses).size();
+    report.duplicate_triangles = edges.duplicates;
     report.area = sum.doubled_area.value() / 2;
+    report.points_at_breaks = marked_points(edges.is_at_break);
     report.closed = has_edges && edges.all_even;
     if (has_edges && edges.all_balanced)
         report.volume = sum.sixfold_volume.value() / 6;
@@ -229,7 +262,15 @@ MeshReport mesh_report(const TriangleMesh& mesh)
 
 std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh)
 {
-    PiecesAtBreaks at_breaks = pieces_at_breaks(mesh);
+    return boundary_loops(mesh, marked_points(edge_report(mesh).is_at_break));
+}
+
+std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh,
+                                         std::span<const std::int32_t> points_at_breaks)
+{
+    if (points_at_breaks.empty())
+        return {};
+    PiecesAtBreaks at_breaks = pieces_at_breaks(mesh, points_at_breaks);
     ManifoldPieces& pieces = at_breaks.pieces;
     std::vector<Vec3> points;
     points.reserve(pieces.points.size());

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "endmill/mesh/triangle_mesh.h"
@@ -34,6 +35,9 @@ struct MeshReport {
     std::size_t degenerate_triangles;
     /// Triangles that have the same three corners, in any order, as an earlier one.
     std::size_t duplicate_triangles;
+    /// The ends of all edges that do not belong to exactly two triangles in opposite
+    /// directions; rising. All boundary loops run through these points.
+    std::vector<std::int32_t> points_at_breaks;
     double area;  ///< mm^2
     /// Whether there are edges and every edge belongs to an even number of triangles.
     bool closed;
@@ -45,7 +49,8 @@ struct MeshReport {
 /// Computes the report.
 ///
 /// Takes linear time if the number of triangles at a point is bounded, else n log n, and
-/// 28 bytes a triangle and 8 a point. Let S be the sum, over all triangles, of the
+/// 28 bytes a triangle and 8 a point; 40 a triangle and 12 a point if the triangles are in
+/// no order of place. Let S be the sum, over all triangles, of the
 /// product of the two sides at the first corner. The area is within 1e-15 S, and the
 /// volume within 1e-15 S times the diagonal of the mesh's bounding box.
 MeshReport mesh_report(const TriangleMesh& mesh);
@@ -67,5 +72,10 @@ struct BoundaryLoop {
 /// Triangles that repeat a corner are left out.
 /// \throws DomainError if there are more than 715 827 882 triangles.
 std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh);
+
+/// The same in less time.
+/// \param points_at_breaks of the report on the mesh.
+std::vector<BoundaryLoop> boundary_loops(const TriangleMesh& mesh,
+                                         std::span<const std::int32_t> points_at_breaks);
 
 }  // namespace endmill

@@ -40,6 +40,15 @@ public:
         return {points_[a], points_[b], points_[c]};
     }
 
+    /// Fetches the corners of triangle `number` into the cache, if there is such a triangle.
+    /// A pass over triangles in no order of place calls it some triangles in advance.
+    void prefetch_corners(std::size_t number) const
+    {
+        if (number < triangles_.size())
+            for (const std::int32_t corner : triangles_[number])
+                __builtin_prefetch(&points_[corner]);
+    }
+
 private:
     std::vector<Vec3> points_;
     std::vector<Triangle> triangles_;

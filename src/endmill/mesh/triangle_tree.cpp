@@ -21,6 +21,9 @@ constexpr double largest_length = 1e30;
 constexpr double shortest_direction = 1e-100;
 constexpr double longest_direction = 1e100;
 constexpr std::size_t fan_out = 4;  // children of a node, and triangles of a leaf
+// Distance from which slabs are worth a test, in diagonals of leaves. Nearer, boxes
+// exclude nearly as many children.
+constexpr double far_leaves = 8;
 // Margin for the rounding of a ray with a far origin, and of a large distance, as a share
 // of the largest coordinate.
 constexpr double question_margin = 1e-13;
@@ -87,6 +90,27 @@ void arrange_centres(std::span<Centre> centres, std::size_t capacity)
     arrange_centres(centres.subspan(half), half);
 }
 
+// Unit vector along `vector`; zero if it has no direction.
+Eigen::Vector3f unit_or_zero(const Vec3& vector)
+{
+    const double length = vector.norm();
+    if (!(length > 0 && length < infinity))
+        return Eigen::Vector3f::Zero();
+    return (vector / length).cast<float>();
+}
+
+// The least and the greatest of some numbers.
+struct Extent {
+    double low = infinity;
+    double high = -infinity;
+
+    void include(double number)
+    {
+        low = std::min(low, number);
+        high = std::max(high, number);
+    }
+};
+
 // Takes the ends of a segment in one order, so that triangles that share an edge find the
 // same point.
 Vec3 nearest_on_segment(const Vec3& place, const Vec3& end_a, const Vec3& end_b)
@@ -100,6 +124,68 @@ Vec3 nearest_on_segment(const Vec3& place, const Vec3& end_a, const Vec3& end_b)
     if (!(share > 0))
         return a;
     return share < square ? Vec3{a + share / square * along} : b;
+}
+
+std::array<Vec3, 3> corners_of(const Triangle& triangle, std::span<const Vec3> points)
+{
+    return {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
+}
+
+// A coordinate of four points.
+using FourNumbers = Eigen::Array4d;
+
+// Four points, by coordinate.
+struct FourPoints {
+    FourNumbers x;
+    FourNumbers y;
+    FourNumbers z;
+
+    FourNumbers dot(const FourPoints& other) const
+    {
+        return x * other.x + y * other.y + z * other.z;
+    }
+};
+
+// Corner `corner` of four triangles, seen from a place.
+FourPoints four_corners(std::span<const Vec3> points, std::span<const Triangle, 4> four,
+                        int corner, const Vec3& place)
+{
+    FourPoints result;
+    for (int k = 0; k < 4; ++k) {
+        const Vec3& point = points[four[k][corner]];
+        result.x[k] = point.x() - place.x();
+        result.y[k] = point.y() - place.y();
+        result.z[k] = point.z() - place.z();
+    }
+    return result;
+}
+
+// Lower bounds of the squared distances, mm^2, from a place to four triangles; `margin`
+// in mm is subtracted from each distance. A triangle is beyond the plane through its
+// nearest corner that is normal to the line from the place to its centre. Seen from afar
+// this plane is near the triangle, whereas a box is larger than a sloping triangle. The
+// box is the better bound for a triangle that is large for its distance.
+FourNumbers least_squares(std::span<const Vec3> points, std::span<const Triangle, 4> four,
+                          const Vec3& place, double margin)
+{
+    const FourPoints a = four_corners(points, four, 0, place);
+    const FourPoints b = four_corners(points, four, 1, place);
+    const FourPoints c = four_corners(points, four, 2, place);
+    const FourPoints centre{a.x + b.x + c.x, a.y + b.y + c.y, a.z + b.z + c.z};
+    // the least normal number, so that the length is not 0
+    constexpr double not_zero = std::numeric_limits<double>::min();
+    const FourNumbers to_plane = (centre.dot(a).min(centre.dot(b)).min(centre.dot(c)) /
+                                      (centre.dot(centre) + not_zero).sqrt() -
+                                  margin)
+                                     .max(0);
+    const auto to_box = [margin](const FourNumbers& p, const FourNumbers& q,
+                                 const FourNumbers& r) -> FourNumbers {
+        const FourNumbers low = p.min(q).min(r);
+        const FourNumbers high = p.max(q).max(r);
+        return (low.max(-high) - margin).max(0).square();
+    };
+    return to_plane.square().max(to_box(a.x, b.x, c.x) + to_box(a.y, b.y, c.y) +
+                                 to_box(a.z, b.z, c.z));
 }
 
 Vec3 nearer(const Vec3& place, const Vec3& a, const Vec3& b)
@@ -156,30 +242,49 @@ struct TriangleTree::NearestQuery {
         return (1 - question_margin) * squares;
     }
 
-    // Lower bound for one triangle, by its box. It takes a third of the time of the
-    // triangle itself.
-    double bound(const std::array<Vec3, 3>& corners) const
+    // Whether a child is beyond the limit. It is beyond the plane through the nearest
+    // point of its slab and box that is normal to the line from the place to its centre.
+    // Along that line, the slab limits the share of its own normal, and the box the rest.
+    bool is_beyond(const Boxes& boxes, const Slabs& slabs, std::size_t child) const
     {
-        const auto& [a, b, c] = corners;
-        const Vec3 below = a.cwiseMin(b).cwiseMin(c) - place;
-        const Vec3 above = place - a.cwiseMax(b).cwiseMax(c);
-        const Vec3 offset = (below.cwiseMax(above).array() - margin).cwiseMax(0);
-        return (1 - question_margin) * offset.squaredNorm();
+        const Eigen::AlignedBox3d box = boxes.of(place_in_node(child));
+        const Slab& slab = slabs[child];
+        const Vec3 normal = slab.normal.cast<double>();
+        const Vec3 centre = box.center() - place;
+        const double share = normal.dot(centre);
+        const Vec3 rest = centre - share * normal;
+        const double height = normal.dot(place);
+        const double to_slab =
+            std::min(share * (slab.low - height), share * (slab.high - height));
+        const double to_plane =
+            to_slab + rest.dot(centre) - rest.cwiseAbs().dot(box.sizes()) / 2;
+        const double length = centre.norm();
+        const double least = to_plane - margin * length;
+        return least > 0 &&
+               (1 - question_margin) * least * least > least_square * length * length;
     }
 
-    void look_at(const TriangleMesh& mesh, std::size_t triangle)
+    void look_at(const std::array<Vec3, 3>& corners, std::int32_t number)
     {
-        const std::array<Vec3, 3> corners = mesh.corners(triangle);
-        if (bound(corners) > least_square)
-            return;
         const Vec3 point = nearest_on_triangle(place, corners);
         const double square = (point - place).squaredNorm();
+        const auto triangle = static_cast<std::size_t>(number);
         if (square < least_square ||
             (square == least_square && triangle < best.triangle)) {
             least_square = square;
             best.point = point;
             best.triangle = triangle;
         }
+    }
+
+    // Bounds of all four triangles first: most triangles are beyond the limit.
+    void look_at(const TriangleMesh& mesh, const Leaf& leaf)
+    {
+        const FourNumbers bounds =
+            least_squares(mesh.points(), leaf.corners, place, margin);
+        for (int k = 0; k < 4; ++k)
+            if ((1 - question_margin) * bounds[k] <= least_square)
+                look_at(corners_of(leaf.corners[k], mesh.points()), leaf.numbers[k]);
     }
 };
 
@@ -197,6 +302,9 @@ struct TriangleTree::RayQuery {
     double greatest_t = infinity;
     bool any_will_do = false;
     std::optional<std::size_t> triangle{};
+
+    // Slabs do not make a ray's search faster.
+    static bool is_beyond(const Boxes&, const Slabs&, std::size_t) { return false; }
 
     double limit() const { return any_will_do && triangle ? -infinity : greatest_t; }
 
@@ -218,12 +326,18 @@ struct TriangleTree::RayQuery {
         return (enter <= leave).select(enter, infinity);
     }
 
-    void look_at(const TriangleMesh& mesh, std::size_t number)
+    void look_at(const TriangleMesh& mesh, const Leaf& leaf)
+    {
+        for (int k = 0; k < 4; ++k)
+            look_at(corners_of(leaf.corners[k], mesh.points()),
+                    static_cast<std::size_t>(leaf.numbers[k]));
+    }
+
+    void look_at(const std::array<Vec3, 3>& corners, std::size_t number)
     {
         std::array<double, 3> x;
         std::array<double, 3> y;
         std::array<double, 3> t;
-        const auto corners = mesh.corners(number);
         for (int k = 0; k < 3; ++k) {
             const Vec3 from = corners[k] - ray.origin;
             x[k] = from[axes[0]] - shear[0] * from[axes[2]];
@@ -260,9 +374,11 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_{&mesh}
         return;
     arrange();
     enclose();
+    const double far = far_leaves * mean_leaf_diagonal();
+    far_square_ = far * far;
 }
 
-// Fills order_.
+// Fills leaves_.
 void TriangleTree::arrange()
 {
     std::vector<Centre> centres;
@@ -276,13 +392,17 @@ void TriangleTree::arrange()
     while (capacity < centres.size())
         capacity *= fan_out;
     arrange_centres(centres, capacity);
-    order_.reserve(centres.size());
-    for (const Centre& centre : centres)
-        order_.push_back(centre.triangle);
+    leaves_.resize((centres.size() + fan_out - 1) / fan_out);
+    for (std::size_t k = 0; k < leaves_.size() * fan_out; ++k) {
+        const std::int32_t number = centres[std::min(k, centres.size() - 1)].triangle;
+        Leaf& leaf = leaves_[k / fan_out];
+        leaf.numbers[k % fan_out] = number;
+        leaf.corners[k % fan_out] = mesh_->triangles()[number];
+    }
 }
 
-// Fills levels_: first the boxes of the leaves, then level by level the boxes around
-// them.
+// Fills levels_ and slabs_: first around the leaves, then level by level around the
+// children below.
 void TriangleTree::enclose()
 {
     const Eigen::Array4f none = Eigen::Array4f::Constant(no_box);
@@ -290,43 +410,114 @@ void TriangleTree::enclose()
     const auto nodes_over = [](std::size_t count) {
         return (count + fan_out - 1) / fan_out;
     };
-    const Vec3 margin = Vec3::Constant(box_margin_share * largest_coordinate_);
-    const std::size_t leaves = nodes_over(order_.size());
-    levels_.emplace_back(nodes_over(leaves), nothing);
-    for (std::size_t k = 0; k < order_.size(); ++k) {
-        const auto [a, b, c] = mesh_->corners(order_[k]);
-        const Vec3 low = a.cwiseMin(b).cwiseMin(c) - margin;
-        const Vec3 high = a.cwiseMax(b).cwiseMax(c) + margin;
-        const std::size_t leaf = k / fan_out;
-        Boxes& boxes = levels_[0][leaf / fan_out];
-        for (int axis = 0; axis < 3; ++axis) {
-            float& box_low = boxes.low[axis][place_in_node(leaf)];
-            float& box_high = boxes.high[axis][place_in_node(leaf)];
-            box_low = std::min(box_low, rounded_down(low[axis]));
-            box_high = std::max(box_high, -rounded_down(-high[axis]));
-        }
-    }
+    levels_.emplace_back(nodes_over(leaves_.size()), nothing);
+    slabs_.emplace_back(nodes_over(leaves_.size()));
+    for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf)
+        enclose_leaf(leaf);
     while (levels_.back().size() > 1) {
         const std::vector<Boxes>& below = levels_.back();
         std::vector<Boxes> level(nodes_over(below.size()), nothing);
-        for (std::size_t k = 0; k < below.size(); ++k)
+        std::vector<Slabs> slabs(level.size());
+        for (std::size_t k = 0; k < below.size(); ++k) {
             for (int axis = 0; axis < 3; ++axis) {
                 level[k / fan_out].low[axis][place_in_node(k)] =
                     below[k].low[axis].minCoeff();
                 level[k / fan_out].high[axis][place_in_node(k)] =
                     below[k].high[axis].maxCoeff();
             }
+            slabs[k / fan_out][k % fan_out] = slab_around(below[k], slabs_.back()[k]);
+        }
         levels_.push_back(std::move(level));
+        slabs_.push_back(std::move(slabs));
     }
 }
 
-template <typename Query>
-void TriangleTree::ask_triangles(Query& query, std::size_t leaf) const
+// The box and the slab of a leaf. The slab is normal to the sum of the triangles' areas.
+void TriangleTree::enclose_leaf(std::size_t leaf)
 {
-    const std::size_t begin = leaf * fan_out;
-    const std::size_t end = std::min(begin + fan_out, order_.size());
-    for (std::size_t k = begin; k < end; ++k)
-        query.look_at(*mesh_, static_cast<std::size_t>(order_[k]));
+    const double margin = box_margin_share * largest_coordinate_;
+    Eigen::AlignedBox3d box;
+    Vec3 sum = Vec3::Zero();
+    for (const Triangle& triangle : leaves_[leaf].corners) {
+        const auto [a, b, c] = corners_of(triangle, mesh_->points());
+        sum += (b - a).cross(c - a);
+        box.extend(a).extend(b).extend(c);
+    }
+    Boxes& boxes = levels_[0][leaf / fan_out];
+    for (int axis = 0; axis < 3; ++axis) {
+        boxes.low[axis][place_in_node(leaf)] = rounded_down(box.min()[axis] - margin);
+        boxes.high[axis][place_in_node(leaf)] = -rounded_down(-box.max()[axis] - margin);
+    }
+    const Eigen::Vector3f normal = unit_or_zero(sum);
+    Extent along;
+    for (const Triangle& triangle : leaves_[leaf].corners)
+        for (const Vec3& corner : corners_of(triangle, mesh_->points()))
+            along.include(normal.cast<double>().dot(corner));
+    slabs_[0][leaf / fan_out][leaf % fan_out] = {normal, rounded_down(along.low - margin),
+                                                 -rounded_down(-along.high - margin)};
+}
+
+Eigen::AlignedBox3d TriangleTree::Boxes::of(Eigen::Index child) const
+{
+    return {Vec3{low[0][child], low[1][child], low[2][child]},
+            Vec3{high[0][child], high[1][child], high[2][child]}};
+}
+
+// The slab around the boxes and slabs of a node. The normal of the result is a multiple
+// of a child's normal and a rest. Along the former, the child's slab limits the child;
+// along the rest, its box does.
+TriangleTree::Slab TriangleTree::slab_around(const Boxes& boxes, const Slabs& slabs) const
+{
+    const double margin = box_margin_share * largest_coordinate_;
+    Vec3 sum = Vec3::Zero();
+    for (const Slab& slab : slabs)
+        sum += slab.normal.cast<double>();
+    const Eigen::Vector3f normal = unit_or_zero(sum);
+    Extent along;
+    for (std::size_t k = 0; k < fan_out; ++k) {
+        const Eigen::AlignedBox3d box = boxes.of(place_in_node(k));
+        if (box.isEmpty())
+            continue;
+        const Vec3 child = slabs[k].normal.cast<double>();
+        const double share = normal.cast<double>().dot(child);
+        const Vec3 rest = normal.cast<double>() - share * child;
+        const double middle = rest.dot(box.center());
+        const double reach = rest.cwiseAbs().dot(box.sizes()) / 2;
+        for (const double side : {slabs[k].low, slabs[k].high}) {
+            along.include(share * side + middle - reach);
+            along.include(share * side + middle + reach);
+        }
+    }
+    return {normal, rounded_down(along.low - margin),
+            -rounded_down(-along.high - margin)};
+}
+
+// In mm; 0 if there are no leaves.
+double TriangleTree::mean_leaf_diagonal() const
+{
+    double sum = 0;
+    for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf)
+        sum += levels_[0][leaf / fan_out].of(place_in_node(leaf)).diagonal().norm();
+    return leaves_.empty() ? 0 : sum / static_cast<double>(leaves_.size());
+}
+
+// Prefetches a node, and its leaves if it has leaves. Searches at scattered places find
+// few of them in the nearest caches.
+void TriangleTree::prefetch_node(std::size_t level, std::size_t node) const
+{
+    const Boxes& boxes = levels_[level][node];
+    __builtin_prefetch(&boxes.low);
+    __builtin_prefetch(&boxes.high[2]);
+    const std::size_t end = level == 0 ? (node + 1) * fan_out : 0;
+    for (std::size_t leaf = node * fan_out; leaf < std::min(end, leaves_.size()); ++leaf)
+        __builtin_prefetch(&leaves_[leaf]);
+}
+
+void TriangleTree::prefetch_points(std::size_t leaf) const
+{
+    for (const Triangle& triangle : leaves_[leaf].corners)
+        for (const std::int32_t corner : triangle)
+            __builtin_prefetch(&mesh_->points()[corner]);
 }
 
 // Traverses the tree from the root. Children are visited in the order of their bounds,
@@ -347,8 +538,14 @@ void TriangleTree::ask(Query& query) const
         const Child next = waiting[--count];
         if (next.bound > query.limit())
             continue;
+        const std::size_t above = next.level + 1;  // the level of its parent
+        const std::size_t parent = next.node / fan_out;
+        if (next.bound > 0 && query.limit() > far_square_ &&
+            query.is_beyond(levels_[above][parent], slabs_[above][parent],
+                            next.node % fan_out))
+            continue;
         if (next.level < 0) {
-            ask_triangles(query, next.node);
+            query.look_at(*mesh_, leaves_[next.node]);
             continue;
         }
         const std::size_t before = count;
@@ -360,6 +557,10 @@ void TriangleTree::ask(Query& query) const
             for (; place > before && waiting[place - 1].bound < bounds[k]; --place)
                 waiting[place] = waiting[place - 1];
             waiting[place] = {bounds[k], next.node * 4 + k, next.level - 1};
+            if (next.level == 0)
+                prefetch_points(waiting[place].node);
+            else
+                prefetch_node(next.level - 1, waiting[place].node);
         }
     }
 }
@@ -369,14 +570,15 @@ std::optional<NearestPoint> TriangleTree::nearest(const Vec3& place,
                                                   double within) const
 {
     require(is_within_reach(place), "TriangleTree: a place must be within 1e30 mm");
-    require(!hint || *hint < order_.size(), "TriangleTree: the hint is no triangle");
-    if (order_.empty())
+    require(!hint || *hint < mesh_->triangles().size(),
+            "TriangleTree: the hint is no triangle");
+    if (leaves_.empty())
         return std::nullopt;
     NearestQuery query{place, box_margin_share * largest_coordinate_};
     query.least_square = within > 0 ? within * within : 0;
     const double asked = query.least_square;
     if (hint)
-        query.look_at(*mesh_, *hint);
+        query.look_at(mesh_->corners(*hint), static_cast<std::int32_t>(*hint));
     ask(query);
     if (!(query.least_square < asked))
         return std::nullopt;
@@ -413,7 +615,7 @@ TriangleTree::RayQuery TriangleTree::query(const Ray& ray, double greatest_t) co
 std::optional<RayHit> TriangleTree::first_hit(const Ray& ray) const
 {
     RayQuery asked = query(ray, infinity);
-    if (!order_.empty())
+    if (!leaves_.empty())
         ask(asked);
     if (!asked.triangle)
         return std::nullopt;
@@ -425,7 +627,7 @@ bool TriangleTree::any_hit(const Ray& ray, double greatest_t) const
 {
     RayQuery asked = query(ray, greatest_t);
     asked.any_will_do = true;
-    if (!order_.empty())
+    if (!leaves_.empty())
         ask(asked);
     return asked.triangle.has_value();
 }

@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "endmill/mesh/triangle_mesh.h"
 
 namespace endmill {
@@ -43,11 +45,10 @@ Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners);
 /// Finds the nearest point of a mesh and the first hit of a ray in about log(n) steps,
 /// for n triangles.
 ///
-/// The tree is a hierarchy of bounding boxes. It keeps 12 bytes a triangle, 28 while it
-/// is built, and refers to the mesh, which must outlive it. It is a tuned kernel: its
-/// leaves and nodes have four children, whose boxes are tested together in one vector
-/// register. It shares no code with the trees of other modules, which have other shapes
-/// and other items.
+/// The tree is a hierarchy of bounding boxes, and of slabs for the nearest point. It keeps
+/// 31 bytes a triangle and refers to the mesh, which must outlive it. It is a tuned kernel: its leaves and nodes have four
+/// children, which are tested together in vector registers. It shares no code with the
+/// trees of other modules, which have other shapes and other items.
 ///
 /// A result depends only on the mesh and the query, not on earlier queries. If several
 /// triangles are equally good, the one with the lowest number is returned. Lengths are
@@ -98,27 +99,48 @@ private:
     struct Boxes {
         std::array<Eigen::Array4f, 3> low;  // along each axis, in mm
         std::array<Eigen::Array4f, 3> high;
+
+        // The box of one child.
+        Eigen::AlignedBox3d of(Eigen::Index child) const;
+    };
+    // All x with low <= normal . x <= high. A smooth part of a mesh fits a slab far more
+    // closely than a box.
+    struct Slab {
+        Eigen::Vector3f normal = Eigen::Vector3f::Zero();
+        float low = 0;  // mm
+        float high = 0;
+    };
+    using Slabs = std::array<Slab, 4>;  // around four children
+    // Four triangles that are near each other, stored together so that a search reads
+    // them from one cache line.
+    struct alignas(64) Leaf {
+        std::array<Triangle, 4> corners;
+        std::array<std::int32_t, 4> numbers;  // of the triangles
     };
     struct NearestQuery;
     struct RayQuery;
 
     void arrange();
     void enclose();
+    void enclose_leaf(std::size_t leaf);
+    Slab slab_around(const Boxes& boxes, const Slabs& slabs) const;
     RayQuery query(const Ray& ray, double greatest_t) const;
     template <typename Query>
     void ask(Query& query) const;
-    template <typename Query>
-    void ask_triangles(Query& query, std::size_t leaf) const;
+    double mean_leaf_diagonal() const;
+    void prefetch_node(std::size_t level, std::size_t node) const;
+    void prefetch_points(std::size_t leaf) const;
 
     const TriangleMesh* mesh_;
     double largest_coordinate_ = 0;  // mm
-    // Numbers of the triangles in the order of the leaves, four to a leaf. Triangles of a
-    // leaf are near each other, and so are neighbouring leaves. The last leaf may be
-    // incomplete.
-    std::vector<std::int32_t> order_;
+    double far_square_ = 0;          // mm^2, from which slabs are worth a test
+    // Neighbouring leaves are near each other. The last triangle is repeated until the
+    // last leaf is complete.
+    std::vector<Leaf> leaves_;
     // The boxes of each level, from the leaves upwards. The last level is one node, or
     // none.
     std::vector<std::vector<Boxes>> levels_;
+    std::vector<std::vector<Slabs>> slabs_;  // around the same children as the boxes
 };
 
 }  // namespace endmill

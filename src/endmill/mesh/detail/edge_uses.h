@@ -60,7 +60,13 @@ inline bool are_neighbours(std::span<const EdgeUse> uses)
 class EdgeUses {
 public:
     /// The edges of all triangles of `mesh`, which is not needed afterwards.
-    explicit EdgeUses(const TriangleMesh& mesh);
+    explicit EdgeUses(const TriangleMesh& mesh)
+        : EdgeUses{mesh.points().size(), mesh.triangles()}
+    {
+    }
+
+    /// The edges of triangles over points with numbers below `points`.
+    EdgeUses(std::size_t points, std::span<const Triangle> triangles);
 
     /// Calls `visit(MeshEdge, std::span<const EdgeUse>)` for each edge, in lexicographic
     /// order.

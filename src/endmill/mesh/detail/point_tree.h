@@ -10,9 +10,10 @@
 
 namespace endmill {
 
-/// Finds the nearest of many points in about log(n) steps. It keeps a balanced k-d tree
-/// in 4 bytes a point and refers to the points, which must outlive it. `TriangleTree`
-/// cannot replace it: that tree has boxes of triangles, this one has none and is smaller.
+/// Finds the nearest of many points in about log(n) steps, also if many of them are equal.
+/// It keeps a balanced k-d tree in at most 16 bytes a point and refers to the points,
+/// which must outlive it. `TriangleTree` cannot replace it: that tree finds points of
+/// triangles, and is larger.
 class PointTree {
 public:
     /// Builds the tree. \throws DomainError unless there are between 1 and 2^31 - 1
@@ -29,15 +30,22 @@ private:
     struct Range {
         std::size_t begin;
         std::size_t end;
-        int axis;  // axis along which the middle point splits the range
+        int axis;          // axis along which the middle point splits the range
+        std::size_t node;  // 0 for all points; the halves of k are 2 k + 1 and 2 k + 2
+
+        Range lower_half() const;
+        Range upper_half() const;
+    };
+    struct Box {
+        Vec3 low;  // mm
+        Vec3 high;
     };
     void build(const Range& range);
-    void search(Search& search, const Range& range, const Vec3& offset) const;
+    void search(Search& search, const Range& range) const;
 
     std::span<const Vec3> points_;
     std::vector<unsigned> order_;
-    Vec3 low_;  // corner of the bounding box of all points, mm
-    Vec3 high_;
+    std::vector<Box> boxes_;  // around the points of each large range, by node
 };
 
 }  // namespace endmill

@@ -24,8 +24,15 @@ constexpr double least_tolerance = 1e-12;
 // number.
 constexpr double cell_side = 0.577;
 
-// Triangles by which the hash slots are fetched in advance.
-constexpr std::size_t triangles_ahead = 6;
+// Triangles by which hash slots are fetched in advance, and the points that they refer to.
+constexpr std::size_t slots_ahead = 32;
+constexpr std::size_t points_ahead = 16;
+
+// Without -0, which is equal to 0.
+Vec3 without_minus_zero(const Vec3& point)
+{
+    return point.array() + 0.0;
+}
 
 std::uint64_t hash(const Vec3& point)
 {
@@ -54,10 +61,16 @@ bool are_same(const Vec3& a, const Vec3& b)
 // with open addressing and linear probing.
 class PointNumbers {
 public:
-    std::int32_t number_of(const Vec3& place)
+    // \param expected number of points for which memory is taken at once.
+    explicit PointNumbers(std::size_t expected)
+        : slots_(std::bit_ceil(expected + expected / 3 + 2))
     {
-        const Vec3 point = place.array() + 0.0;  // turns -0 into 0
-        const std::uint64_t hashed = hash(point);
+        points_.reserve(expected);
+    }
+
+    // The number of a point without -0. \param hashed its hash.
+    std::int32_t number_of(const Vec3& point, std::uint64_t hashed)
+    {
         const auto tag = static_cast<std::uint32_t>(hashed >> 32U);
         std::size_t slot = hashed & mask();
         for (; slots_[slot].number >= 0; slot = (slot + 1) & mask())
@@ -71,12 +84,19 @@ public:
         return number;
     }
 
-    // Prefetches the slot at which `point` will be searched. Triangles in random order
-    // access slots outside all caches; prefetched some triangles in advance, the slots
-    // arrive in time.
-    void will_look_for(const Vec3& point) const
+    // Prefetches the slot of a hash, and then the point to which this slot refers.
+    // Triangles in random order access slots and points outside all caches.
+    void prefetch_slot(std::uint64_t hashed) const
     {
-        __builtin_prefetch(&slots_[hash(point.array() + 0.0) & mask()]);
+        __builtin_prefetch(&slots_[hashed & mask()]);
+    }
+    void prefetch_point(std::uint64_t hashed) const
+    {
+        const Slot& slot = slots_[hashed & mask()];
+        if (slot.number < 0)
+            return;
+        __builtin_prefetch(&points_[slot.number].x());
+        __builtin_prefetch(&points_[slot.number].z());  // may be on the next cache line
     }
 
     std::vector<Vec3> points() &&
@@ -107,9 +127,38 @@ private:
         }
     }
 
-    std::vector<Slot> slots_{1024};
+    std::vector<Slot> slots_;
     std::vector<Vec3> points_;
 };
+
+// The triangles by the numbers of their corners. The hashes of some triangles in advance
+// are kept in a ring.
+std::vector<Triangle> numbered(std::span<const std::array<Vec3, 3>> soup,
+                               PointNumbers& numbers)
+{
+    std::array<std::array<std::uint64_t, 3>, slots_ahead> hashes{};
+    const auto hash_of = [&](std::size_t k, int corner) -> std::uint64_t& {
+        return hashes[k % slots_ahead][corner];
+    };
+    const auto prefetch_slots = [&](std::size_t k) {
+        for (int corner = 0; k < soup.size() && corner < 3; ++corner) {
+            hash_of(k, corner) = hash(without_minus_zero(soup[k][corner]));
+            numbers.prefetch_slot(hash_of(k, corner));
+        }
+    };
+    for (std::size_t k = 0; k < slots_ahead; ++k)
+        prefetch_slots(k);
+    std::vector<Triangle> triangles(soup.size());
+    for (std::size_t k = 0; k < soup.size(); ++k) {
+        for (int corner = 0; corner < 3; ++corner) {
+            numbers.prefetch_point(hash_of(k + points_ahead, corner));
+            triangles[k][corner] = numbers.number_of(without_minus_zero(soup[k][corner]),
+                                                     hash_of(k, corner));
+        }
+        prefetch_slots(k + slots_ahead);
+    }
+    return triangles;
+}
 
 using CellNumber = std::array<std::int64_t, 3>;
 
@@ -281,17 +330,8 @@ WeldedMesh weld(std::span<const std::array<Vec3, 3>> soup, double tolerance)
 {
     require(soup.size() <= most_numbers / 3, "weld: at most 715 827 882 triangles");
     require(tolerance >= 0, "weld: the tolerance must not be negative");
-    PointNumbers numbers;
-    std::vector<Triangle> triangles;
-    triangles.reserve(soup.size());
-    for (std::size_t k = 0; k < soup.size(); ++k) {
-        for (const Vec3& corner : soup[std::min(k + triangles_ahead, soup.size() - 1)])
-            numbers.will_look_for(corner);
-        const auto& [a, b, c] = soup[k];
-        const std::int32_t first = numbers.number_of(a);
-        const std::int32_t second = numbers.number_of(b);
-        triangles.push_back({first, second, numbers.number_of(c)});
-    }
+    PointNumbers numbers{soup.size() / 2};  // a closed mesh has no more
+    std::vector<Triangle> triangles = numbered(soup, numbers);
     return weld_rest({std::move(numbers).points(), std::move(triangles)}, 3 * soup.size(),
                      tolerance);
 }
@@ -299,11 +339,12 @@ WeldedMesh weld(std::span<const std::array<Vec3, 3>> soup, double tolerance)
 WeldedMesh weld(const TriangleMesh& mesh, double tolerance)
 {
     require(tolerance >= 0, "weld: the tolerance must not be negative");
-    PointNumbers numbers;
+    PointNumbers numbers{mesh.points().size()};
     std::vector<std::int32_t> names;
     names.reserve(mesh.points().size());
     for (const Vec3& point : mesh.points())
-        names.push_back(numbers.number_of(point));
+        names.push_back(numbers.number_of(without_minus_zero(point),
+                                          hash(without_minus_zero(point))));
     std::vector<Triangle> triangles{mesh.triangles().begin(), mesh.triangles().end()};
     rename(triangles, names);
     return weld_rest({std::move(numbers).points(), std::move(triangles)},
