@@ -116,7 +116,8 @@ void PassIndex::build_leaves()
         while (end < std::min(first + leaf_moves, moves_.size()) &&
                moves_[end].from == moves_[end - 1].to)
             ++end;
-        const Leaf leaf{static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end)};
+        const Leaf leaf{static_cast<std::uint32_t>(first),
+                        static_cast<std::uint32_t>(end)};
         leaves_.push_back(leaf);
         nodes.push_back({box_of(leaf), leaf.first});
         extents += 2 * nodes.back().box.half.x();
@@ -128,7 +129,9 @@ void PassIndex::build_leaves()
     };
     std::vector<std::uint32_t> order(leaves_.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, [&](std::uint32_t leaf) { return std::pair{strip(leaf), leaf}; });
+    std::ranges::sort(order, {}, [&](std::uint32_t leaf) {
+        return std::pair{strip(leaf), leaf};
+    });
     std::vector<Leaf> leaves;
     std::vector<Node> level;
     leaves.reserve(order.size());
@@ -154,8 +157,8 @@ void PassIndex::build_level()
         const Box& other = second.box;
         const Vec3 low = (one.centre - one.half).cwiseMin(other.centre - other.half);
         const Vec3 high = (one.centre + one.half).cwiseMax(other.centre + other.half);
-        level.push_back({{(low + high) / 2, (high - low) / 2},
-                         std::min(first.first, second.first)});
+        level.push_back(
+            {{(low + high) / 2, (high - low) / 2}, std::min(first.first, second.first)});
     }
     levels_.push_back(std::move(level));
 }
@@ -204,7 +207,8 @@ void PassIndex::look_into(Search& search, const Leaf& leaf) const
         Bound& bound = is_left ? search.left_bound : search.right_bound;
         auto& found = is_left ? search.found.left : search.found.right;
         const double square = distance * distance;
-        if (square > bound.square || (square == bound.square && !(found && found->move < i)))
+        if (square > bound.square ||
+            (square == bound.square && !(found && found->move < i)))
             continue;
         bound = Bound{distance};
         found = {i, share, offset, distance};
