@@ -87,8 +87,8 @@ public:
     SegmentCut cut(std::size_t i, char& is_by_contact) const
     {
         const CutMove& move = moves_[i];
-        const MoveSlope slope = move_slope(move.from, move.to, options_.stock_top);
-        SegmentCut cut{.pass = move.pass,
+        const MoveSlope slope = move_slope(move.from(), move.to(), options_.stock_top);
+        SegmentCut cut{.pass = move.pass(),
                        .point = path_.points[move.point].point,
                        .length_mm = move.length_mm,
                        .lambda = slope.lambda,
@@ -240,7 +240,7 @@ bool SegmentCutFinder::has_depth() const
 {
     const double top = implementation_->options().stock_top;
     return std::ranges::any_of(implementation_->moves(), [&](const CutMove& move) {
-        return move_slope(move.from, move.to, top).depth_mm > 0;
+        return move_slope(move.from(), move.to(), top).depth_mm > 0;
     });
 }
 

@@ -45,8 +45,8 @@ Eigen::Matrix3d turn_along(std::span<const CutMove> moves)
 {
     std::complex<double> doubled{0, 0};
     for (const CutMove& move : moves) {
-        const std::complex<double> way{move.to.x() - move.from.x(),
-                                       move.to.y() - move.from.y()};
+        const std::complex<double> way{move.to().x() - move.from().x(),
+                                       move.to().y() - move.from().y()};
         if (const double length = std::abs(way); length > 0)
             doubled += way * way / length;
     }
@@ -93,10 +93,10 @@ PassIndex::PassIndex(std::span<const CutMove> moves)
 
 PassIndex::Box PassIndex::box_of(const Leaf& leaf) const
 {
-    Vec3 low = turn_ * moves_[leaf.first].from;
+    Vec3 low = turn_ * moves_[leaf.first].from();
     Vec3 high = low;
     for (std::size_t i = leaf.first; i < leaf.end; ++i)
-        for (const Vec3* tip : {&moves_[i].from, &moves_[i].to}) {
+        for (const Vec3* tip : {&moves_[i].from(), &moves_[i].to()}) {
             const Vec3 place = turn_ * *tip;
             low = low.cwiseMin(place);
             high = high.cwiseMax(place);
@@ -114,7 +114,7 @@ void PassIndex::build_leaves()
     for (std::size_t first = 0; first < moves_.size();) {
         std::size_t end = first + 1;
         while (end < std::min(first + leaf_moves, moves_.size()) &&
-               moves_[end].from == moves_[end - 1].to)
+               moves_[end].from() == moves_[end - 1].to())
             ++end;
         const Leaf leaf{static_cast<std::uint32_t>(first),
                         static_cast<std::uint32_t>(end)};
@@ -186,17 +186,18 @@ void PassIndex::look_into(Search& search, const Leaf& leaf) const
 {
     for (std::size_t i = std::min<std::size_t>(leaf.end, search.end); i-- > leaf.first;) {
         const CutMove& other = moves_[i];
-        const double before = (other.from - search.middle).dot(search.direction);
-        const double after = (other.to - search.middle).dot(search.direction);
+        const double before = (other.from() - search.middle).dot(search.direction);
+        const double after = (other.to() - search.middle).dot(search.direction);
         if ((before > 0 && after > 0) || (before < 0 && after < 0) ||
             std::abs(after - before) < other.length_mm / std::numbers::sqrt2)
             continue;
         const double share = std::clamp(before / (before - after), 0.0, 1.0);
         const double between =
             search.move->middle_mm() - (other.begin_mm + share * other.length_mm);
-        if (other.pass == search.move->pass && between < search.reach)
+        if (other.pass() == search.move->pass() && between < search.reach)
             continue;
-        const Vec3 offset = search.middle - other.from - share * (other.to - other.from);
+        const Vec3 offset =
+            search.middle - other.from() - share * (other.to() - other.from());
         const double distance = offset.norm();
         // The offset points from the pass to the stock, so the pass lies on the opposite
         // side.
