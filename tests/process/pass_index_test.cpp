@@ -73,13 +73,18 @@ void expect_same_as_exhaustive_search(const ToolPath& path)
 {
     const std::vector<CutMove> moves = cut_moves(path);
     const PassIndex index{moves};
-    for (const double reach : {1.0, 3.0, 12.0})
+    for (const double reach : {1.0, 3.0, 12.0}) {
+        NeighbouringPasses last;
         for (std::size_t i = 0; i < moves.size(); ++i) {
             const NeighbouringPasses fast = index.beside(i, reach);
             const NeighbouringPasses slow = looked_through(moves, i, reach);
             expect_same(fast.left, slow.left);
             expect_same(fast.right, slow.right);
+            last = index.beside(i, reach, last);
+            expect_same(last.left, fast.left);
+            expect_same(last.right, fast.right);
         }
+    }
 }
 
 TEST(PassIndex, FindsTheSameAsExhaustiveSearch)

@@ -23,6 +23,10 @@ namespace {
 
 constexpr std::size_t leaf_moves = 8;
 
+// Number of moves on either side of a crossing among which the crossing of the next move is
+// likely: passes have moves of about equal lengths.
+constexpr std::size_t around_moves = 2;
+
 // Width of a strip in mean extents of a leaf. Where passes are curved, the boxes of narrow
 // strips overlap less. Where a plane runs at an angle to the strips, it meets fewer wide
 // ones.
@@ -232,7 +236,9 @@ void PassIndex::descend(Search& search, std::size_t level, std::size_t node) con
     descend(search, level - 1, 2 * node);
 }
 
-NeighbouringPasses PassIndex::beside(std::size_t move, double reach) const
+// Looks around the crossings of a move nearby first, which lowers the bounds at once.
+NeighbouringPasses PassIndex::beside(std::size_t move, double reach,
+                                     const NeighbouringPasses& nearby) const
 {
     const CutMove& own = moves_[move];
     const Vec3 direction = own.direction();
@@ -249,6 +255,14 @@ NeighbouringPasses PassIndex::beside(std::size_t move, double reach) const
                   .turned_left = turn_ * left,
                   .left_bound = Bound{reach},
                   .right_bound = Bound{reach}};
+    for (const auto& crossing : {nearby.left, nearby.right})
+        if (crossing) {
+            const std::size_t first =
+                std::max(crossing->move, around_moves) - around_moves;
+            look_into(search, {static_cast<std::uint32_t>(first),
+                               static_cast<std::uint32_t>(std::min(
+                                   crossing->move + around_moves + 1, moves_.size()))});
+        }
     descend(search, levels_.size() - 1, 0);
     return search.found;
 }

@@ -50,7 +50,11 @@ public:
     ///
     /// A crossing at the middle itself counts as left. Of several equally near crossings
     /// the one cut last is returned. Takes about log(n) steps in a raster.
-    NeighbouringPasses beside(std::size_t move, double reach) const;
+    ///
+    /// \param nearby crossings of a move nearby, such as the one before. They shorten the
+    ///        search and have no effect on the result.
+    NeighbouringPasses beside(std::size_t move, double reach,
+                              const NeighbouringPasses& nearby = {}) const;
 
 private:
     struct Box {
