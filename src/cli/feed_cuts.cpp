@@ -11,6 +11,7 @@
 
 #include "cli/progress.h"
 #include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 #include "endmill/files/result_csv.h"
 #include "endmill/process/cutting_coefficients.h"
@@ -23,7 +24,10 @@
 namespace endmill {
 namespace {
 
-constexpr std::size_t cuts_a_block = 1U << 15U;
+// The cuts of a block are found, planned and formatted by one thread, while another adds
+// the blocks before to the result in order. Between batches of blocks all threads wait.
+constexpr std::size_t cuts_a_block = 1U << 10U;
+constexpr std::size_t blocks_a_batch = 1U << 6U;
 
 HeightStock stock_of(const FeedInput& input, const FeedCommandOptions& options)
 {
@@ -86,15 +90,35 @@ struct PlannedCuts {
     std::span<const SegmentFeed> rows;
 };
 
-// Adds planned cuts to the result, block by block, and writes their rows.
+using Sink = std::function<void(std::string_view piece)>;
+
+// Some consecutive cuts with their feeds and the text of their rows.
+struct FedBlock {
+    SegmentCuts cuts = {};
+    std::vector<SegmentFeed> rows = {};
+    std::string text = {};
+};
+
+FedBlock fed_block(SegmentCuts cuts, const MillingJob& job, const FeedPlanOptions& plan)
+{
+    FedBlock block{.cuts = std::move(cuts)};
+    block.rows = feed_plan(block.cuts.cuts, job, plan).rows;
+    write_feed_rows(block.cuts.cuts, block.rows,
+                    [&](std::string_view piece) { block.text += piece; });
+    return block;
+}
+
+// Adds planned cuts to the result, block by block.
 class FedCutsBuilder {
 public:
-    FedCutsBuilder(FedCuts& result, const FeedRules& rules,
-                   const std::function<void(std::string_view)>& sink)
+    FedCutsBuilder(FedCuts& result, const FeedRules& rules, std::size_t cuts)
         : result_{result},
-          totals_{rules.limits},
-          sink_{sink}
+          totals_{rules.limits}
     {
+        result_.points.reserve(cuts);
+        for (std::vector<double>* numbers :
+             {&result_.mu, &result_.pick_feed_mm, &result_.horizontal_mm})
+            numbers->reserve(cuts);
     }
 
     // `milling_of` returns the milling of the cut with an index in this block.
@@ -113,7 +137,14 @@ public:
             if (cut.previous != PreviousPass::None)
                 ++(milling_of(i) == Milling::Down ? result_.down : result_.up);
         }
-        write_feed_rows(block.cuts, block.rows, sink_);
+    }
+
+    void add(const FedBlock& block)
+    {
+        result_.by_contact += block.cuts.by_contact;
+        result_.by_passes += block.cuts.by_passes;
+        add({block.cuts.cuts, block.cuts.points, block.rows},
+            [&](std::size_t i) { return block.cuts.cuts[i].milling; });
     }
 
     void finish(double plunge_feed_mm_per_min)
@@ -125,29 +156,37 @@ public:
 private:
     FedCuts& result_;
     FeedTotalsSum totals_;
-    const std::function<void(std::string_view)>& sink_;
 };
 
-void plan_by_geometry(FedCuts& result, FedCutsBuilder& builder,
-                      const SegmentCutFinder& finder, const FeedInput& input,
-                      const FeedCommandOptions& options)
+void plan_by_geometry(FedCutsBuilder& builder, const SegmentCutFinder& finder,
+                      const FeedInput& input, const FeedCommandOptions& options,
+                      const Sink& sink)
 {
     ProgressLine progress{"planning feeds", options.common};
     FeedPlanOptions plan = input.plan;
     std::optional<CoefficientTable> table;
     if (options.coefficients == CoefficientSource::Table)
         plan.table = &table.emplace(plan.chip);
-    for (std::size_t first = 0; first < finder.size(); first += cuts_a_block) {
-        const SegmentCuts block =
-            finder.cuts(first, std::min(cuts_a_block, finder.size() - first));
-        const FeedPlan planned = feed_plan(block.cuts, input.job, plan);
-        result.by_contact += block.by_contact;
-        result.by_passes += block.by_passes;
-        builder.add({block.cuts, block.points, planned.rows},
-                    [&](std::size_t i) { return block.cuts[i].milling; });
-        progress.show(static_cast<double>(first + block.cuts.size()) /
-                      static_cast<double>(finder.size()));
-    }
+    std::vector<FedBlock> blocks(blocks_a_batch);
+    const auto begin = [&](std::size_t block) {
+        return std::min(block * cuts_a_block, finder.size());
+    };
+    const std::size_t count = (finder.size() + cuts_a_block - 1) / cuts_a_block;
+    for (std::size_t batch = 0; batch < count; batch += blocks_a_batch)
+        parallel_in_order(
+            std::min(blocks_a_batch, count - batch),
+            [&](std::size_t i) {
+                const std::size_t first = begin(batch + i);
+                blocks[i] = fed_block(finder.cuts(first, begin(batch + i + 1) - first),
+                                      input.job, plan);
+            },
+            [&](std::size_t i) {
+                const FedBlock block = std::exchange(blocks[i], {});
+                builder.add(block);
+                sink(block.text);
+                progress.show(static_cast<double>(begin(batch + i + 1)) /
+                              static_cast<double>(finder.size()));
+            });
 }
 
 }  // namespace
@@ -180,9 +219,9 @@ std::unique_ptr<const SegmentCutFinder> cut_finder(const FeedInput& input,
 
 void plan_feeds(FedCuts& result, std::unique_ptr<const SegmentCutFinder> finder,
                 const FeedInput& input, const FeedCommandOptions& options,
-                const std::function<void(std::string_view piece)>& sink)
+                const Sink& sink)
 {
-    FedCutsBuilder builder{result, feed_rules(input.job, input.plan), sink};
+    FedCutsBuilder builder{result, feed_rules(input.job, input.plan), finder->size()};
     result.zero_length = finder->zero_length();
     if (options.engagement == EngagementChoice::Stock) {
         const SegmentCuts cuts = finder->cuts(0, finder->size());
@@ -191,8 +230,9 @@ void plan_feeds(FedCuts& result, std::unique_ptr<const SegmentCutFinder> finder,
             stock_plan(input, result.fed.path(), cuts, options);
         builder.add({cuts.cuts, cuts.points, measured.plan.rows},
                     [&](std::size_t i) { return measured.milling[i]; });
+        write_feed_rows(cuts.cuts, measured.plan.rows, sink);
     } else {
-        plan_by_geometry(result, builder, *finder, input, options);
+        plan_by_geometry(builder, *finder, input, options, sink);
         finder.reset();
     }
     builder.finish(options.plunge_feed_mm_per_min);

@@ -44,7 +44,8 @@ struct FedCuts {
 /// Plans the feeds, either from the geometry of the cuts or from the simulated stock.
 /// \param cuts with `fed` only; receives the plan.
 /// \param finder of the cuts of `cuts.fed`. It is released after its last use.
-/// \param sink receives the rows of engagement.csv piece by piece, after its header.
+/// \param sink receives the rows of engagement.csv piece by piece, after its header; called
+///        by any thread, one call at a time.
 /// \throws GeometryError if no cut finds material in the stock; LimitError if the stock
 ///         needs more memory than the limit; also throws as `feed_plan`, and whatever
 ///         `sink` throws.

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/core/parallel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -105,6 +108,69 @@ TEST(ParallelFor, MayBeNested)
                 counts[k] += visit;
     });
     EXPECT_EQ(counts, std::vector<int>(50, 20));
+}
+
+TEST(ParallelInOrder, FinishesEveryNumberInOrderAfterItsWork)
+{
+    for (const int threads : {1, 2, 8})
+        for (const std::size_t count : {0, 1, 2, 7, 1000}) {
+            set_thread_count(threads);
+            std::vector<int> works(count, 0);
+            std::vector<std::size_t> finished;
+            parallel_in_order(
+                count, [&](std::size_t i) { ++works[i]; },
+                [&](std::size_t i) {
+                    EXPECT_EQ(works[i], 1);
+                    finished.push_back(i);
+                });
+            std::vector<std::size_t> expected(count);
+            std::iota(expected.begin(), expected.end(), std::size_t{0});
+            EXPECT_EQ(finished, expected);
+            EXPECT_EQ(works, std::vector<int>(count, 1));
+        }
+}
+
+// What is thrown by the calls one after the other, and what they finish.
+struct Fault {
+    std::string thrown;
+    std::size_t finished = 0;
+};
+
+Fault fault_of(std::size_t bad_work, std::size_t bad_finish)
+{
+    Fault fault;
+    try {
+        parallel_in_order(
+            500,
+            [&](std::size_t i) {
+                if (i >= bad_work)
+                    throw std::runtime_error{"work " + std::to_string(i)};
+            },
+            [&](std::size_t i) {
+                if (i >= bad_finish)
+                    throw std::runtime_error{"finish " + std::to_string(i)};
+                ++fault.finished;
+            });
+    } catch (const std::runtime_error& error) {
+        fault.thrown = error.what();
+    }
+    return fault;
+}
+
+TEST(ParallelInOrder, ThrowsAsTheCallsOneAfterTheOther)
+{
+    for (const int threads : {1, 2, 8})
+        for (int trial = 0; trial < 20; ++trial) {
+            set_thread_count(threads);
+            for (const auto& [work, finish, thrown] :
+                 {std::tuple{137, 900, "work 137"}, std::tuple{900, 137, "finish 137"},
+                  std::tuple{137, 136, "finish 136"}, std::tuple{137, 137, "work 137"},
+                  std::tuple{0, 0, "work 0"}, std::tuple{900, 900, ""}}) {
+                const Fault fault = fault_of(work, finish);
+                EXPECT_EQ(fault.thrown, thrown);
+                EXPECT_EQ(fault.finished, std::min({work, finish, 500}));
+            }
+        }
 }
 
 TEST(SetThreadCount, RefusesCountsOutsideItsRange)

@@ -88,6 +88,26 @@ TEST(PlainNumber, RoundsAsTheCLibraryDoes)
     }
 }
 
+// Near the middle between two decimals the product with a power of ten is not exact enough.
+TEST(PlainNumber, RoundsAsTheCLibraryDoesNearTheMiddleBetweenTwoDecimals)
+{
+    test::Random random{4};
+    for (int k = 0; k < 20000; ++k) {
+        const int decimals = k % 10;
+        const double unit = std::pow(10, -decimals);
+        const double whole = std::floor(random.log_uniform(1, 1e13));
+        double value = (whole + (k % 3 == 0 ? 0.5 : k % 3 == 1 ? 0.4999 : 0.5001)) * unit;
+        for (int step = static_cast<int>(random.uniform(-3, 3)); step != 0;
+             step += step < 0 ? 1 : -1)
+            value = std::nextafter(value, step < 0 ? 0 : 1e300);
+        char expected[64];
+        std::snprintf(expected, sizeof expected, "%.*f", decimals, value);
+        std::string text;
+        EXPECT_EQ(append_fixed(text, value, decimals), std::atof(expected));
+        EXPECT_EQ(text, expected);
+    }
+}
+
 TEST(PlainNumber, ExactReadsBackToTheSameBitsWithoutExponent)
 {
     std::mt19937_64 random{1};

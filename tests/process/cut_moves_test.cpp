@@ -22,7 +22,7 @@ TEST(CutMoves, AreTheCutsWithHorizontalMotionInPathOrder)
     const std::vector<CutMove> moves = cut_moves(path);
     ASSERT_EQ(moves.size(), 2u);
     EXPECT_EQ(moves[0].point, 2u);
-    EXPECT_EQ(moves[0].pass, 3);
+    EXPECT_EQ(moves[0].pass(), 3);
     EXPECT_DOUBLE_EQ(moves[0].length_mm, 5);
     EXPECT_DOUBLE_EQ(moves[0].begin_mm, 5);
     EXPECT_EQ(moves[0].middle(), (Vec3{1.5, 2, 0}));

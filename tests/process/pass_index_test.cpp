@@ -26,12 +26,13 @@ NeighbouringPasses looked_through(const std::vector<CutMove>& moves, std::size_t
         if (std::abs(slant) < std::sqrt(0.5))
             continue;
         const double along =
-            (own.middle() - other.from).dot(way) / slant;  // mm from its start
+            (own.middle() - other.from()).dot(way) / slant;  // mm from its start
         if (along < 0 || along > other.length_mm)
             continue;
-        if (other.pass == own.pass && own.middle_mm() - other.begin_mm - along < reach)
+        if (other.pass() == own.pass() &&
+            own.middle_mm() - other.begin_mm - along < reach)
             continue;
-        const Vec3 offset = own.middle() - (other.from + along * other.direction());
+        const Vec3 offset = own.middle() - (other.from() + along * other.direction());
         auto& side = offset.cross(way).z() < 0 ? found.right : found.left;
         if (offset.norm() < (side ? side->distance : reach))
             side = PassCrossing{i, along / other.length_mm, offset, offset.norm()};
@@ -40,7 +41,7 @@ NeighbouringPasses looked_through(const std::vector<CutMove>& moves, std::size_t
 }
 
 // A wavy surface with zigzag passes at an angle and moves of random lengths.
-std::vector<CutMove> wavy_moves(double slant)
+ToolPath wavy_path(double slant)
 {
     std::mt19937 random{7};
     std::uniform_real_distribution<double> length{0.2, 2};
@@ -55,7 +56,7 @@ std::vector<CutMove> wavy_moves(double slant)
             path.points.push_back(
                 {pass, 0, x == 0 ? Move::Rapid : Move::Cut, 0, {tip, Vec3::UnitZ()}});
         }
-    return cut_moves(path);
+    return path;
 }
 
 void expect_same(const std::optional<PassCrossing>& one,
@@ -68,18 +69,63 @@ void expect_same(const std::optional<PassCrossing>& one,
     }
 }
 
+void expect_same_as_exhaustive_search(const ToolPath& path)
+{
+    const std::vector<CutMove> moves = cut_moves(path);
+    const PassIndex index{moves};
+    for (const double reach : {1.0, 3.0, 12.0}) {
+        NeighbouringPasses last;
+        for (std::size_t i = 0; i < moves.size(); ++i) {
+            const NeighbouringPasses fast = index.beside(i, reach);
+            const NeighbouringPasses slow = looked_through(moves, i, reach);
+            expect_same(fast.left, slow.left);
+            expect_same(fast.right, slow.right);
+            last = index.beside(i, reach, last);
+            expect_same(last.left, fast.left);
+            expect_same(last.right, fast.right);
+        }
+    }
+}
+
 TEST(PassIndex, FindsTheSameAsExhaustiveSearch)
 {
-    for (const double slant : {0.0, 0.3, 1.1, std::numbers::pi / 2}) {
-        const std::vector<CutMove> moves = wavy_moves(slant);
-        const PassIndex index{moves};
-        for (const double reach : {1.0, 3.0, 12.0})
-            for (std::size_t i = 0; i < moves.size(); ++i) {
-                const NeighbouringPasses fast = index.beside(i, reach);
-                const NeighbouringPasses slow = looked_through(moves, i, reach);
-                expect_same(fast.left, slow.left);
-                expect_same(fast.right, slow.right);
-            }
+    for (const double slant : {0.0, 0.3, 1.1, std::numbers::pi / 2})
+        expect_same_as_exhaustive_search(wavy_path(slant));
+}
+
+// The moves of a spiral run in all directions, so no strips fit them. Its turns are passes.
+TEST(PassIndex, FindsTheSameAsExhaustiveSearchOnASpiral)
+{
+    ToolPath path;
+    for (double angle = 0.1; angle < 60; angle += 0.7 / (1 + 0.2 * angle))
+        path.points.push_back(
+            {static_cast<int>(angle / (2 * std::numbers::pi)),
+             0,
+             Move::Cut,
+             0,
+             {{0.3 * angle * std::cos(angle), 0.3 * angle * std::sin(angle), 0.1 * angle},
+              Vec3::UnitZ()}});
+    expect_same_as_exhaustive_search(path);
+}
+
+// The same path cut three times: the crossings of its first two runs are equally near.
+TEST(PassIndex, KeepsTheCrossingThatIsCutLastOfEquallyNearOnes)
+{
+    const ToolPath once = wavy_path(0.3);
+    ToolPath path;
+    for (int run = 0; run < 3; ++run)
+        for (PathPoint point : once.points) {
+            point.pass += 100 * run;
+            point.location.tip.z() -= run == 2 ? 0.25 : 0;
+            path.points.push_back(point);
+        }
+    const std::vector<CutMove> moves = cut_moves(path);
+    const std::size_t count = moves.size() / 3;
+    const PassIndex index{moves};
+    for (std::size_t i = 2 * count; i < moves.size(); ++i) {
+        const NeighbouringPasses found = index.beside(i, 3);
+        for (const auto& crossing : {found.left, found.right})
+            EXPECT_TRUE(!crossing || crossing->move >= count) << i;
     }
 }
 

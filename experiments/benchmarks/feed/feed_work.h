@@ -35,6 +35,13 @@ std::size_t written_bytes(const ToolPath& fed, const SegmentCuts& cuts,
 /// The whole work of the command on the text of a path. \return number of bytes written.
 std::size_t whole_feed(const std::string& text, int threads);
 
+/// A program in G-code along `path`, at one feed.
+std::string program_along(ToolPath path);
+
+/// The work of the command on a long program, in blocks and pieces as by the command but
+/// without its chart. \return number of bytes written.
+std::size_t program_feed(const std::string& program, int threads);
+
 /// A plan with the engagement of the simulated stock. \return the last feed, mm/min.
 double stock_feed(const ToolPath& path, const SegmentCuts& cuts, PeakRule peak,
                   int threads);

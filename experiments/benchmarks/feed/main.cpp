@@ -4,7 +4,7 @@
 //
 //   benchmarks-feed OUTPUT_FOLDER
 //
-// About two minutes; measures time, so nothing else should run. Columns: README.md beside
+// About three minutes; measures time, so nothing else should run. Columns: README.md beside
 // this.
 
 #include "benchmarks/feed/feed_table.h"
@@ -77,6 +77,11 @@ int main(int argc, char** argv)
         const std::string many = tool_path_csv(saddle_path(ball, lines, steps));
         const std::string tenth = tool_path_csv(saddle_path(ball, lines / 10, steps));
         const ToolPath few = saddle_path(ball, few_lines, steps);
+        const ToolPath dense =
+            saddle_path(ball, static_cast<int>(run.number("program_lines")), steps);
+        const std::string program = program_along(dense);
+        add_benchmark("program, one", [&] { return program_feed(program, 1); });
+        add_benchmark("program, two", [&] { return program_feed(program, 2); });
         add_benchmark("whole, one", [&] { return whole_feed(many, 1); });
         add_benchmark("whole, two", [&] { return whole_feed(many, 2); });
         add_benchmark("tenth, one", [&] { return whole_feed(tenth, 1); });
@@ -85,6 +90,7 @@ int main(int argc, char** argv)
         add_turning("direct", PeakRule::Direct, few);
         add_stock("stock", PeakRule::Constant, few);
         add_stock("stock, direct", PeakRule::Direct, few);
-        run.write_result(feed_table(shortest_times(), cuts_along(few).cuts.size()));
+        run.write_result(feed_table(shortest_times(), cuts_along(few).cuts.size(),
+                                    cuts_along(dense).cuts.size()));
     });
 }

@@ -8,6 +8,8 @@
 #include <limits>
 #include <mutex>
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include "endmill/core/error.h"
 
@@ -196,7 +198,79 @@ private:
     int started_ = 0;
 };
 
+// Makes the calls of `finish` in order. The thread that ends the work on a number goes on
+// with all numbers that can be finished, unless another thread is about that.
+class OrderedCalls {
+public:
+    OrderedCalls(std::size_t count, const std::function<void(std::size_t i)>& call)
+        : is_ready_(count, false),
+          call_{call}
+    {
+    }
+
+    // Notes that the work on number `i` is done.
+    void add(std::size_t i)
+    {
+        std::unique_lock lock{mutex_};
+        is_ready_[i] = true;
+        if (is_calling_)
+            return;
+        is_calling_ = true;
+        while (next_ < is_ready_.size() && is_ready_[next_] && !exception_) {
+            lock.unlock();
+            std::exception_ptr exception = thrown_by_next();
+            lock.lock();
+            exception_ = std::move(exception);
+            ++next_;
+        }
+        is_calling_ = false;
+    }
+
+    // The exception of a call. It comes before that of any work in the order of the calls.
+    void rethrow() const
+    {
+        if (exception_)
+            std::rethrow_exception(exception_);
+    }
+
+private:
+    std::exception_ptr thrown_by_next() const
+    {
+        try {
+            call_(next_);
+            return nullptr;
+        } catch (...) {
+            return std::current_exception();
+        }
+    }
+
+    std::mutex mutex_;
+    std::vector<bool> is_ready_;
+    const std::function<void(std::size_t i)>& call_;
+    std::size_t next_ = 0;  // changed by the calling thread only
+    bool is_calling_ = false;
+    std::exception_ptr exception_;
+};
+
 }  // namespace
+
+void parallel_in_order(std::size_t count, const std::function<void(std::size_t i)>& work,
+                       const std::function<void(std::size_t i)>& finish)
+{
+    OrderedCalls calls{count, finish};
+    try {
+        parallel_for(count, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                work(i);
+                calls.add(i);
+            }
+        });
+    } catch (...) {
+        calls.rethrow();
+        throw;
+    }
+    calls.rethrow();
+}
 
 void parallel_for(std::size_t count, const Body& body)
 {

@@ -83,18 +83,24 @@ public:
     const SegmentCutOptions& options() const { return options_; }
     std::size_t zero_length() const { return zero_length_; }
 
+    // The earlier passes beside a move. `nearby` are those beside a move nearby.
+    NeighbouringPasses passes(std::size_t i, const NeighbouringPasses& nearby) const
+    {
+        return passes_.beside(i, 2 * options_.radius, nearby);
+    }
+
     // `is_by_contact` is set to 1 if the geometry comes from the contact.
-    SegmentCut cut(std::size_t i, char& is_by_contact) const
+    SegmentCut cut(std::size_t i, const NeighbouringPasses& passes,
+                   char& is_by_contact) const
     {
         const CutMove& move = moves_[i];
-        const MoveSlope slope = move_slope(move.from, move.to, options_.stock_top);
-        SegmentCut cut{.pass = move.pass,
+        const MoveSlope slope = move_slope(move.from(), move.to(), options_.stock_top);
+        SegmentCut cut{.pass = move.pass(),
                        .point = path_.points[move.point].point,
                        .length_mm = move.length_mm,
                        .lambda = slope.lambda,
                        .depth_mm = slope.depth_mm,
                        .previous = options_.first_pass};
-        const NeighbouringPasses passes = passes_.beside(i, 2 * options_.radius);
         const std::optional<Neighbour> neighbour = nearest(passes);
         if (neighbour) {
             cut.previous = PreviousPass::Beside;
@@ -240,7 +246,7 @@ bool SegmentCutFinder::has_depth() const
 {
     const double top = implementation_->options().stock_top;
     return std::ranges::any_of(implementation_->moves(), [&](const CutMove& move) {
-        return move_slope(move.from, move.to, top).depth_mm > 0;
+        return move_slope(move.from(), move.to(), top).depth_mm > 0;
     });
 }
 
@@ -250,8 +256,11 @@ SegmentCuts SegmentCutFinder::cuts(std::size_t first, std::size_t count) const
     cuts.cuts.resize(count);
     std::vector<char> by_contact(count);
     parallel_for(count, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            cuts.cuts[i] = implementation_->cut(first + i, by_contact[i]);
+        NeighbouringPasses passes;
+        for (std::size_t i = begin; i < end; ++i) {
+            passes = implementation_->passes(first + i, passes);
+            cuts.cuts[i] = implementation_->cut(first + i, passes, by_contact[i]);
+        }
     });
     cuts.points.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {

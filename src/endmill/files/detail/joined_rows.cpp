@@ -8,7 +8,7 @@
 #include "endmill/core/parallel.h"
 
 // Rows are formatted in runs of fixed length. The runs of a batch are formatted in
-// parallel and then appended in order; a batch bounds the memory for text that exists
+// parallel and passed on in order meanwhile; a batch bounds the memory for text that exists
 // twice.
 
 namespace endmill {
@@ -44,14 +44,13 @@ void pass_rows(
     for (std::size_t first = 0; first < rows; first += rows_per_batch) {
         const std::size_t batch = std::min(rows_per_batch, rows - first);
         const std::size_t count = (batch + rows_per_chunk - 1) / rows_per_chunk;
-        parallel_for(count, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
+        parallel_in_order(
+            count,
+            [&](std::size_t i) {
                 const std::size_t at = i * rows_per_chunk;
                 chunks[i] = rows_of(first + at, std::min(rows_per_chunk, batch - at));
-            }
-        });
-        for (std::size_t i = 0; i < count; ++i)
-            sink(chunks[i]);
+            },
+            [&](std::size_t i) { sink(std::exchange(chunks[i], {})); });
     }
 }
 

@@ -21,7 +21,8 @@ std::string joined_rows(
 /// The same without a header, for a table that need not fit into memory as text.
 /// \param rows    number of rows.
 /// \param rows_of text of `count` consecutive rows from `first` on; called by any thread.
-/// \param sink    receives the rows in order, piece by piece.
+/// \param sink    receives the rows in order, piece by piece, one call at a time; called by
+///                any thread.
 void pass_rows(
     std::size_t rows,
     const std::function<std::string(std::size_t first, std::size_t count)>& rows_of,

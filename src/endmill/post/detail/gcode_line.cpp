@@ -2,7 +2,7 @@
 #include "endmill/post/detail/gcode_line.h"
 
 #include <algorithm>
-#include <utility>
+#include <cstddef>
 
 #include "endmill/post/detail/plain_number.h"
 #include "endmill/post/detail/text_lines.h"
@@ -50,32 +50,32 @@ std::size_t other_length(std::string_view text)
 
 }  // namespace
 
-GcodeLine::GcodeLine(std::string_view line)
+GcodeLine::GcodeLine(std::string_view line) : text_{line}
 {
     pieces_.reserve(usual_pieces);
-    while (!line.empty()) {
-        const bool is_word = is_letter(line.front());
-        const std::size_t length = is_word ? word_length(line) : other_length(line);
+    for (std::size_t at = 0; at < line.size();) {
+        const std::string_view rest = line.substr(at);
+        const bool is_word = is_letter(rest.front());
+        const std::size_t length = is_word ? word_length(rest) : other_length(rest);
         if (is_word)
-            pieces_.push_back(
-                {capital(line.front()), std::string{line.substr(0, length)}});
+            pieces_.push_back({capital(rest.front()), false, at + length});
         else
-            add_other(line.substr(0, length));
-        line.remove_prefix(length);
+            add_other(length);
+        at += length;
     }
 }
 
 // Blanks are pieces of their own, so that a word can be removed together with them.
-void GcodeLine::add_other(std::string_view text)
+void GcodeLine::add_other(std::size_t length)
 {
-    const auto all_blank = [](std::string_view bytes) {
-        return std::ranges::all_of(bytes, is_blank);
-    };
+    const std::size_t at = begin(pieces_.size());
+    const bool all_blank =
+        std::ranges::all_of(std::string_view{text_}.substr(at, length), is_blank);
     if (!pieces_.empty() && pieces_.back().letter == 0 &&
-        all_blank(pieces_.back().text) == all_blank(text))
-        pieces_.back().text += text;
+        pieces_.back().is_blank == all_blank)
+        pieces_.back().end += length;
     else
-        pieces_.push_back({0, std::string{text}});
+        pieces_.push_back({0, all_blank, at + length});
 }
 
 std::size_t GcodeLine::find(char letter) const
@@ -89,43 +89,65 @@ std::optional<double> GcodeLine::number(char letter) const
     const std::size_t at = find(letter);
     if (at == pieces_.size())
         return std::nullopt;
-    std::string digits = pieces_[at].text.substr(1);
+    std::string digits = text_.substr(begin(at) + 1, pieces_[at].end - begin(at) - 1);
     std::erase_if(digits, is_blank);
     return plain_number(digits);
+}
+
+// Adapts the ends of the pieces from `piece` on, whose text changes its length.
+void GcodeLine::resize(std::size_t piece, std::size_t from, std::size_t to)
+{
+    for (; piece < pieces_.size(); ++piece)
+        pieces_[piece].end = pieces_[piece].end + to - from;
+}
+
+// Inserts a piece before another one.
+void GcodeLine::insert(std::size_t piece, char letter, std::string_view text)
+{
+    const std::size_t at = begin(piece);
+    text_.insert(at, text);
+    pieces_.insert(pieces_.begin() + static_cast<std::ptrdiff_t>(piece),
+                   {letter, letter == 0, at});
+    resize(piece, 0, text.size());
+}
+
+void GcodeLine::erase(std::size_t piece)
+{
+    const std::size_t length = pieces_[piece].end - begin(piece);
+    text_.erase(begin(piece), length);
+    resize(piece, length, 0);
+    pieces_.erase(pieces_.begin() + static_cast<std::ptrdiff_t>(piece));
 }
 
 void GcodeLine::set(char letter, std::string_view number)
 {
     const std::string word = letter + std::string{number};
     if (const std::size_t at = find(letter); at != pieces_.size()) {
-        pieces_[at].text = word;
+        const std::size_t length = pieces_[at].end - begin(at);
+        text_.replace(begin(at), length, word);
+        resize(at, length, word.size());
         return;
     }
     const auto is_word = [](const Piece& piece) { return piece.letter != 0; };
     const auto last = std::find_if(pieces_.rbegin(), pieces_.rend(), is_word).base();
-    const auto at = pieces_.insert(last, {letter, word});
-    if (at != pieces_.begin())
-        pieces_.insert(at, {0, " "});
+    const auto at = static_cast<std::size_t>(last - pieces_.begin());
+    insert(at, letter, word);
+    if (at != 0)
+        insert(at, 0, " ");
 }
 
 void GcodeLine::remove(std::string_view letters)
 {
-    std::vector<Piece> left;
-    for (Piece& piece : pieces_) {
-        if (piece.letter == 0 || letters.find(piece.letter) == std::string_view::npos)
-            left.push_back(std::move(piece));
-        else if (!left.empty() && std::ranges::all_of(left.back().text, is_blank))
-            left.pop_back();
+    for (std::size_t piece = 0; piece < pieces_.size();) {
+        const char letter = pieces_[piece].letter;
+        if (letter == 0 || letters.find(letter) == std::string_view::npos) {
+            ++piece;
+            continue;
+        }
+        erase(piece);
+        if (piece > 0 && pieces_[piece - 1].is_blank)
+            erase(--piece);
     }
-    pieces_ = std::move(left);
-}
-
-std::string GcodeLine::text() const
-{
-    std::string text;
-    for (const Piece& piece : pieces_)
-        text += piece.text;
-    return text;
 }
 
 }  // namespace endmill

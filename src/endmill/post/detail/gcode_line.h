@@ -29,17 +29,27 @@ public:
     /// Removes the words of these letters, with the blanks before them.
     void remove(std::string_view letters);
 
-    std::string text() const;  ///< the line without LF
+    const std::string& text() const { return text_; }  ///< the line without LF
 
 private:
+    // A part of the text. The parts follow one another.
     struct Piece {
-        char letter;  // capital; 0 for blanks, comments and other bytes
-        std::string text;
+        char letter;      // capital; 0 for blanks, comments and other bytes
+        bool is_blank;    // whether all bytes are blanks
+        std::size_t end;  // in the text
     };
 
-    void add_other(std::string_view text);
+    std::size_t begin(std::size_t piece) const
+    {
+        return piece == 0 ? 0 : pieces_[piece - 1].end;
+    }
+    void add_other(std::size_t length);
+    void insert(std::size_t piece, char letter, std::string_view text);
+    void erase(std::size_t piece);
+    void resize(std::size_t piece, std::size_t from, std::size_t to);
     std::size_t find(char letter) const;
 
+    std::string text_;
     std::vector<Piece> pieces_;
 };
 

@@ -50,8 +50,7 @@ std::vector<CutMove> cut_moves(const ToolPath& path)
         const Vec3& to = end.location.tip;
         const double length = (to - from).norm();
         if (end.move == Move::Cut && length > 0 && !is_upright(to - from, length))
-            moves.push_back(
-                {static_cast<std::uint32_t>(i), end.pass, from, to, along, length});
+            moves.push_back({&end, static_cast<std::uint32_t>(i), along, length});
         along += length;
     }
     return moves;

@@ -64,8 +64,8 @@ public:
     {
         const FootPlace from = last_ && last_point_ == move.point - 1
                                    ? *last_
-                                   : end_place(move.point - 1, move.from);
-        const FootPlace to = end_place(move.point, move.to);
+                                   : end_place(move.point - 1, move.from());
+        const FootPlace to = end_place(move.point, move.to());
         last_ = to;
         last_point_ = move.point;
         // The tolerance is the radius: the ball at the middle of a chord is off the part

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
+#include <utility>
 
 // The tree is searched depth-first for each move:
 // 1. A node is skipped if all its moves come later, if the plane across the move misses
@@ -13,11 +15,22 @@
 //    side is kept.
 // 3. The later child is visited first, because the pass cut last is most likely the
 //    nearest. Its crossings reduce the reach of the rest of the search.
+// The result does not depend on the order of the visits: of equally near crossings the one
+// cut last is kept, and boxes are enlarged by more than the rounding of a distance.
 
 namespace endmill {
 namespace {
 
 constexpr std::size_t leaf_moves = 8;
+
+// Number of moves on either side of a crossing among which the crossing of the next move is
+// likely: passes have moves of about equal lengths.
+constexpr std::size_t around_moves = 2;
+
+// Width of a strip in mean extents of a leaf. Where passes are curved, the boxes of narrow
+// strips overlap less. Where a plane runs at an angle to the strips, it meets fewer wide
+// ones.
+constexpr double leaves_a_strip = 4;
 
 // Relative rounding error of a rotated box, by which boxes are enlarged.
 constexpr double box_rounding = 1e-14;
@@ -36,8 +49,8 @@ Eigen::Matrix3d turn_along(std::span<const CutMove> moves)
 {
     std::complex<double> doubled{0, 0};
     for (const CutMove& move : moves) {
-        const std::complex<double> way{move.to.x() - move.from.x(),
-                                       move.to.y() - move.from.y()};
+        const std::complex<double> way{move.to().x() - move.from().x(),
+                                       move.to().y() - move.from().y()};
         if (const double length = std::abs(way); length > 0)
             doubled += way * way / length;
     }
@@ -45,6 +58,18 @@ Eigen::Matrix3d turn_along(std::span<const CutMove> moves)
 }
 
 }  // namespace
+
+// A bound of the distance on one side of a move.
+struct PassIndex::Bound {
+    double square;      // mm2, squared distance below which a crossing is accepted
+    double box_square;  // mm2, squared distance up to which a box may hold one
+
+    explicit Bound(double distance)
+        : square{distance * distance},
+          box_square{(distance + same_place_mm) * (distance + same_place_mm)}
+    {
+    }
+};
 
 struct PassIndex::Search {
     const CutMove* move;
@@ -56,9 +81,8 @@ struct PassIndex::Search {
     Vec3 turned_middle;
     Vec3 turned_direction;
     Vec3 turned_left;
-    // Squared distance below which a crossing on that side is accepted.
-    double left_bound;
-    double right_bound;
+    Bound left_bound;
+    Bound right_bound;
     NeighbouringPasses found = {};
 };
 
@@ -66,38 +90,79 @@ PassIndex::PassIndex(std::span<const CutMove> moves)
     : moves_{moves},
       turn_{turn_along(moves)}
 {
-    std::vector<Box> leaves;
-    leaves.reserve(moves.size() / leaf_moves + 1);
-    for (std::size_t first = 0; first < moves.size(); first += leaf_moves) {
-        const std::size_t end = std::min(first + leaf_moves, moves.size());
-        Vec3 low = turn_ * moves[first].from;
-        Vec3 high = low;
-        for (std::size_t i = first; i < end; ++i)
-            for (const Vec3* tip : {&moves[i].from, &moves[i].to}) {
-                const Vec3 place = turn_ * *tip;
-                low = low.cwiseMin(place);
-                high = high.cwiseMax(place);
-            }
-        const Vec3 margin = box_rounding * (low.cwiseAbs() + high.cwiseAbs());
-        leaves.push_back({(low + high) / 2, (high - low) / 2 + margin});
-    }
-    levels_.push_back(std::move(leaves));
+    build_leaves();
     while (levels_.back().size() > 1)
         build_level();
+}
+
+PassIndex::Box PassIndex::box_of(const Leaf& leaf) const
+{
+    Vec3 low = turn_ * moves_[leaf.first].from();
+    Vec3 high = low;
+    for (std::size_t i = leaf.first; i < leaf.end; ++i)
+        for (const Vec3* tip : {&moves_[i].from(), &moves_[i].to()}) {
+            const Vec3 place = turn_ * *tip;
+            low = low.cwiseMin(place);
+            high = high.cwiseMax(place);
+        }
+    const Vec3 margin = box_rounding * (low.cwiseAbs() + high.cwiseAbs());
+    return {(low + high) / 2, (high - low) / 2 + margin};
+}
+
+// Divides the moves into leaves and sorts them. A leaf ends where its moves are not
+// connected, such as at the end of a pass.
+void PassIndex::build_leaves()
+{
+    std::vector<Node> nodes;
+    double extents = 0;
+    for (std::size_t first = 0; first < moves_.size();) {
+        std::size_t end = first + 1;
+        while (end < std::min(first + leaf_moves, moves_.size()) &&
+               moves_[end].from() == moves_[end - 1].to())
+            ++end;
+        const Leaf leaf{static_cast<std::uint32_t>(first),
+                        static_cast<std::uint32_t>(end)};
+        leaves_.push_back(leaf);
+        nodes.push_back({box_of(leaf), leaf.first});
+        extents += 2 * nodes.back().box.half.x();
+        first = end;
+    }
+    const double width = leaves_a_strip * extents / static_cast<double>(leaves_.size());
+    const auto strip = [&](std::size_t leaf) {
+        return width > 0 ? std::floor(nodes[leaf].box.centre.x() / width) : 0;
+    };
+    std::vector<std::uint32_t> order(leaves_.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::sort(order, {}, [&](std::uint32_t leaf) {
+        return std::pair{strip(leaf), leaf};
+    });
+    std::vector<Leaf> leaves;
+    std::vector<Node> level;
+    leaves.reserve(order.size());
+    level.reserve(order.size());
+    for (const std::uint32_t leaf : order) {
+        leaves.push_back(leaves_[leaf]);
+        level.push_back(nodes[leaf]);
+    }
+    leaves_ = std::move(leaves);
+    levels_.push_back(std::move(level));
 }
 
 // Adds the level whose boxes each enclose two boxes of the level below.
 void PassIndex::build_level()
 {
-    const std::vector<Box>& below = levels_.back();
-    std::vector<Box> level;
+    const std::vector<Node>& below = levels_.back();
+    std::vector<Node> level;
     level.reserve((below.size() + 1) / 2);
     for (std::size_t i = 0; i < below.size(); i += 2) {
-        const Box& one = below[i];
-        const Box& other = below[std::min(i + 1, below.size() - 1)];
+        const Node& first = below[i];
+        const Node& second = below[std::min(i + 1, below.size() - 1)];
+        const Box& one = first.box;
+        const Box& other = second.box;
         const Vec3 low = (one.centre - one.half).cwiseMin(other.centre - other.half);
         const Vec3 high = (one.centre + one.half).cwiseMax(other.centre + other.half);
-        level.push_back({(low + high) / 2, (high - low) / 2});
+        level.push_back(
+            {{(low + high) / 2, (high - low) / 2}, std::min(first.first, second.first)});
     }
     levels_.push_back(std::move(level));
 }
@@ -114,29 +179,29 @@ bool PassIndex::may_hold(const Search& search, const Box& box) const
     const double half_width = box.half.dot(search.turned_left.cwiseAbs()) + same_place_mm;
     double bound = 0;
     if (side + half_width >= 0)
-        bound = search.left_bound;
+        bound = search.left_bound.box_square;
     if (side - half_width <= 0)
-        bound = std::max(bound, search.right_bound);
+        bound = std::max(bound, search.right_bound.box_square);
     return (offset.cwiseAbs() - box.half).cwiseMax(0).squaredNorm() < bound;
 }
 
 // Intersects the moves of a leaf with the plane and keeps the nearest crossings.
-void PassIndex::look_into(Search& search, std::size_t leaf) const
+void PassIndex::look_into(Search& search, const Leaf& leaf) const
 {
-    const std::size_t first = leaf * leaf_moves;
-    for (std::size_t i = std::min(first + leaf_moves, search.end); i-- > first;) {
+    for (std::size_t i = std::min<std::size_t>(leaf.end, search.end); i-- > leaf.first;) {
         const CutMove& other = moves_[i];
-        const double before = (other.from - search.middle).dot(search.direction);
-        const double after = (other.to - search.middle).dot(search.direction);
+        const double before = (other.from() - search.middle).dot(search.direction);
+        const double after = (other.to() - search.middle).dot(search.direction);
         if ((before > 0 && after > 0) || (before < 0 && after < 0) ||
             std::abs(after - before) < other.length_mm / std::numbers::sqrt2)
             continue;
         const double share = std::clamp(before / (before - after), 0.0, 1.0);
         const double between =
             search.move->middle_mm() - (other.begin_mm + share * other.length_mm);
-        if (other.pass == search.move->pass && between < search.reach)
+        if (other.pass() == search.move->pass() && between < search.reach)
             continue;
-        const Vec3 offset = search.middle - other.from - share * (other.to - other.from);
+        const Vec3 offset =
+            search.middle - other.from() - share * (other.to() - other.from());
         const double distance = offset.norm();
         // The offset points from the pass to the stock, so the pass lies on the opposite
         // side.
@@ -144,22 +209,25 @@ void PassIndex::look_into(Search& search, std::size_t leaf) const
         if (distance > same_place_mm && std::abs(side) < least_side_share * distance)
             continue;
         const bool is_left = side >= 0 || distance <= same_place_mm;
-        double& bound = is_left ? search.left_bound : search.right_bound;
-        if (distance * distance >= bound)
+        Bound& bound = is_left ? search.left_bound : search.right_bound;
+        auto& found = is_left ? search.found.left : search.found.right;
+        const double square = distance * distance;
+        if (square > bound.square ||
+            (square == bound.square && !(found && found->move < i)))
             continue;
-        bound = distance * distance;
-        (is_left ? search.found.left : search.found.right) = {i, share, offset, distance};
+        bound = Bound{distance};
+        found = {i, share, offset, distance};
     }
 }
 
 // Visits a node of a level, and its children.
 void PassIndex::descend(Search& search, std::size_t level, std::size_t node) const
 {
-    if (node >= levels_[level].size() || (node << level) * leaf_moves >= search.end ||
-        !may_hold(search, levels_[level][node]))
+    if (node >= levels_[level].size() || levels_[level][node].first >= search.end ||
+        !may_hold(search, levels_[level][node].box))
         return;
     if (level == 0) {
-        look_into(search, node);
+        look_into(search, leaves_[node]);
         return;
     }
     // The moves cut last are most likely the nearest; visiting them first tightens the
@@ -168,7 +236,9 @@ void PassIndex::descend(Search& search, std::size_t level, std::size_t node) con
     descend(search, level - 1, 2 * node);
 }
 
-NeighbouringPasses PassIndex::beside(std::size_t move, double reach) const
+// Looks around the crossings of a move nearby first, which lowers the bounds at once.
+NeighbouringPasses PassIndex::beside(std::size_t move, double reach,
+                                     const NeighbouringPasses& nearby) const
 {
     const CutMove& own = moves_[move];
     const Vec3 direction = own.direction();
@@ -183,8 +253,16 @@ NeighbouringPasses PassIndex::beside(std::size_t move, double reach) const
                   .turned_middle = turn_ * middle,
                   .turned_direction = turn_ * direction,
                   .turned_left = turn_ * left,
-                  .left_bound = reach * reach,
-                  .right_bound = reach * reach};
+                  .left_bound = Bound{reach},
+                  .right_bound = Bound{reach}};
+    for (const auto& crossing : {nearby.left, nearby.right})
+        if (crossing) {
+            const std::size_t first =
+                std::max(crossing->move, around_moves) - around_moves;
+            look_into(search, {static_cast<std::uint32_t>(first),
+                               static_cast<std::uint32_t>(std::min(
+                                   crossing->move + around_moves + 1, moves_.size()))});
+        }
     descend(search, levels_.size() - 1, 0);
     return search.found;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -28,10 +29,11 @@ struct NeighbouringPasses {
 
 /// Finds for every move the earlier passes beside it.
 ///
-/// The index is a binary tree of bounding boxes over runs of consecutive moves, in the
-/// order of cutting. A run is a short piece of a pass, so its box is narrow. The order
-/// excludes all later moves by their numbers. The boxes are aligned with the mean
-/// direction of the moves, which keeps them narrow for rasters at any angle.
+/// The index is a binary tree of bounding boxes over runs of consecutive moves. A run is a
+/// short piece of a pass, so its box is narrow. The boxes are aligned with the mean
+/// direction of the moves, which keeps them narrow for rasters at any angle. The runs are
+/// sorted by strips across that direction, and by the order of cutting within a strip: the
+/// plane across a move meets few strips, in which neighbouring passes follow one another.
 /// Source: docs/methods/ball-end-milling.md, section 12, `passes`.
 class PassIndex {
 public:
@@ -47,24 +49,40 @@ public:
     ///   direction.
     ///
     /// A crossing at the middle itself counts as left. Of several equally near crossings
-    /// the one cut last is returned. Takes about log(n) steps.
-    NeighbouringPasses beside(std::size_t move, double reach) const;
+    /// the one cut last is returned. Takes about log(n) steps in a raster.
+    ///
+    /// \param nearby crossings of a move nearby, such as the one before. They shorten the
+    ///        search and have no effect on the result.
+    NeighbouringPasses beside(std::size_t move, double reach,
+                              const NeighbouringPasses& nearby = {}) const;
 
 private:
     struct Box {
         Vec3 centre;  // mm, in the rotated frame
         Vec3 half;    // mm, half the extents
     };
+    struct Node {
+        Box box;
+        std::uint32_t first;  // lowest number of its moves
+    };
+    struct Leaf {
+        std::uint32_t first;  // its moves are [first, end)
+        std::uint32_t end;
+    };
+    struct Bound;
     struct Search;
 
+    Box box_of(const Leaf& leaf) const;
+    void build_leaves();
     void build_level();
     bool may_hold(const Search& search, const Box& box) const;
-    void look_into(Search& search, std::size_t leaf) const;
+    void look_into(Search& search, const Leaf& leaf) const;
     void descend(Search& search, std::size_t level, std::size_t node) const;
 
     std::span<const CutMove> moves_;
-    Eigen::Matrix3d turn_;  // rotation about z into the frame of the boxes
-    std::vector<std::vector<Box>> levels_;  // boxes of the leaves, of pairs of them, ...
+    Eigen::Matrix3d turn_;      // rotation about z into the frame of the boxes
+    std::vector<Leaf> leaves_;  // runs of moves, sorted by strips
+    std::vector<std::vector<Node>> levels_;  // of the leaves, of pairs of them, ...
 };
 
 }  // namespace endmill
