@@ -39,6 +39,10 @@ TRIALS = {
     "test_a_failing_call_leaves_no_half_of_a_new_folder": ("a system call fails", "the same in a new folder"),
     "test_a_kill_leaves_a_folder_that_the_next_run_mends":
         ("the process is killed", "at the n-th call, most of them between renames; the next run repairs the folder"),
+    "test_two_kills_leave_the_old_or_the_new_folder":
+        ("the process is killed", "at the n-th rename; then the next run, which repairs the folder, at one of five calls; a "
+                                  "third run repairs it"),
+    "test_a_kill_leaves_an_empty_folder_empty": ("the process is killed", "at the n-th rename, in an empty folder"),
     "test_a_killed_run_can_be_repeated_without_force": ("the process is killed", "in a new folder"),
     "test_an_interrupt_leaves_the_old_or_the_new_folder":
         ("the process is interrupted", "by SIGTERM during the n-th mkdir, rename or open, over earlier results and in a "

@@ -102,11 +102,13 @@ class Finished:
 
 
 def contents(folder):
-    """The files of a folder by name, staging folders left out; None if there is no folder."""
+    """The files of a folder by name, and its folders with "/" behind the name, staging folders left out; None if there
+    is no folder."""
     if not folder.is_dir():
         return None
-    return {str(path.relative_to(folder)): TIME.sub(rb"\1", path.read_bytes()) for path in sorted(folder.rglob("*"))
-            if path.is_file() and STAGING not in str(path.relative_to(folder))}
+    paths = {str(path.relative_to(folder)): path for path in sorted(folder.rglob("*"))}
+    return {name + "/" * path.is_dir(): b"" if path.is_dir() else TIME.sub(rb"\1", path.read_bytes())
+            for name, path in paths.items() if STAGING not in name}
 
 
 def difference(found, expected):

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Calls of the system fail, or the process is killed or interrupted at one, in every command that writes. Its output
 folder is then old or new as a whole."""
+import errno
 import signal
 import unittest
 
-from faults import COMMANDS, FAILURES, IS_LONG, FaultTest, difference, some_of
+from faults import COMMANDS, FAILURES, IS_LONG, FaultTest, contents, difference, some_of
 
 CALLS = ("open", "mkdir", "rename", "unlink", "rmdir", "write", "read", "fsync", "fchmod", "flock", "opendir")
 # Without these the process cannot remove its staging folder. The next run does.
@@ -22,7 +23,7 @@ def fault_of(call, number, failure):
 
 def put_old(folder, names):
     """Files of an earlier run with the names of the new ones, and a file of somebody else."""
-    for name, content in {**{name: b"old" for name in names}, **OLD}.items():
+    for name, content in {**{name: b"old" for name in names if not name.endswith("/")}, **OLD}.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_bytes(content)
 
@@ -31,14 +32,14 @@ class FailingCallTest(FaultTest):
     def states(self, name):
         """The files of a run into a folder with old files: before and after."""
         new, counts = self.sound(name)
-        before = {**{each: b"old" for each in new}, **OLD}
 
         def act(folder):
             put_old(folder, new)
+            before = contents(folder)
             done = self.run_command(name, folder, "--force")
             self.assertIn(done.status, (0, 1), f"{name}: {done.error}")
-            return done.files
-        return new, counts, before, self.in_new_place(act)
+            return before, done.files
+        return new, counts, *self.in_new_place(act)
 
     def check(self, name, call, number, failure, new, before, after):
         def act(folder):
@@ -110,6 +111,48 @@ class FailingCallTest(FaultTest):
                 cases += [(name, call, number, new, before, after) for call in KILLS
                           for number in some_of(counts[call], 2)]
                 self.in_parallel(self.check_kill, cases)
+
+    def check_kill_twice(self, name, first, second, new, before, after):
+        """The run that restores the folder after a kill is killed as well; a third one restores it and then fails."""
+        def act(folder):
+            put_old(folder, new)
+            done = self.run_command(name, folder, "--force", fault=f"rename:{first}:kill")
+            again = self.run_command(name, folder, "--force", fault=f"{second}:kill")
+            last = self.run_command(name, folder, "--force", fault=f"write:1:{errno.ENOSPC}")
+            case = f"{name}, killed at rename {first}, then at {second}: exit {last.status}, {last.error}"
+            self.assertEqual(last.status, 5, case)
+            if difference(last.files, after):
+                self.assertEqual("", difference(last.files, before), case)
+            self.assertEqual(last.left, 0, case)
+            return done.status == again.status == -9
+        return self.in_new_place(act)
+
+    def test_two_kills_leave_the_old_or_the_new_folder(self):
+        for name in COMMANDS:
+            with self.subTest(name):
+                new, _, before, after = self.states(name)
+                renames = 2 * len(new) + 4
+                seconds = [f"{call}:{number}" for call in ("rename", "unlink", "rmdir", "open", "mkdir")
+                           for number in (range(1, 9) if IS_LONG else (2, 5))]
+                self.in_parallel(self.check_kill_twice, [(name, first, second, new, before, after)
+                                                         for first in some_of(renames, 2) for second in seconds])
+
+    def test_a_kill_leaves_an_empty_folder_empty(self):
+        """The folder was there, without files."""
+        def check(name, number, new):
+            def act(folder):
+                folder.mkdir()
+                done = self.run_command(name, folder, fault=f"rename:{number}:kill")
+                again = self.run_command(name, folder)
+                case = f"{name}, killed at rename {number}: {again.error}"
+                self.assertIn(again.status, (0, 1) if difference(done.files, new) else (2,), case)
+                self.assertEqual("", difference(again.files, new), case)
+                return done.status == -9
+            return self.in_new_place(act)
+        for name in COMMANDS:
+            with self.subTest(name):
+                new, counts = self.sound(name)
+                self.in_parallel(check, [(name, number, new) for number in some_of(counts["rename"] + len(new), 4)])
 
     def check_interrupt(self, name, call, number, new, before, after, options):
         def act(folder):

@@ -29,7 +29,7 @@ Names names_in(const fs::path& folder)
 }
 
 // A run whose process is gone: no process has this number. It was killed at some time while
-// it replaced a.csv and summary.json, wrote b.csv for the first time, and removed left.csv.
+// it replaced a.csv and summary.json, wrote u/b.csv for the first time, and removed left.csv.
 class KilledRunTest : public testing::Test {
 protected:
     static constexpr const char* staging = ".endmill-4194305-0.tmp";
@@ -44,12 +44,13 @@ protected:
     void kill_after(int renames) const
     {
         const fs::path hidden = staging;
-        put(hidden / "names", "wa.csv\0wb.csv\0wsummary.json\0rleft.csv\0"s);
+        put(hidden / "names", "oa.csv\0nu/b.csv\0osummary.json\0rleft.csv\0du\0"s);
+        fs::create_directories(place.path() / hidden / "old");
         put(renames > 0 ? hidden / "old/summary.json" : "summary.json", "old");
         put(renames > 1 ? hidden / "old/a.csv" : "a.csv", "old");
         put(renames > 2 ? hidden / "old/left.csv" : "left.csv", "old");
         put(renames > 3 ? "a.csv" : hidden / "new/a.csv", "new");
-        put(renames > 4 ? "b.csv" : hidden / "new/b.csv", "new");
+        put(renames > 4 ? "u/b.csv" : hidden / "new/u/b.csv", "new");
         put(renames > 5 ? "summary.json" : hidden / "new/summary.json", "new");
     }
 
@@ -67,8 +68,42 @@ TEST_F(KilledRunTest, IsUndoneUnlessAllItsFilesArePublished)
         EXPECT_FALSE(fs::exists(place.path() / staging)) << renames;
         EXPECT_EQ(content_of(place.path() / "summary.json"), is_new ? "new" : "old");
         EXPECT_EQ(content_of(place.path() / "a.csv"), is_new ? "new" : "old");
-        EXPECT_EQ(fs::exists(place.path() / "b.csv"), is_new);
+        EXPECT_EQ(fs::exists(place.path() / "u/b.csv"), is_new);
+        EXPECT_EQ(fs::exists(place.path() / "u"), is_new);
         EXPECT_EQ(fs::exists(place.path() / "left.csv"), !is_new);
+    }
+}
+
+// The next run may be killed as well while it undoes: between two of its renames, or while
+// it removes the staging folder.
+TEST_F(KilledRunTest, CanBeUndoneAgain)
+{
+    for (int renames = 0; renames < 6; ++renames) {
+        for (const auto& entry : fs::directory_iterator{place.path()})
+            fs::remove_all(entry.path());
+        kill_after(renames);
+        EXPECT_TRUE((FolderChange{place.path(), place.path() / staging}.undo()));
+        EXPECT_TRUE((FolderChange{place.path(), place.path() / staging}.undo()));
+        fs::remove_all(place.path() / staging / "new/u");
+        const OutputFolder next{place.path(), FullFolder::Accept};
+        EXPECT_EQ(content_of(place.path() / "summary.json"), "old") << renames;
+        EXPECT_EQ(content_of(place.path() / "a.csv"), "old");
+        EXPECT_EQ(content_of(place.path() / "left.csv"), "old");
+        EXPECT_FALSE(fs::exists(place.path() / "u"));
+        EXPECT_FALSE(fs::exists(place.path() / staging));
+    }
+}
+
+TEST_F(KilledRunTest, KeepsTheOldFilesIfItsJournalCannotBeRead)
+{
+    for (const char* names : {"", "oa.csv", "xa.csv\n", "osummary.json"}) {
+        kill_after(3);
+        put(fs::path{staging} / "names", names);  // no zero byte at the end
+        EXPECT_THAT([&] { OutputFolder(place.path(), FullFolder::Accept); },
+                    testing::ThrowsMessage<OutputError>(
+                        testing::AllOf(HasSubstr("cannot restore"), HasSubstr(staging))));
+        EXPECT_EQ(content_of(place.path() / staging / "old/a.csv"), "old");
+        fs::remove_all(place.path() / staging);
     }
 }
 
@@ -86,11 +121,13 @@ TEST_F(KilledRunTest, CannotTouchFilesOutsideItsFolder)
     elsewhere.put("b.csv", "of another");
     fs::create_directory_symlink(elsewhere.path(), place.path() / "u");
     const std::string outside = (elsewhere.path() / "b.csv").string();
-    put(fs::path{staging} / "names", "wu/b.csv\0w" + outside + "\0w../b.csv\0wa.csv\0"s);
-    put(fs::path{staging} / "new/a.csv", "new");
-    const OutputFolder next{place.path(), FullFolder::Accept};
-    EXPECT_EQ(content_of(elsewhere.path() / "b.csv"), "of another");
-    EXPECT_FALSE(fs::exists(place.path() / staging));
+    for (const std::string& entry : {"nu/b.csv"s, "n" + outside, "n../b.csv"s}) {
+        put(fs::path{staging} / "names", entry + "\0na.csv\0"s);
+        put(fs::path{staging} / "new/a.csv", "new");
+        fs::create_directories(place.path() / staging / "old");
+        static_cast<void>(FolderChange{place.path(), place.path() / staging}.undo());
+        EXPECT_EQ(content_of(elsewhere.path() / "b.csv"), "of another");
+    }
 }
 
 TEST_F(KilledRunTest, StaysWhileItsProcessLives)

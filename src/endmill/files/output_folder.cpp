@@ -121,14 +121,9 @@ public:
     int append(std::string_view content)
     {
         const SizeSignalHeld held;
-        while (!content.empty()) {
-            const ssize_t count = ::write(descriptor_, content.data(), content.size());
-            if (count < 0 && errno != EINTR)
-                return errno;
-            const auto bytes = static_cast<std::size_t>(std::max<ssize_t>(count, 0));
-            content.remove_prefix(bytes);
-            bytes_ += bytes;
-        }
+        if (const int error = write_whole(descriptor_, content); error != 0)
+            return error;
+        bytes_ += content.size();
         start_flush();
         return 0;
     }
@@ -194,7 +189,10 @@ bool require_usable(const fs::path& path, FullFolder full)
     if (!fs::is_directory(status))
         throw DomainError{"output folder " + shown_path(path) +
                           " is a file; expected a new or empty folder"};
-    clear_abandoned_runs(path);
+    if (const fs::path left = clear_abandoned_runs(path); !left.empty())
+        throw OutputError{"cannot restore the output folder " + shown_path(path) +
+                          " after a run that was killed; " + shown_path(left) +
+                          " holds its old and new files"};
     const bool empty = fs::is_empty(path, error);
     if (error)
         fail_output("read the output folder", path, error.value());
@@ -381,7 +379,7 @@ void OutputFolder::make_staging()
         place = (path_.has_filename() ? path_ : path_.parent_path()).parent_path();
         if (place.empty())
             place = ".";
-        clear_abandoned_runs(place);
+        clear_abandoned_runs(place);  // those of other folders do not matter
     }
     staging->folder = StagingFolder{place, path_};
     const fs::path files = staging->folder.path() / "new";

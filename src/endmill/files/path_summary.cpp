@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <new>
 #include <stdexcept>
 #include <system_error>
 
@@ -163,9 +164,10 @@ struct ContentSha256::State {
 
 ContentSha256::ContentSha256() : state_{std::make_unique<State>()}
 {
+    // libcrypto has SHA-256: it fails only without memory.
     if (!state_->context ||
         EVP_DigestInit_ex(state_->context.get(), EVP_sha256(), nullptr) != 1)
-        throw std::runtime_error{"ContentSha256: libcrypto has no SHA-256"};
+        throw std::bad_alloc{};
 }
 
 ContentSha256::~ContentSha256() = default;

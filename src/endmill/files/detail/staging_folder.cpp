@@ -2,12 +2,11 @@
 #include "endmill/files/detail/staging_folder.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <ctime>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -34,20 +33,28 @@ constexpr std::string_view suffix = ".tmp";
 // s, after which a folder without a lock belongs to no process that is about to lock it.
 constexpr std::time_t locking_time_s = 10;
 
-// The names of a change, each with what is done to it, end with a zero byte, which no file
-// name contains.
-constexpr char written_mark = 'w';
-constexpr char removed_mark = 'r';
+// The values of Fate.
+constexpr std::string_view fates = "nord";
 
 bool is_summary(const fs::path& name)
 {
     return name.filename() == "summary.json";
 }
 
+// Whether there is a file or folder of this name.
+enum class Presence { Absent, Present, Unknown };
+
+Presence presence(const fs::path& path)
+{
+    struct stat status {};
+    if (::lstat(path.c_str(), &status) == 0)
+        return Presence::Present;
+    return errno == ENOENT || errno == ENOTDIR ? Presence::Absent : Presence::Unknown;
+}
+
 bool is_there(const fs::path& path)
 {
-    std::error_code ignored;
-    return fs::exists(fs::symlink_status(path, ignored));
+    return presence(path) == Presence::Present;
 }
 
 // The process number in ".endmill-PROCESS-COUNT.tmp"; nothing for another name.
@@ -69,74 +76,65 @@ std::optional<pid_t> process_of(const std::string& name)
     return static_cast<pid_t>(std::stoll(std::string{numbers.substr(0, dash)}));
 }
 
-// Locks a folder. \return a descriptor, or -1 if its process lives or it is no folder.
-int lock_of_abandoned(const fs::path& path, pid_t process)
+// The lock of a folder. Not all file systems have locks.
+bool is_without_locks(int error)
+{
+    return error == EOPNOTSUPP || error == ENOLCK || error == ENOSYS || error == EINVAL;
+}
+
+// A staging folder of a process that may be gone.
+struct Abandoned {
+    bool is_known = true;  // whether it could be found out
+    int lock = -1;         // descriptor; -1 if its process lives, or it is no folder
+};
+
+Abandoned lock_of_abandoned(const fs::path& path, pid_t process)
 {
     const int lock =
         ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
     if (lock < 0)
-        return -1;
+        return {errno == ENOENT || errno == ENOTDIR || errno == ELOOP, -1};
     struct stat status {};
     const bool is_locked = ::flock(lock, LOCK_EX | LOCK_NB) == 0;
     const bool is_held = !is_locked && errno == EWOULDBLOCK;
+    // A process locks its folder at once. Without the lock it has the number of another
+    // one that is gone.
     const bool is_old = is_locked && ::fstat(lock, &status) == 0 &&
                         std::time(nullptr) - status.st_mtime > locking_time_s;
     const bool lives =
         process != ::getpid() && (::kill(process, 0) == 0 || errno == EPERM);
     if (!is_held && (is_old || !lives))
-        return lock;
+        return {true, lock};
     ::close(lock);
-    return -1;
+    return {};
 }
 
-// The parts of a change, as they stand in its file of names.
-struct Names {
-    std::vector<fs::path> written;
-    std::vector<fs::path> removed;
-};
-
-// Names that lead out of the folder are left out: anybody may have written the file.
-Names read_names(const fs::path& file)
+// The content of a file; nothing if it cannot be read.
+std::optional<std::string> content(const fs::path& file)
 {
-    std::ifstream stream{file, std::ios::binary};
-    const std::string text{std::istreambuf_iterator<char>{stream}, {}};
-    Names names;
-    std::size_t begin = 0;
-    for (std::size_t end = text.find('\0'); end != std::string::npos;
-         begin = end + 1, end = text.find('\0', begin)) {
-        const std::string entry = text.substr(begin, end - begin);
-        if (entry.empty() || !is_plain_name(entry.substr(1)))
-            continue;
-        if (entry[0] == written_mark)
-            names.written.emplace_back(entry.substr(1));
-        else if (entry[0] == removed_mark)
-            names.removed.emplace_back(entry.substr(1));
-    }
-    return names;
-}
-
-void write_names(const fs::path& file, const Names& names)
-{
+    const int descriptor = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0)
+        return std::nullopt;
     std::string text;
-    for (const fs::path& name : names.written)
-        text += written_mark + name.string() + '\0';
-    for (const fs::path& name : names.removed)
-        text += removed_mark + name.string() + '\0';
-    const int descriptor =
-        ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-    int error = descriptor < 0 ? errno : 0;
-    for (std::string_view rest = text; error == 0 && !rest.empty();) {
-        const ssize_t count = ::write(descriptor, rest.data(), rest.size());
-        if (count < 0 && errno != EINTR)
-            error = errno;
-        rest.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    }
-    if (error == 0 && ::fsync(descriptor) != 0)
-        error = errno;
-    if (descriptor >= 0)
-        ::close(descriptor);
-    if (error != 0)
-        fail_output("write", file, error);
+    std::array<char, 4096> piece;
+    ssize_t count = 0;
+    do {
+        count = ::read(descriptor, piece.data(), piece.size());
+        if (count > 0)
+            text.append(piece.data(), static_cast<std::size_t>(count));
+    } while (count > 0 || (count < 0 && errno == EINTR));
+    ::close(descriptor);
+    return count == 0 ? std::optional{text} : std::nullopt;
+}
+
+// Removes a staging folder whose changes are complete or undone. The journal goes after the
+// old files, which nobody could put back without it.
+void remove_staging(const fs::path& staging)
+{
+    std::error_code error;
+    fs::remove_all(staging / "old", error);
+    if (!error)
+        fs::remove_all(staging, error);
 }
 
 // Removes the folders of `name` below `folder`, as far as they are empty.
@@ -149,6 +147,30 @@ void remove_empty_parents(const fs::path& folder, const fs::path& name)
 }
 
 }  // namespace
+
+// What a change does to a file or a folder. It is the first character of an entry of the
+// journal. Entries end with a zero byte, which no file name contains.
+enum class FolderChange::Fate : char {
+    New = 'n',       // a new file where there was none
+    Replaced = 'o',  // a new file in place of an old one
+    Removed = 'r',   // an old file that goes
+    Folder = 'd'     // a new folder
+};
+struct FolderChange::Entry {
+    Fate fate;
+    fs::path name;
+};
+
+int write_whole(int descriptor, std::string_view content)
+{
+    while (!content.empty()) {
+        const ssize_t count = ::write(descriptor, content.data(), content.size());
+        if (count < 0 && errno != EINTR)
+            return errno;
+        content.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    }
+    return 0;
+}
 
 void fail_output(const std::string& act, const fs::path& path, int error)
 {
@@ -201,10 +223,16 @@ StagingFolder::StagingFolder(const fs::path& place, const fs::path& shown)
     if (::mkdir(path.c_str(), 0777) != 0)
         fail_output("write to the output folder", shown, errno);
     path_ = std::move(path);
-    // Not all file systems have locks. There the process number tells who lives.
     lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (lock_ >= 0)
-        static_cast<void>(::flock(lock_, LOCK_EX | LOCK_NB));
+    int error = lock_ < 0 ? errno : 0;
+    // Another run may hold the lock for a moment to find out who owns the folder.
+    while (error == 0 && ::flock(lock_, LOCK_EX) != 0)
+        if (errno != EINTR)
+            error = errno;
+    if (error != 0 && !is_without_locks(error)) {
+        remove();
+        fail_output("lock the output folder", shown, error);
+    }
 }
 
 StagingFolder::StagingFolder(StagingFolder&& other) noexcept
@@ -235,9 +263,8 @@ void StagingFolder::release()
 void StagingFolder::remove() noexcept
 {
     try {
-        std::error_code ignored;
         if (!path_.empty())
-            fs::remove_all(path_, ignored);
+            remove_staging(path_);
     } catch (const std::exception&) {
         release();  // no memory; the next run removes the folder
         return;
@@ -254,25 +281,23 @@ FolderChange::FolderChange(fs::path folder, fs::path staging)
 void FolderChange::make(const std::vector<fs::path>& written,
                         const std::vector<fs::path>& removed, StagingFolder& staging)
 {
-    std::vector<fs::path> order = written;
-    std::ranges::stable_sort(order, {}, [](const fs::path& name) {
-        return !is_summary(name) ? 0 : name.has_parent_path() ? 1 : 2;
-    });
-    if (order.size() == 1 && removed.empty())
-        return publish(order[0]);  // one rename makes the change
-    write_names(staging_ / "names", {order, removed});
+    const Journal journal = journal_of(written, removed);
+    if (journal.size() == 1 && written.size() == 1)
+        return publish(written[0]);  // one rename makes the change
+    write(journal, staging_ / "names");
     if (::mkdir((staging_ / "old").c_str(), 0777) != 0)
         fail_output("write to the output folder", folder_, errno);
     try {
-        std::vector<fs::path> old = order;
-        std::ranges::reverse(old);
-        old.insert(old.end(), removed.begin(), removed.end());
-        std::stable_partition(old.begin(), old.end(), is_summary);
+        std::vector<fs::path> old;  // the summary of the whole result first
+        for (auto entry = journal.rbegin(); entry != journal.rend(); ++entry)
+            if (entry->fate == Fate::Replaced || entry->fate == Fate::Removed)
+                old.push_back(entry->name);
+        std::ranges::stable_partition(old, is_summary);
         for (const fs::path& name : old)
-            if (is_there(folder_ / name))
-                move_away(name);
-        for (const fs::path& name : order)
-            publish(name);
+            move_away(name);
+        for (const Entry& entry : journal)
+            if (entry.fate == Fate::New || entry.fate == Fate::Replaced)
+                publish(entry.name);
     } catch (...) {
         // What cannot be taken back now stays for the next run.
         if (!undo())
@@ -281,6 +306,71 @@ void FolderChange::make(const std::vector<fs::path>& written,
     }
     for (const fs::path& name : removed)
         remove_empty_parents(folder_, name);
+}
+
+// The new files in the order in which they are published, summaries last; then the files
+// that are removed and the folders that are missing, inner ones first.
+FolderChange::Journal FolderChange::journal_of(const std::vector<fs::path>& written,
+                                               const std::vector<fs::path>& removed) const
+{
+    std::vector<fs::path> order = written;
+    std::ranges::stable_sort(order, {}, [](const fs::path& name) {
+        return !is_summary(name) ? 0 : name.has_parent_path() ? 1 : 2;
+    });
+    Journal journal;
+    std::set<fs::path> folders;
+    for (const fs::path& name : order) {
+        const Presence old = presence(folder_ / name);
+        if (old == Presence::Unknown)
+            fail_output("replace", folder_ / name, errno);
+        journal.push_back({old == Presence::Present ? Fate::Replaced : Fate::New, name});
+        for (fs::path parent = name.parent_path(); !parent.empty();
+             parent = parent.parent_path())
+            if (!is_there(folder_ / parent))
+                folders.insert(parent);
+    }
+    for (const fs::path& name : removed)
+        if (is_there(folder_ / name))
+            journal.push_back({Fate::Removed, name});
+    for (auto folder = folders.rbegin(); folder != folders.rend(); ++folder)
+        journal.push_back({Fate::Folder, *folder});
+    return journal;
+}
+
+void FolderChange::write(const Journal& journal, const fs::path& file)
+{
+    std::string text;
+    for (const Entry& entry : journal)
+        text += static_cast<char>(entry.fate) + entry.name.string() + '\0';
+    const int descriptor =
+        ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    int error = descriptor < 0 ? errno : write_whole(descriptor, text);
+    if (error == 0 && ::fsync(descriptor) != 0)
+        error = errno;
+    if (descriptor >= 0)
+        ::close(descriptor);
+    if (error != 0)
+        fail_output("write", file, error);
+}
+
+// Returns nothing if the file cannot be read, or holds what `write` does not write: anybody
+// may have changed it.
+std::optional<FolderChange::Journal> FolderChange::journal_in(const fs::path& file)
+{
+    const std::optional<std::string> text = content(file);
+    if (!text || text->empty() || text->back() != '\0')
+        return std::nullopt;
+    Journal journal;
+    std::size_t begin = 0;
+    for (std::size_t end = text->find('\0'); end != std::string::npos;
+         begin = end + 1, end = text->find('\0', begin)) {
+        const std::string entry = text->substr(begin, end - begin);
+        if (entry.empty() || fates.find(entry[0]) == std::string_view::npos ||
+            !is_plain_name(entry.substr(1)))
+            return std::nullopt;
+        journal.push_back({static_cast<Fate>(entry[0]), entry.substr(1)});
+    }
+    return journal;
 }
 
 void FolderChange::move_away(const fs::path& name)
@@ -299,40 +389,56 @@ void FolderChange::publish(const fs::path& name)
         fail_output("write", target, error != 0 ? error : errno);
 }
 
-bool FolderChange::is_complete(const std::vector<fs::path>& written) const
+bool FolderChange::is_complete(const Journal& journal) const
 {
-    return std::ranges::none_of(
-        written, [&](const fs::path& name) { return is_there(staging_ / "new" / name); });
+    return std::ranges::all_of(journal, [&](const Entry& entry) {
+        return entry.fate == Fate::Removed || entry.fate == Fate::Folder ||
+               presence(staging_ / "new" / entry.name) == Presence::Absent;
+    });
 }
 
 bool FolderChange::undo()
 {
-    const Names names = read_names(staging_ / "names");
-    if (is_complete(names.written))
+    const Presence old = presence(staging_ / "old");
+    if (old == Presence::Absent)
+        return true;  // nothing was changed yet
+    const std::optional<Journal> journal = journal_in(staging_ / "names");
+    if (old == Presence::Unknown || !journal)
+        return false;
+    if (is_complete(*journal))
         return true;
     bool is_undone = true;
-    const auto take_back = [&](const fs::path& name) {
-        const fs::path kept = staging_ / "old" / name;
-        if (!lies_inside(staging_ / "old", name) || !is_there(kept))
-            return false;
-        if (make_folders(folder_, name) != 0 ||
-            ::rename(kept.c_str(), (folder_ / name).c_str()) != 0)
-            is_undone = false;
-        return true;
-    };
-    // The summary is taken back last.
-    for (auto name = names.written.begin(); name != names.written.end(); ++name) {
-        const bool is_published = !is_there(staging_ / "new" / *name);
-        if (!take_back(*name) && is_published && lies_inside(folder_, *name)) {
-            ::unlink((folder_ / *name).c_str());
-            remove_empty_parents(folder_, *name);
-        }
-    }
-    std::ranges::for_each(names.removed, take_back);
+    for (const Entry& entry : *journal)
+        is_undone = undo(entry) && is_undone;
     return is_undone;
 }
 
-void clear_abandoned_runs(const fs::path& folder)
+// Takes the old file back. A new file where there was none returns to the new ones.
+bool FolderChange::undo(const Entry& entry)
+{
+    const fs::path place = folder_ / entry.name;
+    if (entry.fate == Fate::Folder) {
+        ::rmdir(place.c_str());  // unless somebody has put something there
+        return true;
+    }
+    const fs::path kept = staging_ / "old" / entry.name;
+    const fs::path unpublished = staging_ / "new" / entry.name;
+    const Presence old = presence(kept);
+    if (old == Presence::Present)
+        return lies_inside(staging_ / "old", entry.name) &&
+               make_folders(folder_, entry.name) == 0 &&
+               ::rename(kept.c_str(), place.c_str()) == 0;
+    if (old == Presence::Absent && entry.fate != Fate::New)
+        return true;  // it is back, or was never moved
+    const Presence fresh = presence(unpublished);
+    if (old == Presence::Absent && fresh == Presence::Absent &&
+        lies_inside(folder_, entry.name) && is_there(place))
+        return make_folders(staging_ / "new", entry.name) == 0 &&
+               ::rename(place.c_str(), unpublished.c_str()) == 0;
+    return old == Presence::Absent && fresh != Presence::Unknown;
+}
+
+fs::path clear_abandoned_runs(const fs::path& folder)
 {
     std::error_code error;
     std::set<fs::path> found;
@@ -342,15 +448,18 @@ void clear_abandoned_runs(const fs::path& folder)
          !error && entry != fs::directory_iterator{}; entry.increment(error))
         if (is_staging_name(entry->path()))
             found.insert(entry->path());
+    fs::path left;
     for (const fs::path& staging : found) {
-        const int lock =
+        const auto [is_known, lock] =
             lock_of_abandoned(staging, *process_of(staging.filename().string()));
-        if (lock < 0)
-            continue;
-        if (FolderChange{folder, staging}.undo())
-            fs::remove_all(staging, error);
-        ::close(lock);
+        if (lock >= 0 && FolderChange{folder, staging}.undo())
+            remove_staging(staging);
+        else if (lock >= 0 || !is_known)
+            left = staging;
+        if (lock >= 0)
+            ::close(lock);
     }
+    return left;
 }
 
 }  // namespace endmill

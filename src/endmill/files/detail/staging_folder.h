@@ -2,7 +2,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace endmill {
@@ -25,7 +27,7 @@ public:
     /// The folder; empty if there is none.
     const std::filesystem::path& path() const { return path_; }
 
-    /// Forgets the folder, which has got another name.
+    /// Gives up ownership: the folder stays, unlocked.
     void release();
 
     /// Removes the folder and all its files, as far as possible.
@@ -41,7 +43,11 @@ private:
 ///
 ///     STAGING/new/NAME   a new file that is not published yet
 ///     STAGING/old/NAME   an old file, moved out of the way
-///     STAGING/names      the names of both
+///     STAGING/names      the journal: what is done to each file and folder
+///
+/// Nothing is changed before the journal is on the disk and STAGING/old exists. Undoing only
+/// renames files, each between two places, and removes empty folders. So it can be stopped at
+/// any time and repeated.
 ///
 /// No file named summary.json is in the folder while it is being changed: old ones go first,
 /// new ones come last.
@@ -58,11 +64,20 @@ public:
               const std::vector<std::filesystem::path>& removed, StagingFolder& staging);
 
     /// Undoes the changes, unless all new files are published.
-    /// \return false if something cannot be undone.
+    /// \return false if something cannot be undone, or if the journal cannot be read.
     bool undo();
 
 private:
-    bool is_complete(const std::vector<std::filesystem::path>& written) const;
+    enum class Fate : char;
+    struct Entry;
+    using Journal = std::vector<Entry>;
+
+    static std::optional<Journal> journal_in(const std::filesystem::path& file);
+    static void write(const Journal& journal, const std::filesystem::path& file);
+    Journal journal_of(const std::vector<std::filesystem::path>& written,
+                       const std::vector<std::filesystem::path>& removed) const;
+    bool is_complete(const Journal& journal) const;
+    bool undo(const Entry& entry);
     void move_away(const std::filesystem::path& name);
     void publish(const std::filesystem::path& name);
 
@@ -72,7 +87,8 @@ private:
 
 /// Undoes the unfinished changes of runs that were killed in `folder`, and removes their
 /// staging folders. Those of runs that still go on stay.
-void clear_abandoned_runs(const std::filesystem::path& folder);
+/// \return a staging folder whose changes cannot be undone; empty if there is none.
+std::filesystem::path clear_abandoned_runs(const std::filesystem::path& folder);
 
 /// Whether the name is that of a staging folder.
 bool is_staging_name(const std::filesystem::path& name);
@@ -85,6 +101,9 @@ bool is_plain_name(const std::filesystem::path& name);
 
 /// Creates the folders of `name` below `folder`. \return 0, or the error number.
 int make_folders(const std::filesystem::path& folder, const std::filesystem::path& name);
+
+/// Writes all of `content` to a descriptor. \return 0, or the error number.
+int write_whole(int descriptor, std::string_view content);
 
 /// Throws an OutputError "cannot ACT PATH: REASON" with the reason of the operating system.
 [[noreturn]] void fail_output(const std::string& act, const std::filesystem::path& path,
