@@ -221,7 +221,7 @@ ExitCode run_trim(const TrimOptions& given)
     OutputFolder folder{output_folder(input.file, "trim", options.common),
                         options.common.full_folder};
     folder.protect(input.file);
-    write_sections(input, folder);
+    write_sections(input, options, folder);
     const auto methods = trimming_methods();
     const auto method = std::ranges::find(methods, name, &TrimmingMethod::name);
     const Outcome outcome = method == methods.end()

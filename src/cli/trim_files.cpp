@@ -226,6 +226,7 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
                    const TrimOptions& options, OutputFolder& folder,
                    const std::string& prefix)
 {
+    const ProgressLine progress{"writing the trimmed curves", options.common};
     folder.write(prefix + "trimmed.csv", trimmed_csv(result.trimmed, planes_of(input)));
     folder.write(prefix + "loops.csv",
                  loops_csv(result.loops, options.explain ? LoopColumns::CauseAndRule
@@ -265,8 +266,10 @@ std::vector<std::string> section_pictures(const std::filesystem::path& folder)
 
 }  // namespace
 
-void write_sections(const TrimInput& input, OutputFolder& folder)
+void write_sections(const TrimInput& input, const TrimOptions& options,
+                    OutputFolder& folder)
 {
+    const ProgressLine progress{"writing the sections", options.common};
     std::vector<std::string> prefixes{""};
     for (const TrimmingMethod& method : trimming_methods())
         prefixes.push_back(std::string{method.name} + "/");

@@ -29,6 +29,7 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
 
 /// Writes sections.csv, and removes the files of an earlier run that this run does not
 /// write.
-void write_sections(const TrimInput& input, OutputFolder& folder);
+void write_sections(const TrimInput& input, const TrimOptions& options,
+                    OutputFolder& folder);
 
 }  // namespace endmill

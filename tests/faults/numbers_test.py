@@ -45,6 +45,5 @@ class ExtremeNumberTest(FaultTest):
         self.in_parallel(self.check, [with_random_options(seed, (2, 4), random_value) for seed in range(SEVERAL)])
 
 
-
 if __name__ == "__main__":
     unittest.main()

@@ -332,18 +332,23 @@ void OutputFolder::publish()
 void OutputFolder::abandon_all()
 {
     const std::scoped_lock lock{registry().mutex};
-    registry().abandoned = true;
-    // The files are only unlinked: threads that are writing continue on unnamed files.
-    for (void* folder : registry().folders)
-        static_cast<OutputFolder*>(folder)->abandon();
+    abandon_each();
 }
 
 void OutputFolder::abandon_all_unless_busy()
 {
-    if (!registry().mutex.try_lock())
-        return;
-    registry().mutex.unlock();
-    abandon_all();
+    const std::unique_lock lock{registry().mutex, std::try_to_lock};
+    if (lock)
+        abandon_each();
+}
+
+// The caller holds the registry's mutex. The files are only unlinked: threads that are
+// writing continue on unnamed files.
+void OutputFolder::abandon_each()
+{
+    registry().abandoned = true;
+    for (void* folder : registry().folders)
+        static_cast<OutputFolder*>(folder)->abandon();
 }
 
 // Creates the missing folders above the output folder, the outermost first. They are created
@@ -362,7 +367,8 @@ void OutputFolder::make_parents()
         if (failure == 0)
             created_folders_.push_back(missing.back());
         else if (!fs::is_directory(missing.back(), error))
-            fail_output("create the output folder", missing.back(), failure);
+            fail_output("create the output folder", missing.back(),
+                        failure == EEXIST ? ENOTDIR : failure);  // a link to nowhere
         missing.pop_back();
     }
 }

@@ -83,7 +83,7 @@ public:
     /// throws OutputError. Any thread may call it, a signal handler may not.
     static void abandon_all();
 
-    /// `abandon_all`, unless a thread is just using the list of folders.
+    /// Does the same, or nothing if a thread is just changing an output folder.
     static void abandon_all_unless_busy();
 
 private:
@@ -95,6 +95,7 @@ private:
     void check_target(const std::filesystem::path& target) const;
     bool is_input(const std::filesystem::path& target) const;
     std::vector<std::filesystem::path> leftovers() const;
+    static void abandon_each();
     void abandon();
 
     std::filesystem::path path_;

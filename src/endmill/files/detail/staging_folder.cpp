@@ -203,9 +203,13 @@ int make_folders(const fs::path& folder, const fs::path& name)
     fs::path path = folder;
     for (const fs::path& part : name.parent_path()) {
         path /= part;
-        if (!fs::is_directory(path, ignored) && ::mkdir(path.c_str(), 0777) != 0 &&
-            errno != EEXIST)
-            return errno;
+        if (fs::is_directory(path, ignored) || ::mkdir(path.c_str(), 0777) == 0)
+            continue;
+        const int error = errno;
+        if (error != EEXIST)
+            return error;
+        if (!fs::is_directory(path, ignored))  // else another run has just created it
+            return ENOTDIR;
     }
     return 0;
 }
@@ -292,7 +296,7 @@ void FolderChange::make(const std::vector<fs::path>& written,
         for (auto entry = journal.rbegin(); entry != journal.rend(); ++entry)
             if (entry->fate == Fate::Replaced || entry->fate == Fate::Removed)
                 old.push_back(entry->name);
-        std::ranges::stable_partition(old, is_summary);
+        std::stable_partition(old.begin(), old.end(), is_summary);
         for (const fs::path& name : old)
             move_away(name);
         for (const Entry& entry : journal)
