@@ -183,8 +183,7 @@ void ProgressLine::draw()
 
 void ProgressLine::print_line()
 {
-    const Estimate estimate = has_line_ ? Estimate::Sound : Estimate::Rough;
-    std::fprintf(stderr, "endmill: %s\n", text(estimate).c_str());
+    std::fprintf(stderr, "endmill: %s\n", text(Estimate::Rough).c_str());
     std::fflush(stderr);
     has_line_ = true;
     next_line_ = next_line_time();

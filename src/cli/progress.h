@@ -20,8 +20,8 @@ namespace endmill {
 /// may report progress.
 ///
 /// The time left follows from the share of the current work and the time that it took. It
-/// is omitted while the share is not known or too small for an estimate; an early line has a
-/// rough one.
+/// is omitted while the share is not known, and on a terminal also while the share is too
+/// small for a sound estimate.
 ///
 /// At most one line exists at a time. Nothing else is printed while it exists.
 class ProgressLine {

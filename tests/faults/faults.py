@@ -45,7 +45,6 @@ COMMANDS = {
                           "-o", "FOLDER"],
     "verify": ["verify", "PATH", "--resolution", "4", "--max-refine", "0", "--write-stock", "-o", "FOLDER"],
     "post": ["post", "PATH", "--feed", "800", "--spindle-rpm", "6000", "-o", "FOLDER"],
-    "post --arcs": ["post", "PATH", "--feed", "800", "--spindle-rpm", "6000", "--arcs", "-o", "FOLDER"],
     "feed": ["feed", "PATH", "--material", STEEL, "--flutes", "2", "--helix-deg", "30", "--max-force-n", "500",
              "-o", "FOLDER"],
     "setup": ["setup", MESH, "--machine", "W/caxyBz/T", "--sphere", "hex:4", "-o", "FOLDER"],
