@@ -22,10 +22,12 @@ double least_of(const Row& row, int count)
 {
     Lanes least;
     least.fill(infinite);
-    for (int first = 0; first < count; first += RayRows::lanes)
+    for (int first = 0; first < count; first += RayRows::lanes) {
+        ENDMILL_NOT_UNROLLED
         for (int lane = 0; lane < RayRows::lanes; ++lane)
             least[lane] =
                 select(row[first + lane] < least[lane], row[first + lane], least[lane]);
+    }
     return std::ranges::min(least);
 }
 
@@ -55,10 +57,12 @@ ENDMILL_WIDEST_REGISTERS
 double greatest(const Row& row, int count)
 {
     Lanes most{};
-    for (int first = 0; first < count; first += RayRows::lanes)
+    for (int first = 0; first < count; first += RayRows::lanes) {
+        ENDMILL_NOT_UNROLLED
         for (int lane = 0; lane < RayRows::lanes; ++lane)
             most[lane] =
                 select(row[first + lane] > most[lane], row[first + lane], most[lane]);
+    }
     return std::ranges::max(most);
 }
 
