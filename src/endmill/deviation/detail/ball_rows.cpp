@@ -202,7 +202,8 @@ bool enter_capsule(RayRows& rows, const BallMove& move, double number, Entries& 
 {
     const BallMove own = move;
     std::array<double, RayRows::lanes> open{};
-    for (int first = 0; first < rows.padded(); first += RayRows::lanes)
+    for (int first = 0; first < rows.padded(); first += RayRows::lanes) {
+        ENDMILL_NOT_UNROLLED
         for (int lane = 0; lane < RayRows::lanes; ++lane) {
             const int k = first + lane;
             const CapsuleEntry entry = capsule_entry(rows, own, k);
@@ -211,6 +212,7 @@ bool enter_capsule(RayRows& rows, const BallMove& move, double number, Entries& 
             entries.inside[k] = entry.inside;
             open[lane] = select(entry.open > open[lane], entry.open, open[lane]);
         }
+    }
     if (std::ranges::max(open) > 0)
         return true;
     for (int k = 0; k < rows.padded(); ++k)

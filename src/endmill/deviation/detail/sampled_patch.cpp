@@ -9,16 +9,20 @@
 #include "endmill/core/error.h"
 #include "endmill/mesh/triangle_tree.h"
 
-// The tree halves the grid of cells across its longer side down to single cells. Node k
-// of a range with n cells has its lower half at k + 1 and its upper half at k + n,
-// because a binary tree over n/2 cells has n - 1 nodes. A query descends into the nearer
-// half first, and skips a half whose disc is further away than the best place.
+// The tree halves the grid of cells across its longer side down to leaves of 2 by 2
+// cells. Smaller leaves would take longer to make than they save, because few queries
+// come as near as a leaf. Node k of a range with n leaves has its lower half at k + 1 and
+// its upper half at k + n, because a binary tree over n/2 leaves has n - 1 nodes. A query
+// descends into the nearer half first, and skips a half whose disc is further away than
+// the best place.
 
 namespace endmill {
 namespace {
 
 // Margin of the discs as a share of the largest coordinate; exceeds the rounding errors.
 constexpr double margin_share = 1e-12;
+// Greatest number of cells along a side of a leaf.
+constexpr int most_leaf_cells = 2;
 
 bool is_power_of_two(int count)
 {
@@ -40,13 +44,25 @@ SampledPatch::SampledPatch(std::vector<Vec3> points, int columns, int rows)
     for (const Vec3& at : points_)
         margin_ = std::max(margin_, margin_share * at.lpNorm<Eigen::Infinity>());
     const Range whole{0, 0, columns, rows};
-    discs_.reserve(2 * static_cast<std::size_t>(whole.cells()) - 1);
+    discs_.reserve(2 * whole.leaves() - 1);
     add(whole);
 }
 
 const Vec3& SampledPatch::point(int u, int v) const
 {
     return points_[static_cast<std::size_t>(v * (columns_ + 1) + u)];
+}
+
+bool SampledPatch::Range::is_leaf() const
+{
+    return std::max(high_u - low_u, high_v - low_v) <= most_leaf_cells;
+}
+
+std::size_t SampledPatch::Range::leaves() const
+{
+    const int columns = std::max(1, (high_u - low_u) / most_leaf_cells);
+    const int rows = std::max(1, (high_v - low_v) / most_leaf_cells);
+    return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
 }
 
 std::array<SampledPatch::Range, 2> SampledPatch::Range::halves() const
@@ -86,7 +102,7 @@ TangentDisc SampledPatch::around(const Range& range) const
 void SampledPatch::add(const Range& range)
 {
     discs_.push_back(around(range));
-    if (range.cells() > 1)
+    if (!range.is_leaf())
         for (const Range& half : range.halves())
             add(half);
 }
@@ -101,13 +117,12 @@ void SampledPatch::look(NearestSearch& search, std::size_t number) const
 void SampledPatch::look_into(NearestSearch& search, std::size_t number,
                              const Range& range, std::size_t node) const
 {
-    if (range.cells() == 1) {
-        look_at_cell(search, number, range);
+    if (range.is_leaf()) {
+        look_at_cells(search, number, range);
         return;
     }
     const std::array<Range, 2> halves = range.halves();
-    const std::array<std::size_t, 2> nodes{
-        node + 1, node + static_cast<std::size_t>(range.cells())};
+    const std::array<std::size_t, 2> nodes{node + 1, node + range.leaves()};
     const std::array<double, 2> squares{discs_[nodes[0]].squared_distance(search.place) *
                                             (1 - NearestSearch::square_rounding),
                                         discs_[nodes[1]].squared_distance(search.place) *
@@ -118,17 +133,20 @@ void SampledPatch::look_into(NearestSearch& search, std::size_t number,
             look_into(search, number, halves[half], nodes[half]);
 }
 
-void SampledPatch::look_at_cell(NearestSearch& search, std::size_t number,
-                                const Range& cell) const
+void SampledPatch::look_at_cells(NearestSearch& search, std::size_t number,
+                                 const Range& range) const
 {
-    const auto triangle =
-        2 * static_cast<std::size_t>(cell.low_v * columns_ + cell.low_u);
-    const Vec3& a = point(cell.low_u, cell.low_v);
-    const Vec3& b = point(cell.high_u, cell.low_v);
-    const Vec3& c = point(cell.high_u, cell.high_v);
-    const Vec3& d = point(cell.low_u, cell.high_v);
-    search.take(nearest_on_triangle(search.place, {a, b, c}), number, triangle);
-    search.take(nearest_on_triangle(search.place, {a, c, d}), number, triangle + 1);
+    for (int v = range.low_v; v < range.high_v; ++v)
+        for (int u = range.low_u; u < range.high_u; ++u) {
+            const auto triangle = 2 * static_cast<std::size_t>(v * columns_ + u);
+            const Vec3& a = point(u, v);
+            const Vec3& b = point(u + 1, v);
+            const Vec3& c = point(u + 1, v + 1);
+            const Vec3& d = point(u, v + 1);
+            search.take(nearest_on_triangle(search.place, {a, b, c}), number, triangle);
+            search.take(nearest_on_triangle(search.place, {a, c, d}), number,
+                        triangle + 1);
+        }
 }
 
 }  // namespace endmill

@@ -47,7 +47,7 @@ struct NearestSearch {
 };
 
 /// A piece of a surface, sampled by a grid of points with two triangles per cell, in a
-/// bounding volume hierarchy of tangent discs. It takes about 150 bytes per cell.
+/// bounding volume hierarchy of tangent discs. It takes about 60 bytes per cell.
 class SampledPatch {
 public:
     /// \param points in mm, (columns + 1) (rows + 1) of them, row by row.
@@ -67,7 +67,8 @@ private:
         int high_u;
         int high_v;
 
-        int cells() const { return (high_u - low_u) * (high_v - low_v); }
+        bool is_leaf() const;
+        std::size_t leaves() const;
         std::array<Range, 2> halves() const;
     };
 
@@ -76,7 +77,8 @@ private:
     void add(const Range& range);
     void look_into(NearestSearch& search, std::size_t number, const Range& range,
                    std::size_t node) const;
-    void look_at_cell(NearestSearch& search, std::size_t number, const Range& cell) const;
+    void look_at_cells(NearestSearch& search, std::size_t number,
+                       const Range& range) const;
 
     std::vector<Vec3> points_;
     int columns_;

@@ -80,6 +80,18 @@ Vec3 SurfaceTree::Cells::point(int u, int v) const
         .point;
 }
 
+std::vector<Vec3> SurfaceTree::Cells::points() const
+{
+    const auto parameters = [](int low, int high, int level) {
+        std::vector<double> at;
+        for (int part = low; part <= high; ++part)
+            at.push_back(std::ldexp(part, -level));
+        return at;
+    };
+    return surface->patch(column, row).places(parameters(low_u, high_u, level_u),
+                                              parameters(low_v, high_v, level_v));
+}
+
 // Splits the cells into pieces; the halves of a piece are consecutive.
 void SurfaceTree::add(const Cells& cells, const BendBounds& bounds)
 {
@@ -141,12 +153,7 @@ const SampledPatch& SurfaceTree::sample(std::size_t piece) const
     Sample& sample = samples_[piece];
     sample.make_once([&] {
         const Cells& cells = pieces_[piece];
-        std::vector<Vec3> points;
-        points.reserve(static_cast<std::size_t>(cells.high_u - cells.low_u + 1) *
-                       static_cast<std::size_t>(cells.high_v - cells.low_v + 1));
-        for (int v = cells.low_v; v <= cells.high_v; ++v)
-            for (int u = cells.low_u; u <= cells.high_u; ++u)
-                points.push_back(cells.point(u, v));
+        std::vector<Vec3> points = cells.points();
         sample.patch.emplace(std::move(points), cells.high_u - cells.low_u,
                              cells.high_v - cells.low_v);
     });

@@ -60,6 +60,8 @@ private:
         int high_v = 1 << level_v;
 
         Vec3 point(int u, int v) const;
+        // All corners of the cells, row by row.
+        std::vector<Vec3> points() const;
     };
     struct Sample {
         Once make_once = {};

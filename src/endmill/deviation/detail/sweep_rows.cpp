@@ -13,6 +13,8 @@ namespace {
 // Number of sweeps that are tested at a time.
 constexpr std::size_t block_size = 64;
 using Block = std::array<double, block_size>;
+// Number of `flat_radius` among the columns.
+constexpr std::size_t flat_radius_column = 8;
 
 // The half spaces of a block of sweeps. All but `size` are multiplied by `size`.
 struct Gaps {
@@ -171,13 +173,16 @@ SweepRows SweepRows::reduced(const RayBounds& rays) const
     visit_near(rays,
                [&](std::size_t row, const Gaps&, std::size_t) { kept.push_back(row); });
     SweepRows some{sweeps_};
-    some.numbers_.reserve(kept.size());
-    for (const std::size_t row : kept)
-        some.numbers_.push_back(numbers_[row]);
-    some.rows_.reserve(columns * kept.size());
-    for (std::size_t c = 0; c < columns; ++c)
+    some.numbers_.resize(kept.size());
+    some.rows_.resize(columns * kept.size());
+    for (std::size_t k = 0; k < kept.size(); ++k)
+        some.numbers_[k] = numbers_[kept[k]];
+    double* to = some.rows_.data();
+    for (std::size_t c = 0; c < columns; ++c) {
+        const double* from = column_begin(c);
         for (const std::size_t row : kept)
-            some.rows_.push_back(column_begin(c)[row]);
+            *to++ = from[row];
+    }
     return some;
 }
 
@@ -186,7 +191,9 @@ std::vector<NearSweep> SweepRows::near(const RayBounds& rays) const
     std::vector<NearSweep> found;
     visit_near(rays, [&](std::size_t row, const Gaps& gaps, std::size_t k) {
         const std::int32_t number = numbers_[row];
-        if (!(gaps.size[k] > 0) || gaps.lost[k] < 0) {
+        // Beyond the end of a move of a ball another half space would be little closer.
+        const bool is_flat = column_begin(flat_radius_column)[row] > 0;
+        if (!(gaps.size[k] > 0) || (is_flat && gaps.lost[k] < 0)) {
             found.push_back(
                 {number, half_space_beyond(sweeps_[static_cast<std::size_t>(number)],
                                            rays.centre)});

@@ -63,14 +63,14 @@ ENDMILL_WIDEST_REGISTERS
 void level_bull_heights(const TilePlace& place, const SweptMove& move, const Shape& shape,
                         TileHeights& heights)
 {
+    const TileOfMove cells{place, move};
     const double r = shape.r;
     const double length = move.length;
     const double z = move.z;
     for (int j = 0; j < side; ++j) {
-        const TileRow row = tile_row(place, j, move, shape.R);
+        ENDMILL_NOT_UNROLLED
         for (int i = 0; i < side; ++i) {
-            const double s = row.s[i];
-            const double e = row.e[i];
+            const auto [s, e] = cells.cell(i, j);
             const double rest = s - length;
             const double beyond = select(rest > 0, rest, 0);
             const double t = select(s < 0, s, beyond);
@@ -92,6 +92,7 @@ void heights_at_end(const double* __restrict tile, const TilePlace& place,
                     const SweptMove& move, Shape shape, double* __restrict heights,
                     double* __restrict open)
 {
+    const TileOfMove cells{place, move};
     const double m = move.slope;
     const double length = move.length;
     const double z = move.z + move.rise;
@@ -101,11 +102,12 @@ void heights_at_end(const double* __restrict tile, const TilePlace& place,
     const double lowest = smaller(move.z, z) + shape.r -
                           std::sqrt((shape.r - near_rim) * (shape.r + near_rim));
     for (int j = 0; j < side; ++j) {
-        const TileRow row = tile_row(place, j, move, shape.R);
+        ENDMILL_NOT_UNROLLED
         for (int i = 0; i < side; ++i) {
             const int k = j * side + i;
-            const double t = row.s[i] - length;
-            const double e = row.e[i];
+            const CellOfMove cell = cells.cell(i, j);
+            const double t = cell.s - length;
+            const double e = cell.e;
             const double distance = std::sqrt(e * e + t * t);
             const double out = distance - shape.c;
             const double a = select(out > 0, out, 0);
@@ -117,9 +119,8 @@ void heights_at_end(const double* __restrict tile, const TilePlace& place,
             const double rise = m * steep - a * t;
             const double above = (under - tile[k]) * steep - rise * length;
             const double tangent = select(rise > 0, above, 1);
-            const double missed =
-                larger(larger(t, -row.s[i] - shape.R), lowest - tile[k]);
-            const double left = select(row.q[i] >= 0, missed, 1);
+            const double missed = larger(larger(t, -cell.s - shape.R), lowest - tile[k]);
+            const double left = select(cell.q(shape.R) >= 0, missed, 1);
             heights[k] = select(distance <= shape.R, under, infinite);
             open[k] = select(distance <= shape.R, tangent, left);
         }
@@ -133,12 +134,12 @@ ENDMILL_WIDEST_REGISTERS
 void close_rising_cells(const TilePlace& place, const SweptMove& move, Shape shape,
                         double* __restrict open)
 {
+    const TileOfMove cells{place, move};
     const double slope2 = move.slope * std::abs(move.slope);
     for (int j = 0; j < side; ++j) {
-        const TileRow row = tile_row(place, j, move, shape.R);
+        ENDMILL_NOT_UNROLLED
         for (int i = 0; i < side; ++i) {
-            const double s = row.s[i];
-            const double e = row.e[i];
+            const auto [s, e] = cells.cell(i, j);
             const double distance2 = e * e + s * s;
             const double out = std::sqrt(distance2) - shape.c;
             const double a = select(out > 0, out, 0);

@@ -27,36 +27,116 @@ constexpr double rounding_share = 1e-13;
 // divided by it.
 constexpr double sum_of_squares = 8 * 42.0;
 
+// Places of the columns and rows, in cells from the middle of the tile.
+constexpr std::array<double, side> from_middle{-3.5, -2.5, -1.5, -0.5,
+                                               0.5,  1.5,  2.5,  3.5};
+
 // Fits a plane to the heights by least squares and raises it above all of them.
 ENDMILL_WIDEST_REGISTERS
 void fit_plane(const double* tile, double pitch, UpperPlane& top)
 {
     std::array<double, side> columns{};
     std::array<double, side> moments{};
-    for (int j = 0; j < side; ++j)
+    for (int j = 0; j < side; ++j) {
+        ENDMILL_NOT_UNROLLED
         for (int i = 0; i < side; ++i) {
             columns[i] += tile[j * side + i];
-            moments[i] += (j - 3.5) * tile[j * side + i];
+            moments[i] += from_middle[j] * tile[j * side + i];
         }
+    }
     double along_x = 0;
     double along_y = 0;
     for (int i = 0; i < side; ++i) {
-        along_x += (i - 3.5) * columns[i];
+        along_x += from_middle[i] * columns[i];
         along_y += moments[i];
     }
     const double rise_x = along_x / sum_of_squares;  // per cell
     const double rise_y = along_y / sum_of_squares;
+    std::array<double, side> rises;
     std::array<double, side> highest;
-    highest.fill(-std::numeric_limits<double>::infinity());
-    for (int j = 0; j < side; ++j)
+    for (int i = 0; i < side; ++i) {
+        rises[i] = from_middle[i] * rise_x;
+        highest[i] = -std::numeric_limits<double>::infinity();
+    }
+    for (int j = 0; j < side; ++j) {
+        ENDMILL_NOT_UNROLLED
         for (int i = 0; i < side; ++i) {
-            const double over =
-                tile[j * side + i] - ((i - 3.5) * rise_x + (j - 3.5) * rise_y);
+            const double over = tile[j * side + i] - (rises[i] + from_middle[j] * rise_y);
             highest[i] = over > highest[i] ? over : highest[i];
         }
+    }
     top.slope_x = rise_x / pitch;
     top.slope_y = rise_y / pitch;
     top.z = *std::ranges::max_element(highest);
+}
+
+// Tests the moves of a disc of radius `c`, or of a ball if `is_ball`: then nothing is
+// divided, and only the length of |v|^2 is needed.
+template <bool is_ball>
+[[gnu::always_inline]] inline void test_moves(const UpperPlane& top,
+                                              const MoveBatch& batch,
+                                              const SweptDisc& disc, MoveRange range,
+                                              std::uint8_t* touches)
+{
+    const double c = is_ball ? 0 : disc.flat_radius;
+    const double top_z = top.z - disc.above;
+    const double half = top.half_width;
+    for (int k = range.first; k < range.last; ++k) {
+        // p: from the middle of the disc at the start of the move to the middle of the
+        // tile.
+        const double px = top.x - batch.x[k];
+        const double py = top.y - batch.y[k];
+        const double pz = top_z - batch.z[k];
+        const double dx = batch.dx[k];
+        const double dy = batch.dy[k];
+        const double dz = batch.dz[k];
+        const double nearest = (px * dx + py * dy + pz * dz) * batch.per_length2[k];
+        const double positive = select(nearest > 0, nearest, 0);
+        const double share = select(positive < 1, positive, 1);
+        double vx = px - share * dx;
+        double vy = py - share * dy;
+        double vz = pz - share * dz;
+        // v: from the nearest point of the disc to the middle of the tile. Its upward
+        // part is removed, because everything above the disc is swept too.
+        double beside = 0;
+        double beside2 = vx * vx + vy * vy;
+        if constexpr (!is_ball) {
+            const double across = std::sqrt(beside2);
+            beside = select(across > c, across - c, 0);
+            const double kept = select(across > c, beside / across, 0);
+            vx *= kept;
+            vy *= kept;
+            beside2 = beside * beside;
+        }
+        vz = vz < 0 ? vz : 0;
+        const double at_start = vx * px + vy * py + vz * pz;
+        const double turn = vx * dx + vy * dy + vz * dz;
+        const double least = select(turn > 0, at_start - turn, at_start);
+        const double tilt_x = std::abs(vx + vz * top.slope_x);
+        const double tilt_y = std::abs(vy + vz * top.slope_y);
+        const double r = disc.corner_radius + top.margin +
+                         rounding_share * (std::abs(px) + std::abs(py) + std::abs(pz));
+        // The sweep is clear if `apart` exceeds r |v|. Comparing the squares with their
+        // signs avoids the root.
+        const double apart = least - (tilt_x + tilt_y) * half - c * beside;
+        const double v2 = beside2 + vz * vz;
+        const bool is_clear = apart * std::abs(apart) > r * r * v2;
+        touches[k] = is_clear ? 0 : 1;
+    }
+}
+
+ENDMILL_WIDEST_REGISTERS
+void test_balls(const UpperPlane& top, const MoveBatch& batch, const SweptDisc& disc,
+                MoveRange range, std::uint8_t* touches)
+{
+    test_moves<true>(top, batch, disc, range, touches);
+}
+
+ENDMILL_WIDEST_REGISTERS
+void test_discs(const UpperPlane& top, const MoveBatch& batch, const SweptDisc& disc,
+                MoveRange range, std::uint8_t* touches)
+{
+    test_moves<false>(top, batch, disc, range, touches);
 }
 
 }  // namespace
@@ -142,50 +222,13 @@ void MoveBatch::add(const SweptMove& move, std::uint32_t its_number)
     ++count;
 }
 
-ENDMILL_WIDEST_REGISTERS
 void may_touch(const UpperPlane& top, const MoveBatch& batch, const SweptDisc& disc,
                MoveRange range, std::uint8_t* touches)
 {
-    const double c = disc.flat_radius;
-    const double top_z = top.z - disc.above;
-    const double half = top.half_width;
-    for (int k = range.first; k < range.last; ++k) {
-        // p: from the middle of the disc at the start of the move to the middle of the
-        // tile.
-        const double px = top.x - batch.x[k];
-        const double py = top.y - batch.y[k];
-        const double pz = top_z - batch.z[k];
-        const double dx = batch.dx[k];
-        const double dy = batch.dy[k];
-        const double dz = batch.dz[k];
-        const double nearest = (px * dx + py * dy + pz * dz) * batch.per_length2[k];
-        const double positive = select(nearest > 0, nearest, 0);
-        const double share = select(positive < 1, positive, 1);
-        double vx = px - share * dx;
-        double vy = py - share * dy;
-        double vz = pz - share * dz;
-        // v: from the nearest point of the disc to the middle of the tile. Its upward
-        // part is removed, because everything above the disc is swept too.
-        const double across = std::sqrt(vx * vx + vy * vy);
-        const double beside = select(across > c, across - c, 0);
-        const double kept = select(across > c, beside / across, 0);
-        vx *= kept;
-        vy *= kept;
-        vz = vz < 0 ? vz : 0;
-        const double at_start = vx * px + vy * py + vz * pz;
-        const double turn = vx * dx + vy * dy + vz * dz;
-        const double least = select(turn > 0, at_start - turn, at_start);
-        const double tilt_x = std::abs(vx + vz * top.slope_x);
-        const double tilt_y = std::abs(vy + vz * top.slope_y);
-        const double r = disc.corner_radius + top.margin +
-                         rounding_share * (std::abs(px) + std::abs(py) + std::abs(pz));
-        // The sweep is clear if `apart` exceeds r |v|. Comparing the squares with their
-        // signs avoids the root.
-        const double apart = least - (tilt_x + tilt_y) * half - c * beside;
-        const double v2 = beside * beside + vz * vz;
-        const bool is_clear = apart * std::abs(apart) > r * r * v2;
-        touches[k] = is_clear ? 0 : 1;
-    }
+    if (disc.flat_radius > 0)
+        test_discs(top, batch, disc, range, touches);
+    else
+        test_balls(top, batch, disc, range, touches);
 }
 
 }  // namespace endmill

@@ -12,31 +12,25 @@ namespace {
 
 constexpr int side = HeightStock::tile_side;
 
-// Lowers the cells of a tile to `heights`, but not below the bottom, and stores the
-// depths of the cut.
+// Lowers the cells of a tile to `heights`, but not below the bottom. The depths are summed
+// in eight columns, so that every register width adds in the same order.
 ENDMILL_WIDEST_REGISTERS
-void lower(double* __restrict tile, double bottom_z, const double* __restrict heights,
-           double* __restrict depths)
-{
-    for (int k = 0; k < HeightStock::tile_size; ++k) {
-        const double before = tile[k];
-        const double left = heights[k] > bottom_z ? heights[k] : bottom_z;
-        const double after = left < before ? left : before;
-        tile[k] = after;
-        depths[k] = before - after;
-    }
-}
-
-// Sums the depths in eight columns, so that every register width adds in the same order.
-TileCut sum_of(const TileHeights& depths)
+TileCut lower(double* __restrict tile, double bottom_z, const double* __restrict heights)
 {
     std::array<double, side> sums{};
     std::array<double, side> deepest{};
-    for (int k = 0; k < HeightStock::tile_size; k += side)
+    for (int k = 0; k < HeightStock::tile_size; k += side) {
+        ENDMILL_NOT_UNROLLED
         for (int i = 0; i < side; ++i) {
-            sums[i] += depths[k + i];
-            deepest[i] = depths[k + i] > deepest[i] ? depths[k + i] : deepest[i];
+            const double before = tile[k + i];
+            const double left = heights[k + i] > bottom_z ? heights[k + i] : bottom_z;
+            const double after = left < before ? left : before;
+            const double depth = before - after;
+            tile[k + i] = after;
+            sums[i] += depth;
+            deepest[i] = depth > deepest[i] ? depth : deepest[i];
         }
+    }
     TileCut cut{0, 0};
     for (int i = 0; i < side; ++i) {
         cut.depths += sums[i];
@@ -57,9 +51,7 @@ TileCut cut_tile(HeightStock::Tile tile, const TilePlace& place, const Cutter& c
         flat_heights(place, move, cutter.radius(), heights);
     else
         bull_heights(tile, place, cutter, move, heights);
-    TileHeights depths;
-    lower(tile.data(), place.bottom_z, heights.data(), depths.data());
-    return sum_of(depths);
+    return lower(tile.data(), place.bottom_z, heights.data());
 }
 
 double body_depth(HeightStock::ConstTile tile, const TilePlace& place,

@@ -29,33 +29,50 @@ inline double select(bool is_first, double first, double second)
     return is_first ? first : second;
 }
 
-/// The cells of a row in the coordinates of a move: s along it, e across it, both from
-/// its start as in `StraightSweep`, and q = R^2 - e^2.
-///
-/// Every loop over a row computes all cases and selects one, and takes roots of absolute
-/// values. This lets the compiler process several cells at once, with the same bits for
-/// any number of them.
-struct TileRow {
-    std::array<double, HeightStock::tile_side> s;  ///< mm, along the move
-    std::array<double, HeightStock::tile_side> e;  ///< mm, across the move
-    std::array<double, HeightStock::tile_side> q;  ///< mm^2, R^2 - e^2
+/// A cell in the coordinates of a move: s along it and e across it, both from its start
+/// as in `StraightSweep`.
+struct CellOfMove {
+    double s;  ///< mm
+    double e;  ///< mm
+
+    /// Returns R^2 - e^2 in mm^2 for a cutter of radius R: below 0 the cutter does not
+    /// reach the cell.
+    double q(double R) const { return (R - e) * (R + e); }
 };
 
-/// Returns row `j` of a tile.
-/// \param R radius of the cutter, mm.
-inline TileRow tile_row(const TilePlace& place, int j, const SweptMove& move, double R)
-{
-    TileRow row;
-    const double dy = place.y[j] - move.y;
-    for (int i = 0; i < HeightStock::tile_side; ++i) {
-        const double dx = place.x[i] - move.x;
-        const double e = dy * move.direction_x - dx * move.direction_y;
-        row.s[i] = dx * move.direction_x + dy * move.direction_y;
-        row.e[i] = e;
-        row.q[i] = (R - e) * (R + e);
+/// The cells of a tile in the coordinates of a move. Each coordinate is the sum of a part
+/// of the column and a part of the row, so that little is left to compute for a cell.
+///
+/// Every loop over the cells computes all cases and selects one, and takes roots of
+/// absolute values. This lets the compiler process several cells at once, with the same
+/// bits for any number of them.
+class TileOfMove {
+public:
+    TileOfMove(const TilePlace& place, const SweptMove& move)
+    {
+        for (int i = 0; i < HeightStock::tile_side; ++i) {
+            const double dx = place.x[i] - move.x;
+            const double dy = place.y[i] - move.y;
+            column_s_[i] = dx * move.direction_x;
+            column_e_[i] = dx * move.direction_y;
+            row_s_[i] = dy * move.direction_y;
+            row_e_[i] = dy * move.direction_x;
+        }
     }
-    return row;
-}
+
+    /// The cell in column `i` of row `j`.
+    CellOfMove cell(int i, int j) const
+    {
+        return {column_s_[i] + row_s_[j], row_e_[j] - column_e_[i]};
+    }
+
+private:
+    using Parts = std::array<double, HeightStock::tile_side>;  // mm
+    Parts column_s_;
+    Parts column_e_;
+    Parts row_s_;
+    Parts row_e_;
+};
 
 /// Computes `StraightSweep::height` of a ball of radius R at the centres of the cells, in
 /// mm. It is infinite where the ball does not pass.
