@@ -88,8 +88,8 @@ std::vector<Vec3> SurfaceTree::Cells::points() const
             at.push_back(std::ldexp(part, -level));
         return at;
     };
-    return surface->patch(column, row).places(parameters(low_u, high_u, level_u),
-                                              parameters(low_v, high_v, level_v));
+    return surface->patch(column, row)
+        .places(parameters(low_u, high_u, level_u), parameters(low_v, high_v, level_v));
 }
 
 // Splits the cells into pieces; the halves of a piece are consecutive.
