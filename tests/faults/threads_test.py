@@ -8,6 +8,8 @@ from faults import COMMANDS, IS_LONG, FaultTest, difference, usual_value, with_r
 RANDOM_CASES = 600 if IS_LONG else 8  # with seeds from 0 on
 NUMBERS = range(2, 9) if IS_LONG else (2, 8)
 SECONDS = 60
+# Options that set the threads themselves, or make a run write the times that it took.
+VARYING = ("--threads", "--repeat")
 
 
 class ThreadsTest(FaultTest):
@@ -24,7 +26,7 @@ class ThreadsTest(FaultTest):
 
     def check(self, name, *options):
         """Returns the number of runs if they write files, else 0."""
-        options = [option for option in options if not option.startswith("--threads")]
+        options = [option for option in options if not option.startswith(VARYING)]
         expected = self.run_on(1, name, *options)
         if expected is None:  # a random option makes the work too long
             return 0

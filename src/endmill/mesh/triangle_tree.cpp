@@ -501,23 +501,22 @@ double TriangleTree::mean_leaf_diagonal() const
     return leaves_.empty() ? 0 : sum / static_cast<double>(leaves_.size());
 }
 
-// Prefetches a node, and its leaves if it has leaves. Searches at scattered places find
-// few of them in the nearest caches.
-void TriangleTree::prefetch_node(std::size_t level, std::size_t node) const
+// Prefetches a node, and its leaves if it has leaves, or the points of a leaf if the level
+// is -1. Searches at scattered places find few of them in the nearest caches.
+void TriangleTree::prefetch(std::int32_t level, std::size_t node) const
 {
+    if (level < 0) {
+        for (const Triangle& triangle : leaves_[node].corners)
+            for (const std::int32_t corner : triangle)
+                __builtin_prefetch(&mesh_->points()[corner]);
+        return;
+    }
     const Boxes& boxes = levels_[level][node];
     __builtin_prefetch(&boxes.low);
     __builtin_prefetch(&boxes.high[2]);
     const std::size_t end = level == 0 ? (node + 1) * fan_out : 0;
     for (std::size_t leaf = node * fan_out; leaf < std::min(end, leaves_.size()); ++leaf)
         __builtin_prefetch(&leaves_[leaf]);
-}
-
-void TriangleTree::prefetch_points(std::size_t leaf) const
-{
-    for (const Triangle& triangle : leaves_[leaf].corners)
-        for (const std::int32_t corner : triangle)
-            __builtin_prefetch(&mesh_->points()[corner]);
 }
 
 // Traverses the tree from the root. Children are visited in the order of their bounds,
@@ -557,10 +556,7 @@ void TriangleTree::ask(Query& query) const
             for (; place > before && waiting[place - 1].bound < bounds[k]; --place)
                 waiting[place] = waiting[place - 1];
             waiting[place] = {bounds[k], next.node * 4 + k, next.level - 1};
-            if (next.level == 0)
-                prefetch_points(waiting[place].node);
-            else
-                prefetch_node(next.level - 1, waiting[place].node);
+            prefetch(next.level - 1, waiting[place].node);
         }
     }
 }

@@ -128,8 +128,7 @@ private:
     template <typename Query>
     void ask(Query& query) const;
     double mean_leaf_diagonal() const;
-    void prefetch_node(std::size_t level, std::size_t node) const;
-    void prefetch_points(std::size_t leaf) const;
+    void prefetch(std::int32_t level, std::size_t node) const;
 
     const TriangleMesh* mesh_;
     double largest_coordinate_ = 0;  // mm

@@ -50,7 +50,9 @@ SampledPatch::SampledPatch(std::vector<Vec3> points, int columns, int rows)
 
 const Vec3& SampledPatch::point(int u, int v) const
 {
-    return points_[static_cast<std::size_t>(v * (columns_ + 1) + u)];
+    return points_[static_cast<std::size_t>(v) *
+                       (static_cast<std::size_t>(columns_) + 1) +
+                   static_cast<std::size_t>(u)];
 }
 
 bool SampledPatch::Range::is_leaf() const

@@ -81,12 +81,14 @@ std::vector<std::int32_t> duplicate_triangles(const EdgeUses& edges)
     struct Side {
         std::int32_t triangle;
         std::int32_t high;
+        // NOLINTNEXTLINE(modernize-use-nullptr): no pointer is there
         auto operator<=>(const Side&) const = default;
     };
     struct Corners {
         std::int32_t middle;
         std::int32_t high;
         std::int32_t triangle;
+        // NOLINTNEXTLINE(modernize-use-nullptr)
         auto operator<=>(const Corners&) const = default;
     };
     std::vector<std::int32_t> found;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -101,12 +102,12 @@ public:
     {
         keep();
         std::vector<WindingBorder> borders;
-        for (auto edge = arrangement_.halfedges_begin();
-             edge != arrangement_.halfedges_end(); ++edge)
+        for (auto edge = arrangement_->halfedges_begin();
+             edge != arrangement_->halfedges_end(); ++edge)
             if (is_result(edge) && !previous(edge))
                 borders.push_back(border_from(edge, false));
-        for (auto edge = arrangement_.halfedges_begin();
-             edge != arrangement_.halfedges_end(); ++edge)
+        for (auto edge = arrangement_->halfedges_begin();
+             edge != arrangement_->halfedges_end(); ++edge)
             if (is_result(edge) && !edge->data())
                 borders.push_back(border_from(edge, true));
         return borders;
@@ -156,9 +157,17 @@ private:
             }
             begin = end;
         }
-        CGAL::insert(arrangement_, segments.begin(), segments.end());
-        for (auto edge = arrangement_.halfedges_begin();
-             edge != arrangement_.halfedges_end(); ++edge)
+        // CGAL cannot destroy an arrangement whose construction failed for lack of memory.
+        auto made = std::make_unique<Arrangement>();
+        try {
+            CGAL::insert(*made, segments.begin(), segments.end());
+        } catch (...) {
+            static_cast<void>(made.release());
+            throw;
+        }
+        arrangement_ = std::move(made);
+        for (auto edge = arrangement_->halfedges_begin();
+             edge != arrangement_->halfedges_end(); ++edge)
             edge->set_data(false);
     }
 
@@ -168,9 +177,9 @@ private:
     std::int32_t index_outside()
     {
         std::optional<Halfedge> leftmost;
-        for (auto edge = arrangement_.halfedges_begin();
-             edge != arrangement_.halfedges_end(); ++edge)
-            if (edge->face() == arrangement_.unbounded_face() && fall(edge) != 0 &&
+        for (auto edge = arrangement_->halfedges_begin();
+             edge != arrangement_->halfedges_end(); ++edge)
+            if (edge->face() == arrangement_->unbounded_face() && fall(edge) != 0 &&
                 edge->twin()->face() != edge->face() &&
                 (!leftmost || lesser_end(edge) < lesser_end(*leftmost)))
                 leftmost = edge;
@@ -185,17 +194,17 @@ private:
     void keep()
     {
         FaceRule rule{0, 0, open_.empty() ? index_outside() : 0, !open_.empty()};
-        for (auto face = arrangement_.faces_begin(); face != arrangement_.faces_end();
+        for (auto face = arrangement_->faces_begin(); face != arrangement_->faces_end();
              ++face)
             face->set_data({rule.count++, false});
-        rule.outer = arrangement_.unbounded_face()->data().number;
+        rule.outer = arrangement_->unbounded_face()->data().number;
         std::vector<FaceStep> steps;
-        for (auto edge = arrangement_.halfedges_begin();
-             edge != arrangement_.halfedges_end(); ++edge)
+        for (auto edge = arrangement_->halfedges_begin();
+             edge != arrangement_->halfedges_end(); ++edge)
             steps.push_back({edge->face()->data().number,
                              edge->twin()->face()->data().number, fall(edge)});
         const std::vector<bool> is_kept = kept_faces(steps, rule);
-        for (auto face = arrangement_.faces_begin(); face != arrangement_.faces_end();
+        for (auto face = arrangement_->faces_begin(); face != arrangement_->faces_end();
              ++face)
             face->set_data({face->data().number, is_kept[face->data().number]});
     }
@@ -328,7 +337,7 @@ private:
 
     const PlanePoints& plane_;
     std::span<const SectionPoint> points_;
-    Arrangement arrangement_;
+    std::unique_ptr<Arrangement> arrangement_;
     std::vector<OpenCurve> open_;
 };
 
