@@ -103,9 +103,9 @@ bool CutRays::may_matter(const Cutter& cutter, const Vec3& nearest, double margi
                                     length);
 }
 
-// Whether a sweep in this half space could shorten a ray that is `margin` longer than it is now, or a ray
-// that close beside it. `short_by` receives the distance of each ray from the sweep's
-// half space; below 0 the sweep may reach it.
+// Whether a sweep in this half space could shorten a ray that is `margin` longer than it
+// is now, or a ray that close beside it. `short_by` receives the distance of each ray from
+// the half space; below 0 the sweep may reach the ray.
 bool CutRays::may_reach(const HalfSpace& half, const Cutter& cutter, double margin,
                         RayRows::Row& short_by) const
 {

@@ -175,8 +175,8 @@ private:
     }
 
     // Skips the blocks of segments from `vertex` on that lie below the envelope, and
-    // returns the vertex behind them. After a block that does not, the next test waits
-    // for as many segments.
+    // returns the vertex behind them. If a block does not lie below it, the next
+    // `block_size` segments are not tested.
     std::int32_t skip_buried(std::int32_t vertex, std::int32_t end)
     {
         while (vertex >= next_test_ && vertex + block_size < end) {
@@ -217,7 +217,7 @@ private:
 
     // Adds the segments of the pieces of `half` from the finger to `end`, a value of s.
     // Both are negated if `direction` is -1. Returns false if the pieces do not reach it,
-    // or if there are too many of them for the test to pay.
+    // or if there are so many that the test would take longer than it saves.
     bool add_pieces(const std::vector<EnvelopePiece>& half, double direction, double end,
                     ShearedRange& range) const
     {
