@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// \file
+/// All public headers of the module `strategy`.
+
+#include "endmill/strategy/strategy.h"

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "endmill/cutter/cutter.h"
+#include "endmill/strategy/detail/part_samples.h"
+#include "endmill/strategy/detail/reach.h"
+
+namespace endmill {
+
+/// Walks over the neighbourhoods of samples without visiting a sample twice in a walk.
+class SampleWalk {
+public:
+    explicit SampleWalk(const PartSamples& samples)
+        : samples_{&samples},
+          mark_(samples.size(), 0)
+    {
+    }
+
+    /// Calls `visit(i)` for the samples of `seeds`, and for the neighbours of each sample
+    /// for which it returned true.
+    template <typename Visit>
+    void from(std::span<const std::int32_t> seeds, Visit&& visit)
+    {
+        begin();
+        for (const std::int32_t seed : seeds)
+            enter(seed);
+        for (std::size_t next = 0; next < queue_.size(); ++next)
+            if (const std::int32_t i = queue_[next]; visit(i))
+                for (const std::int32_t neighbour : samples_->neighbours(i))
+                    enter(neighbour);
+    }
+
+private:
+    void begin()
+    {
+        queue_.clear();
+        if (++walk_ == 0) {
+            std::fill(mark_.begin(), mark_.end(), 0);
+            walk_ = 1;
+        }
+    }
+
+    void enter(std::int32_t i)
+    {
+        if (mark_[i] == walk_)
+            return;
+        mark_[i] = walk_;
+        queue_.push_back(i);
+    }
+
+    const PartSamples* samples_;
+    std::vector<std::uint32_t> mark_;
+    std::uint32_t walk_ = 0;
+    std::vector<std::int32_t> queue_;
+};
+
+/// A place that no move covers.
+struct MissedPlace {
+    SurfacePoint at;       ///< parameters
+    std::int32_t near;     ///< number of a sample beside it
+    double gap;            ///< beyond the reach of the nearest move, mm
+};
+
+/// What the moves of a path have covered so far. The gap of a sample is the amount by
+/// which the sample, raised along its normal by the scallop height, lies beyond the reach
+/// of the nearest move; see beyond_reach. A sample is covered if its gap is not positive.
+/// Source: docs/methods/economy.md, section 1.
+class Coverage {
+public:
+    /// \param samples of the part, with the tool axis along +z; must outlive this object.
+    /// \param cutter  the ball.
+    /// \param height  scallop height h in mm.
+    Coverage(const PartSamples& samples, const BallCutter& cutter, double height);
+
+    /// Adds the straight moves of a pass, and remembers the gaps that they change.
+    /// \param pass     contacts in order.
+    /// \param is_closed whether a move leads from the last contact back to the first.
+    void add(std::span<const PassContact> pass, bool is_closed);
+
+    /// Takes back the moves that were added since the last `accept` or `withdraw`.
+    void withdraw();
+    /// Keeps the moves that were added since.
+    void accept()
+    {
+        changes_.clear();
+        accepted_moves_ = moves_.size();
+    }
+    /// The samples whose gap has come down to `slack` mm or below since the last `accept` or
+    /// `withdraw`.
+    std::vector<std::int32_t> newly_covered(double slack) const;
+
+    /// Measures the gaps of these places too, from the next `add` on. Between samples they
+    /// tell what the samples miss.
+    void watch(std::span<const SampleEdge> places);
+    /// The gaps of the watched places by the moves since `watch` or `withdraw`, mm; R where
+    /// no move is near.
+    std::span<const double> watched_gaps() const { return watched_gaps_; }
+
+    /// Places between the samples of a triangle that are not covered, where its samples are.
+    /// A triangle is covered if one move covers its corners: what a move covers is convex.
+    /// Otherwise the triangle is divided into four, down to a sixteenth of its sides. The
+    /// curvature of the surface within a part is neglected.
+    /// \param triangles numbers of triangles.
+    /// \param slack     a gap of at most this many mm counts as covered.
+    std::vector<MissedPlace> missed(std::span<const std::int32_t> triangles,
+                                    double slack) const;
+
+    std::span<const double> gaps() const { return gaps_; }  ///< of all samples, mm
+    const PartSamples& samples() const { return *samples_; }
+    const BallCutter& cutter() const { return cutter_; }
+    double height() const { return height_; }  ///< mm
+
+    /// The point that a ball must reach to cover sample i, mm.
+    const Vec3& raised(std::size_t i) const { return raised_[i]; }
+
+    /// Centre of the ball at sample i, mm.
+    Vec3 centre(std::size_t i) const
+    {
+        return samples_->point(i) + cutter_.radius() * samples_->normal(i);
+    }
+
+private:
+    // A watched place; places at one sample are linked.
+    struct Watched {
+        Vec3 raised;
+        std::int32_t next;  // at the same sample, or -1
+    };
+
+    // The state of a sample before a change.
+    struct Change {
+        std::int32_t sample;
+        double gap;
+        std::int32_t move;
+    };
+
+    void add_move(const PassContact& from, const PassContact& to);
+
+    const PartSamples* samples_;
+    BallCutter cutter_;
+    double height_;
+    std::vector<Vec3> raised_;
+    std::vector<double> gaps_;
+    std::vector<UprightSweep> moves_;
+    std::size_t accepted_moves_ = 0;
+    std::vector<std::int32_t> nearest_move_;  // of each sample, or -1
+    std::vector<Change> changes_;
+    SampleWalk walk_;
+    std::vector<Watched> watched_;
+    std::vector<double> watched_gaps_;
+    std::vector<std::int32_t> first_watched_;  // at each sample, or -1
+    std::vector<std::int32_t> watching_;       // samples with watched places
+};
+
+}  // namespace endmill
