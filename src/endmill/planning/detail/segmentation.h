@@ -42,7 +42,7 @@ struct Segmentation {
     std::size_t moves;         ///< number of moves
     std::size_t longest_move;  ///< most samples by which a move advances
     std::size_t tested_moves;  ///< calls of the test
-    bool is_exact;             ///< whether no division has fewer moves
+    bool is_exact;             ///< whether the search was exact: no division has fewer
 };
 
 /// Divides a pass of n samples into moves between samples, each of which is feasible.
