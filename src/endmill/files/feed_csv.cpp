@@ -13,6 +13,9 @@
 namespace endmill {
 namespace {
 
+// Rows are seldom longer: ten numbers of 17 digits and two words.
+constexpr std::size_t usual_row_bytes = 256;
+
 // Appends a cell; an empty one if there is no number.
 void append(std::string& text, std::optional<double> number)
 {
@@ -72,6 +75,19 @@ void write_feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFee
     write_feed_rows(cuts, rows, sink);
 }
 
+std::string feed_rows(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows)
+{
+    require(cuts.size() == rows.size(), "feed_csv: need one row for each move");
+    std::string text;
+    text.reserve(rows.size() * usual_row_bytes);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        append_geometry(text, cuts[i]);
+        append_feed(text, rows[i]);
+        text += '\n';
+    }
+    return text;
+}
+
 void write_feed_rows(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows,
                      const std::function<void(std::string_view piece)>& sink)
 {
@@ -79,13 +95,7 @@ void write_feed_rows(std::span<const SegmentCut> cuts, std::span<const SegmentFe
     pass_rows(
         rows.size(),
         [&](std::size_t first, std::size_t count) {
-            std::string text;
-            for (std::size_t i = first; i < first + count; ++i) {
-                append_geometry(text, cuts[i]);
-                append_feed(text, rows[i]);
-                text += '\n';
-            }
-            return text;
+            return feed_rows(cuts.subspan(first, count), rows.subspan(first, count));
         },
         sink);
 }
