@@ -86,7 +86,8 @@ TEST(ParsedLines, MakeThePathOfALongProgramForAnyNumberOfThreads)
         const auto& points = program.path.points;
         ASSERT_EQ(points.size(), many + 2);
         for (std::size_t i = 1; i <= many; ++i)
-            ASSERT_EQ(points[i + 1].location.tip, Vec3(static_cast<double>(i), 1.25, -0.5));
+            ASSERT_EQ(points[i + 1].location.tip,
+                      Vec3(static_cast<double>(i), 1.25, -0.5));
     }
 }
 

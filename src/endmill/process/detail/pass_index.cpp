@@ -7,10 +7,10 @@
 #include <complex>
 #include <limits>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "endmill/core/detail/widest_registers.h"
+#include "endmill/core/parallel.h"
 
 // The tree is searched depth-first for each move:
 // 1. A node is skipped if all its moves come later, if the plane across the move misses
@@ -56,7 +56,7 @@ Eigen::Matrix3d turn_along(std::span<const CutMove> moves)
     for (const CutMove& move : moves) {
         const std::complex<double> way{move.to().x() - move.from().x(),
                                        move.to().y() - move.from().y()};
-        if (const double length = std::abs(way); length > 0)
+        if (const double length = std::sqrt(std::norm(way)); length > 0)
             doubled += way * way / length;
     }
     return Eigen::AngleAxisd{-std::arg(doubled) / 2, Vec3::UnitZ()}.toRotationMatrix();
@@ -129,8 +129,6 @@ PassIndex::Box PassIndex::box_of(const Leaf& leaf) const
 // connected, such as at the end of a pass. Returns their nodes.
 std::vector<PassIndex::Node> PassIndex::build_leaves()
 {
-    std::vector<Node> nodes;
-    double extents = 0;
     for (std::size_t first = 0; first < moves_.size();) {
         std::size_t end = first + 1;
         while (end < std::min(first + leaf_moves, moves_.size()) &&
@@ -139,24 +137,28 @@ std::vector<PassIndex::Node> PassIndex::build_leaves()
         const Leaf leaf{static_cast<std::uint32_t>(first),
                         static_cast<std::uint32_t>(end)};
         leaves_.push_back(leaf);
-        nodes.push_back({box_of(leaf), leaf.first});
-        extents += 2 * nodes.back().box.half.x();
         first = end;
     }
-    const double width = leaves_a_strip * extents / static_cast<double>(leaves_.size());
-    const auto strip = [&](std::size_t leaf) {
-        return width > 0 ? std::floor(nodes[leaf].box.centre.x() / width) : 0;
-    };
-    std::vector<std::uint32_t> order(leaves_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, [&](std::uint32_t leaf) {
-        return std::pair{strip(leaf), leaf};
+    std::vector<Node> nodes(leaves_.size());
+    parallel_for(nodes.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            nodes[i] = {box_of(leaves_[i]), leaves_[i].first};
     });
+    double extents = 0;
+    for (const Node& node : nodes)
+        extents += 2 * node.box.half.x();
+    const double width = leaves_a_strip * extents / static_cast<double>(leaves_.size());
+    std::vector<std::pair<double, std::uint32_t>> order;  // strips with their leaves
+    order.reserve(leaves_.size());
+    for (const Node& node : nodes)
+        order.emplace_back(width > 0 ? std::floor(node.box.centre.x() / width) : 0,
+                           static_cast<std::uint32_t>(order.size()));
+    std::ranges::sort(order);
     std::vector<Leaf> leaves;
     std::vector<Node> sorted;
     leaves.reserve(order.size());
     sorted.reserve(order.size());
-    for (const std::uint32_t leaf : order) {
+    for (const auto& [strip, leaf] : order) {
         leaves.push_back(leaves_[leaf]);
         sorted.push_back(nodes[leaf]);
     }
@@ -224,9 +226,9 @@ unsigned PassIndex::lanes_near(const Query& query, const Group& group)
         const double half_x = group.half[0][k];
         const double half_y = group.half[1][k];
         const double half_z = group.half[2][k];
-        const double from_plane = std::abs(x * dx + y * dy + z * dz) -
-                                  (half_x * std::abs(dx) + half_y * std::abs(dy) +
-                                   half_z * std::abs(dz));
+        const double from_plane =
+            std::abs(x * dx + y * dy + z * dz) -
+            (half_x * std::abs(dx) + half_y * std::abs(dy) + half_z * std::abs(dz));
         const double side = x * lx + y * ly;
         const double half_width =
             half_x * std::abs(lx) + half_y * std::abs(ly) + same_place_mm;
@@ -254,7 +256,8 @@ unsigned PassIndex::lanes_near(const Query& query, const Group& group)
 // Intersects the moves of a leaf with the plane and keeps the nearest crossings.
 void PassIndex::look_into(Search& search, const Leaf& leaf) const
 {
-    for (std::size_t i = std::min<std::size_t>(leaf.end, search.turned.end); i-- > leaf.first;) {
+    for (std::size_t i = std::min<std::size_t>(leaf.end, search.turned.end);
+         i-- > leaf.first;) {
         const CutMove& other = moves_[i];
         const double before = (other.from() - search.middle).dot(search.direction);
         const double after = (other.to() - search.middle).dot(search.direction);
