@@ -17,7 +17,9 @@ Installs missing packages (Debian, root) and runs the tests:
      on main itself since the commit before.
 It takes 25 minutes on two cores, beginning with an empty clone.
 
-  --all          also runs all tests under sanitizers, fuzzes each reader for 60 s,
+  --all          also runs all tests under sanitizers, builds the program by the preset
+                 tsan (clang, thread sanitizer) and runs every command that writes on 2
+                 and on 8 threads, fuzzes each reader for 60 s,
                  repeats the tests of faults many times as often, compiles all experiments
                  and benchmarks, compiles every installed
                  header alone, builds and tests the Debian package, builds the
@@ -26,7 +28,7 @@ It takes 25 minutes on two cores, beginning with an empty clone.
                  on every file; takes hours on two cores
   --no-install   installs nothing and checks that every program and library is there
 
-Build folders: build/release, build/asan, build/fuzz. Rebuilds only changed files.
+Build folders: build/release, build/asan, build/fuzz, with --all also build/tsan. Rebuilds only changed files.
 Exit 0 if everything passed; 1 otherwise; 2 if the command line is wrong.
 Example: scripts/test.sh --no-install
 HELP
@@ -112,6 +114,10 @@ build asan "${asan_targets[@]}"
 run_tests asan "${asan_tests[@]}"
 run_fuzzers
 if $all; then
+    step "configure: tsan"
+    cmake --preset tsan "${clang[@]}"
+    build tsan endmill
+    run_tests tsan --tests-regex '^cli\.threads_test$'
     run headers cmake --build --preset release --target all_verify_interface_header_sets
     run "package: build" cmake --build --preset release --target package
     run "package: try" /usr/bin/python3 tests/package/package_test.py

@@ -103,8 +103,7 @@ FedBlock fed_block(SegmentCuts cuts, const MillingJob& job, const FeedPlanOption
 {
     FedBlock block{.cuts = std::move(cuts)};
     block.rows = feed_plan(block.cuts.cuts, job, plan).rows;
-    write_feed_rows(block.cuts.cuts, block.rows,
-                    [&](std::string_view piece) { block.text += piece; });
+    block.text = feed_rows(block.cuts.cuts, block.rows);
     return block;
 }
 

@@ -40,31 +40,45 @@ constexpr std::array advices{
     LessMemory{"setup", "a coarser --sphere or a larger --chord-tolerance needs less"},
 };
 
-constexpr std::size_t message_size = 256;
+constexpr std::size_t message_size = 384;
 std::array<char, message_size> message{"endmill: error: out of memory\n"};
 std::array<char, message_size> json_message{
     R"({"error":{"code":"E_LIMIT","exit":6,"message":"out of memory"}})"
     "\n"};
 
-void prepare_messages(double gib, const std::string& command)
+// What limits the memory of this process.
+struct Limit {
+    double gib = 0;
+    const char* name = "--max-memory";
+};
+Limit in_force;
+
+void prepare_messages(const std::string& advice)
 {
-    const auto* const found = std::ranges::find(advices, command, &LessMemory::command);
-    const char* const advice = found != advices.end() ? found->advice : "";
-    const char* const mark = found != advices.end() ? "; " : "";
+    const char* const mark = advice.empty() ? "" : "; ";
     std::snprintf(message.data(), message.size(),
-                  "endmill: error: out of memory; expected at most %g GiB "
-                  "(--max-memory)%s%s\n",
-                  gib, mark, advice);
+                  "endmill: error: out of memory; expected at most %.4g GiB (%s)%s%s\n",
+                  in_force.gib, in_force.name, mark, advice.c_str());
     std::snprintf(json_message.data(), json_message.size(),
                   R"({"error":{"code":"E_LIMIT","exit":6,"message":"out of memory; )"
-                  R"(expected at most %g GiB (--max-memory)%s%s"}})"
+                  R"(expected at most %.4g GiB (%s)%s%s"}})"
                   "\n",
-                  gib, mark, advice);
+                  in_force.gib, in_force.name, mark, advice.c_str());
+}
+
+std::string advice_for(const std::string& command)
+{
+    const auto* const found = std::ranges::find(advices, command, &LessMemory::command);
+    return found != advices.end() ? found->advice : "";
 }
 
 #if defined(__linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-// The bytes that count towards the limit now; nothing if the system does not tell them.
-std::optional<double> allocated_bytes()
+// The bytes of this process; nothing if the system does not tell them.
+struct ProcessSize {
+    double address_space;
+    double allocated;
+};
+std::optional<ProcessSize> process_size()
 {
     std::ifstream file{"/proc/self/statm"};
     double size = 0;
@@ -75,7 +89,8 @@ std::optional<double> allocated_bytes()
     double writable = 0;
     if (!(file >> size >> resident >> shared >> text >> library >> writable))
         return std::nullopt;
-    return writable * static_cast<double>(sysconf(_SC_PAGESIZE));
+    const auto page = static_cast<double>(sysconf(_SC_PAGESIZE));
+    return ProcessSize{size * page, writable * page};
 }
 
 double bytes_a_stack()
@@ -89,16 +104,34 @@ double bytes_a_stack()
     return static_cast<double>(bytes);
 }
 
+// Names the limit of the system that leaves this process less than `more` bytes, if any does.
+void name_lower_limit(double more, const ProcessSize& size)
+{
+    const auto consider = [&](auto resource, const char* name, double taken) {
+        rlimit limit{};
+        if (::getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY ||
+            static_cast<double>(limit.rlim_cur) - taken >= more)
+            return;
+        more = static_cast<double>(limit.rlim_cur) - taken;
+        in_force = {static_cast<double>(limit.rlim_cur) / one_gib, name};
+    };
+    consider(RLIMIT_AS, "the address space that the system allows, ulimit -v",
+             size.address_space);
+    consider(RLIMIT_DATA, "the data that the system allows, ulimit -d", size.allocated);
+}
+
 void limit_allocation(double gib, int threads)
 {
     constexpr double most = 9e18;  // below 2^63
-    const auto allocated = allocated_bytes();
+    const auto size = process_size();
     rlimit limit{};
-    if (!allocated || ::getrlimit(RLIMIT_DATA, &limit) != 0)
+    if (!size || ::getrlimit(RLIMIT_DATA, &limit) != 0)
         return;
-    const double bytes = *allocated + share_of_limit * gib * one_gib + spare_bytes +
-                         (threads + 1) * bytes_a_stack();
-    limit.rlim_cur = std::min(limit.rlim_cur, static_cast<rlim_t>(std::min(bytes, most)));
+    const double more =
+        share_of_limit * gib * one_gib + spare_bytes + (threads + 1) * bytes_a_stack();
+    name_lower_limit(more, *size);
+    limit.rlim_cur = std::min(
+        limit.rlim_cur, static_cast<rlim_t>(std::min(size->allocated + more, most)));
     ::setrlimit(RLIMIT_DATA, &limit);
 }
 #else
@@ -109,9 +142,15 @@ void limit_allocation(double, int) {}
 
 void limit_memory(double gib, std::optional<int> threads, const std::string& command)
 {
-    prepare_messages(gib, command);
+    in_force = {.gib = gib};
     limit_allocation(
         gib, threads.value_or(static_cast<int>(std::thread::hardware_concurrency())));
+    prepare_messages(advice_for(command));
+}
+
+void advise_less_memory(const std::string& advice)
+{
+    prepare_messages(advice);
 }
 
 const char* lack_of_memory_message(bool as_json) noexcept

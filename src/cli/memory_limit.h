@@ -19,8 +19,13 @@ namespace endmill {
 /// \param command name of the command, for the message.
 void limit_memory(double gib, std::optional<int> threads, const std::string& command);
 
+/// Replaces what the message advises. \pre limit_memory was called before.
+/// \param advice what needs less memory, such as "a smaller file needs less".
+void advise_less_memory(const std::string& advice);
+
 /// The message for memory that is not available: the limit and the options of the command
-/// that need less. It needs no memory.
+/// that need less. The limit is --max-memory, or that of the system if it is lower. It needs
+/// no memory.
 /// \param as_json whether as a JSON object. \return one line with its end.
 const char* lack_of_memory_message(bool as_json) noexcept;
 

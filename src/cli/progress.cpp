@@ -65,8 +65,9 @@ std::string waiting_time(double seconds)
     return fmt::format("{} h {} min", minutes / min_per_h, minutes % min_per_h);
 }
 
-ProgressLine::ProgressLine(std::string work, const CommonOptions& options)
-    : work_{std::move(work)}
+ProgressLine::ProgressLine(std::string work, const CommonOptions& options, double later)
+    : work_{std::move(work)},
+      later_{later}
 {
     if (options.quiet)
         return;
@@ -91,12 +92,13 @@ ProgressLine::~ProgressLine()
         std::fputs("\r\033[K", stderr);
 }
 
-void ProgressLine::begin(std::string work)
+void ProgressLine::begin(std::string work, double later)
 {
     const std::lock_guard lock{mutex_};
     if (work == work_)
         return;
     work_ = std::move(work);
+    later_ = later;
     work_start_ = Clock::now();
     state_.clear();
     share_ = 0;
@@ -158,7 +160,13 @@ bool ProgressLine::is_early_line_due() const
 {
     if (has_line_ || !(share_ > 0) || Clock::now() < program_start + quiet_time)
         return false;
-    return elapsed_since(work_start_) * (1 - share_) / share_ >= long_wait_seconds;
+    return seconds_left() >= long_wait_seconds;
+}
+
+// \pre The share is known.
+double ProgressLine::seconds_left() const
+{
+    return elapsed_since(work_start_) * (1 - share_ + later_) / share_;
 }
 
 std::string ProgressLine::text(Estimate estimate) const
@@ -168,9 +176,9 @@ std::string ProgressLine::text(Estimate estimate) const
                     elapsed_since(program_start));
     const double spent = elapsed_since(work_start_);
     const bool is_known = share_ >= least_share && spent >= least_seconds;
-    if (share_ > 0 && share_ < 1 && (is_known || estimate == Estimate::Rough))
-        text +=
-            fmt::format(", about {} left", waiting_time(spent * (1 - share_) / share_));
+    const bool has_rest = share_ > 0 && (share_ < 1 || later_ > 0);
+    if (has_rest && (is_known || estimate == Estimate::Rough))
+        text += fmt::format(", about {} left", waiting_time(seconds_left()));
     return text;
 }
 

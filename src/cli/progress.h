@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -20,20 +21,28 @@ namespace endmill {
 /// may report progress.
 ///
 /// The time left follows from the share of the current work and the time that it took. It
-/// is omitted while the share is not known, and on a terminal also while the share is too
-/// small for a sound estimate.
+/// includes work that follows, if its size is stated. It is omitted while the share is not
+/// known, and on a terminal also while the share is too small for a sound estimate.
 ///
 /// At most one line exists at a time. Nothing else is printed while it exists.
 class ProgressLine {
 public:
     /// \param work name of the work, such as "slicing"; it begins now.
-    ProgressLine(std::string work, const CommonOptions& options);
+    /// \param later the work that follows, as a multiple of this work; 0: not known.
+    ProgressLine(std::string work, const CommonOptions& options, double later = 0);
     ~ProgressLine();                                        ///< removes the line
     ProgressLine(const ProgressLine&) = delete;             ///< one line, one owner
     ProgressLine& operator=(const ProgressLine&) = delete;  ///< not assignable either
 
     /// Starts new work, whose share is not known yet. Work of the same name goes on.
-    void begin(std::string work);
+    /// \param later the work that follows, as a multiple of this work; 0: not known.
+    void begin(std::string work, double later = 0);
+
+    /// A callback that shows the share that it receives. This line must outlive it.
+    std::function<void(double share)> shower()
+    {
+        return [this](double share) { show(share); };
+    }
 
     /// \param share of the work that is done, 0 to 1.
     void show(double share);
@@ -53,6 +62,7 @@ private:
     void print_line();
     enum class Estimate { Sound, Rough };  // of the time left
     std::string text(Estimate estimate) const;
+    double seconds_left() const;
     Clock::time_point next_check_time() const;
     bool is_early_line_due() const;
 
@@ -64,6 +74,7 @@ private:
     Clock::time_point work_start_ = Clock::now();
     std::string state_;
     double share_ = 0;  // of the current work; 0: not known
+    double later_ = 0;  // work that follows, as a multiple of the current one
     // Where there is no terminal:
     bool has_line_ = false;  // of the current work
     Clock::time_point next_line_ = Clock::now();

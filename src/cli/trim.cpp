@@ -11,6 +11,7 @@
 
 #include "cli/console.h"
 #include "cli/idle_options.h"
+#include "cli/memory_limit.h"
 #include "cli/shown_numbers.h"
 #include "cli/trim_comparison.h"
 #include "cli/trim_files.h"
@@ -208,6 +209,9 @@ TrimOptions with_chosen_plane(TrimOptions options, std::span<const MethodRuns> r
 ExitCode run_trim(const TrimOptions& given)
 {
     check_trim_options(given);
+    // The arcs of the offset around borders have the radius of the cutter with the allowance.
+    if (given.cutter && given.allowance > given.cutter->radius())
+        advise_less_memory("a smaller --allowance needs less");
     const TrimInput input = read_trim_input(given);
     check_figure(given, input);
     warn_of_empty_planes(given, input);

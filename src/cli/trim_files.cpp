@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <regex>
 #include <system_error>
 
@@ -12,6 +13,7 @@
 #include "cli/path_facts.h"
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
+#include "cli/trim_stages.h"
 #include "endmill/drop_cutter/clearance.h"
 #include "endmill/figures/section_svg.h"
 #include "endmill/files/path_file.h"
@@ -23,12 +25,11 @@
 namespace endmill {
 namespace {
 
-std::vector<std::vector<SectionCurve>> curves_of(const TrimInput& input)
+// The work after a stage of `method`, where it is known: on surfaces.
+double work_after(TrimStage stage, const TrimInput& input, const TrimOptions& options,
+                  std::string_view method = {})
 {
-    std::vector<std::vector<SectionCurve>> curves;
-    for (const PlaneSection& section : input.sections)
-        curves.push_back(section.curves);
-    return curves;
+    return input.offset_part() ? work_after(stage, options, method) : 0;
 }
 
 // Estimates how far the sampled points are from the smooth offset. With --refine it
@@ -38,8 +39,7 @@ void measure_sampling(const OffsetPart& part, const TrimInput& input,
                       TrimResult& result)
 {
     const SectionSource source{part.surfaces, part.offset, input.part->planes,
-                               input.sections,
-                               [&progress](double share) { progress.show(share); }};
+                               input.sections, progress.shower()};
     if (!options.refine) {
         result.sampling_error = sampling_error(source, result.trimmed);
         return;
@@ -73,14 +73,14 @@ std::string place_text(const DrivePlanes& planes, std::span<const Trimmed> trimm
 // Measures the clearance of the curves from the part. On a mesh, where the cutter rests, it
 // is the allowance, less the height at which the mesh rises into the resting cutter.
 void measure_clearance(const CutPart& part, const TrimOptions& options,
-                       TrimResult& result)
+                       ProgressLine& progress, TrimResult& result)
 {
     const std::vector<Vec3> places = section_points(part.planes, result.trimmed);
     const auto* const mesh = std::get_if<DroppedPart>(&part.shape);
     const std::optional<LeastGap> least =
-        mesh ? greatest_rise(mesh->drop_cutter, places)
+        mesh ? greatest_rise(mesh->drop_cutter, places, progress.shower())
              : least_gap(std::get<OffsetPart>(part.shape).surfaces, *options.cutter,
-                         places);
+                         places, {.progress = progress.shower()});
     if (!least)
         return;
     result.min_clearance =
@@ -90,13 +90,14 @@ void measure_clearance(const CutPart& part, const TrimOptions& options,
 
 // Links the trimmed curves to a path without the points that its tolerance allows to drop.
 // What a gouge at the points takes of the tolerance is not available for dropping.
-void add_tool_path(const CutPart& part, const TrimOptions& options, TrimResult& result)
+void add_tool_path(const CutPart& part, const TrimOptions& options,
+                   ProgressLine& progress, TrimResult& result)
 {
     const double left = options.tolerance - max_gouge(result).value_or(0);
     result.thin_tolerance =
         left > 0 ? std::min(thin_tolerance(options), left) : thin_tolerance(options);
     const std::vector<Trimmed> thin =
-        thinned_planes(result.trimmed, result.thin_tolerance);
+        thinned_planes(result.trimmed, result.thin_tolerance, progress.shower());
     result.dropped_points = section_points(part.planes, result.trimmed).size() -
                             section_points(part.planes, thin).size();
     LinkOptions link;
@@ -108,13 +109,14 @@ void add_tool_path(const CutPart& part, const TrimOptions& options, TrimResult& 
 
 // Measures the clearance of trimmed offsets from the profiles of a file.
 void measure_clearance(const OffsetCurves& curves, const TrimOptions& options,
-                       TrimResult& result)
+                       ProgressLine& progress, TrimResult& result)
 {
     std::vector<SectionPoint> places;
     for (const TrimmedCurve& curve : result.trimmed.front().curves)
         for (const TrimmedPoint& point : curve.points)
             places.push_back(point.at);
-    if (const auto least = profile_gap(curves.profiles, *options.offset, places))
+    if (const auto least = profile_gap(curves.profiles, *options.offset, places,
+                                       {.progress = progress.shower()}))
         result.min_clearance = least->gap;
 }
 
@@ -191,49 +193,110 @@ TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
     TrimResult result;
     result.method = std::string{method.name};
     const std::string name = "method " + result.method + ": ";
-    ProgressLine progress{name + "trimming", options.common};
+    const auto after = [&](TrimStage stage) {
+        return work_after(stage, input, options, method.name);
+    };
+    ProgressLine progress{name + "trimming", options.common, after(TrimStage::Trimming)};
     result.options = trimming_options(options, section_height(input.sections));
     const OffsetPart* const surfaces = input.offset_part();
     const auto start = Clock::now();
-    result.trimmed = input.dropped_part() ? untrimmed_planes(input.sections)
-                                          : trim_planes(input.sections, input.ranges(),
-                                                        method, result.options);
+    result.trimmed = input.dropped_part()
+                         ? untrimmed_planes(input.sections)
+                         : trim_planes(input.sections, input.ranges(), method,
+                                       result.options, progress.shower());
     result.trim_ms =
         std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     progress.begin(name + "comparing with the envelope");
     if (method_name(options) == "all" && !input.dropped_part())
         result.comparison =
             compare_with_envelope(input.sections, result.trimmed, options.tolerance);
-    progress.begin(name + (options.refine ? "refining" : "measuring the sampling error"));
+    progress.begin(name + (options.refine ? "refining" : "measuring the sampling error"),
+                   after(TrimStage::Sampling));
     if (surfaces)
         measure_sampling(*surfaces, input, options, progress, result);
-    for (std::size_t k = 0; k < result.trimmed.size(); ++k)
+    progress.begin(name + "listing the loops", after(TrimStage::Loops));
+    for (std::size_t k = 0; k < result.trimmed.size(); ++k) {
         result.loops.push_back(cut_out(
             input.sections[k].curves, result.trimmed[k],
             surfaces ? crease_test(surfaces->offset, input.sections[k]) : CreaseTest{}));
-    progress.begin(name + "measuring the clearance");
+        progress.show(static_cast<double>(k + 1) /
+                      static_cast<double>(result.trimmed.size()));
+    }
+    progress.begin(name + "measuring the clearance", after(TrimStage::Clearance));
     if (input.part) {
-        measure_clearance(*input.part, options, result);
-        progress.begin(name + "linking the path");
-        add_tool_path(*input.part, options, result);
+        measure_clearance(*input.part, options, progress, result);
+        progress.begin(name + "linking the path", after(TrimStage::Linking));
+        add_tool_path(*input.part, options, progress, result);
     }
     if (input.curves)
-        measure_clearance(*input.curves, options, result);
+        measure_clearance(*input.curves, options, progress, result);
     return result;
 }
+
+namespace {
+
+// Writes a table of `rows` rows in pieces, and shows the share that is written.
+void write_in_pieces(OutputFolder& folder, const std::string& name,
+                     ProgressLine& progress, std::size_t rows,
+                     const std::function<void(const OutputFolder::Sink&)>& produce)
+{
+    double written = 0;
+    folder.write_pieces(name, [&](const OutputFolder::Sink& sink) {
+        produce([&](std::string_view piece) {
+            sink(piece);
+            written += static_cast<double>(std::ranges::count(piece, '\n'));
+            progress.show(written / static_cast<double>(rows + 1));  // with the header
+        });
+    });
+}
+
+std::size_t trimmed_points(const TrimResult& result)
+{
+    std::size_t points = 0;
+    for (const Trimmed& plane : result.trimmed)
+        for (const TrimmedCurve& curve : plane.curves)
+            points += curve.points.size();
+    return points;
+}
+
+std::size_t points_before(const TrimInput& input)
+{
+    std::size_t points = 0;
+    for (const PlaneSection& plane : input.sections)
+        for (const SectionCurve& curve : plane.curves)
+            points += curve.points.size();
+    return points;
+}
+
+}  // namespace
 
 Json write_trimmed(const TrimResult& result, const TrimInput& input,
                    const TrimOptions& options, OutputFolder& folder,
                    const std::string& prefix)
 {
-    const ProgressLine progress{"writing the trimmed curves", options.common};
-    folder.write(prefix + "trimmed.csv", trimmed_csv(result.trimmed, planes_of(input)));
+    const auto after = [&](TrimStage stage) {
+        return work_after(stage, input, options, result.method);
+    };
+    ProgressLine progress{"writing the trimmed curves", options.common,
+                          after(TrimStage::WritingCurves)};
+    write_in_pieces(folder, prefix + "trimmed.csv", progress, trimmed_points(result),
+                    [&](const OutputFolder::Sink& sink) {
+                        write_trimmed_csv(result.trimmed, planes_of(input), sink);
+                    });
     folder.write(prefix + "loops.csv",
                  loops_csv(result.loops, options.explain ? LoopColumns::CauseAndRule
                                                          : LoopColumns::Cause));
-    const std::string table = input.part ? tool_path_csv(result.path) : "";
-    if (input.part)
-        folder.write(prefix + "toolpath.csv", table);
+    ContentSha256 path_sum;
+    if (input.part) {
+        progress.begin("writing the path", after(TrimStage::WritingPath));
+        write_in_pieces(folder, prefix + "toolpath.csv", progress,
+                        result.path.points.size(), [&](const OutputFolder::Sink& sink) {
+                            write_tool_path_csv(result.path, [&](std::string_view piece) {
+                                path_sum.add(piece);
+                                sink(piece);
+                            });
+                        });
+    }
     if (options.figure) {
         const auto plane = static_cast<std::size_t>(*options.figure);
         folder.write(prefix + fmt::format("section-{}.svg", plane),
@@ -243,7 +306,7 @@ Json write_trimmed(const TrimResult& result, const TrimInput& input,
     Json summary = trim_summary(input, options, result);
     if (input.part) {
         name_part(summary, options.part, folder.path() / prefix);
-        identify_path(summary, result.path.points.size(), content_sha256(table));
+        identify_path(summary, result.path.points.size(), path_sum.word());
     }
     folder.write(prefix + "summary.json", summary.dump(2) + "\n");
     return summary;
@@ -269,7 +332,8 @@ std::vector<std::string> section_pictures(const std::filesystem::path& folder)
 void write_sections(const TrimInput& input, const TrimOptions& options,
                     OutputFolder& folder)
 {
-    const ProgressLine progress{"writing the sections", options.common};
+    ProgressLine progress{"writing the sections", options.common,
+                          work_after(TrimStage::WritingSections, input, options)};
     std::vector<std::string> prefixes{""};
     for (const TrimmingMethod& method : trimming_methods())
         prefixes.push_back(std::string{method.name} + "/");
@@ -282,7 +346,10 @@ void write_sections(const TrimInput& input, const TrimOptions& options,
     }
     for (const char* name : {"times.csv", "differences.csv", "comparison.svg"})
         folder.remove_unless_written(name);
-    folder.write("sections.csv", sections_csv(curves_of(input), planes_of(input)));
+    write_in_pieces(folder, "sections.csv", progress, points_before(input),
+                    [&](const OutputFolder::Sink& sink) {
+                        write_sections_csv(input.sections, planes_of(input), sink);
+                    });
 }
 
 }  // namespace endmill

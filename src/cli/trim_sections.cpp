@@ -10,6 +10,7 @@
 #include "cli/console.h"
 #include "cli/mesh_remarks.h"
 #include "cli/progress.h"
+#include "cli/trim_stages.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/cutter/cutter.h"
@@ -139,9 +140,10 @@ void add_surface_sections(std::vector<Surface> surfaces, const TrimOptions& opti
     const auto start = Clock::now();
     OffsetMesh offset = offset_mesh(surfaces, *options.cutter, offset_options);
     const double offset_ms = milliseconds_since(start);
-    progress.begin("slicing the offset");
+    progress.begin("slicing the offset", work_after(TrimStage::Slicing, options));
     const auto slicing = Clock::now();
-    input.sections = slice(offset.mesh, planes, {offset.part_triangles});
+    input.sections =
+        slice(offset.mesh, planes, {offset.part_triangles, progress.shower()});
     const double slice_ms = milliseconds_since(slicing);
     auto ranges = path_ranges(offset, planes, input.sections);
     const double highest = extent(surfaces, Vec3::UnitZ()).high;

@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import resource
 import subprocess
 import unittest
 from pathlib import Path
@@ -21,7 +22,7 @@ ROOM = 40 * 2**20
 @unittest.skipIf(b"__asan_init" in Path(ENDMILL).read_bytes(), "sanitizers take memory of their own")
 class Memory(ProgramTest):
     def limited(self, gib, *arguments):
-        """Runs a command that needs more than the limit; asserts exit 6, its message and its resident memory."""
+        """Runs a command that needs more than the limit; asserts exit 6 and its resident memory. Returns its message."""
         errors = self.folder / "errors"
         with errors.open("w") as stream:
             process = subprocess.Popen([ENDMILL, *map(str, arguments), "--threads", "2", "--max-memory", str(gib), "-o",
@@ -35,12 +36,26 @@ class Memory(ProgramTest):
         self.assertRegex(lines[0], " needs? less|fewer|which a resolution")
         self.assertLess(usage.ru_maxrss * 1024, MOST_SHARE * gib * GIB + ROOM)
         self.assertFalse((self.folder / "out").exists())
+        return lines[0]
 
     def test_large_cutter_on_a_border(self):
         self.limited(0.3, "trim", VALLEY, "--planes", 5, "--grid", 20, "--cutter", "ball:900000")
 
     def test_large_allowance(self):
-        self.limited(0.3, "trim", VALLEY, "--cutter", "ball:20", "--allowance", 65536)
+        message = self.limited(0.3, "trim", VALLEY, "--cutter", "ball:20", "--allowance", 65536)
+        self.assertIn("a smaller --allowance needs less", message)
+
+    def test_a_limit_of_the_system_is_named(self):
+        for limit, word in ((resource.RLIMIT_AS, "ulimit -v"), (resource.RLIMIT_DATA, "ulimit -d")):
+            with self.subTest(word):
+                done = subprocess.run([ENDMILL, "trim", VALLEY, "--planes", "8000", "--cutter", "ball:20", "-o", "out"],
+                                      preexec_fn=lambda limit=limit: resource.setrlimit(limit, (3 * GIB // 10,) * 2),
+                                      capture_output=True, text=True, check=False, cwd=self.folder)
+                error = [line for line in done.stderr.splitlines() if line.startswith("endmill: error: ")]
+                self.assertEqual(done.returncode, 6, done.stderr)
+                self.assertIn("out of memory; expected at most 0.3 GiB (", error[0])
+                self.assertIn(word, error[0])
+                self.assertNotIn("--max-memory", error[0])
 
     def test_fine_sampling_of_a_setup(self):
         self.limited(0.05, "setup", TEAPOT, "--chord-tolerance", 0.002, "--family", "CA")

@@ -31,6 +31,12 @@ class Progress(ProgramTest):
         self.assertRegex(shown, r" \d+ %, \d+ s, about \d+ (s|min) left")
         self.assertNotRegex(shown, r"passes 0 %, \d+ s, about")
 
+    def test_each_long_part_of_trim_shows_its_share(self):
+        _, shown = on_terminal(self.folder, "trim", SURFACES / "valley.json", "--cutter", "ball:20", "--planes", "2000",
+                               "-o", "parts")
+        self.assertRegex(shown, r"measuring the sampling error: \d+ %, \d+ s, about .* left")
+        self.assertRegex(shown, r"measuring the clearance: \d+ %, \d+ s, about .* left")
+
     def stopped_for_ten_seconds(self, *options):
         """The lines on standard error of a plan that is no terminal's and lasts more than ten seconds."""
         with subprocess.Popen([ENDMILL, "plan", NET, "--chord-tolerance", "0.02", *options], cwd=self.folder,
@@ -58,6 +64,8 @@ class Progress(ProgramTest):
                 ("planning", ("plan", SURFACES / "sheared-plane.json", "--chord-tolerance", "1e-5")),
                 ("planning", ("plan", *plane, "--chord-tolerance", "1e-9")),  # a few passes, each of which takes long
                 ("planning", ("plan", *plane, "--inner-tolerance", "1e-9")),
+                ("(slicing the offset|writing the sections)", ("trim", SURFACES / "valley.json", "--cutter", "ball:20",
+                                                               "--planes", "12000")),
                 ("comparing the methods", ("trim", SURFACES / "plane.json", "--cutter", "ball:6", "--planes", "3", "--grid",
                                            "9", "--method", "all", "--repeat", "65536"))):
             with self.subTest(arguments=arguments), subprocess.Popen(

@@ -156,12 +156,12 @@ TEST(LeastGap, IsEmptyWithoutAPlaceOrAPart)
 {
     const std::vector<Surface> surfaces{bowl(5)};
     EXPECT_FALSE(least_gap(surfaces, cutters[0], {}));
-    EXPECT_THROW(least_gap({}, cutters[0], {}, 1e-6), DomainError);
+    EXPECT_THROW(least_gap({}, cutters[0], {}, {1e-6}), DomainError);
     const TriangleMesh empty;
     const DropCutter over_nothing{empty, cutters[0]};
     const std::vector<Vec3> places{{0, 0, 0}};
     EXPECT_FALSE(least_gap(over_nothing, places));
-    EXPECT_THROW(least_gap(surfaces, cutters[0], places, 0), DomainError);
+    EXPECT_THROW(least_gap(surfaces, cutters[0], places, {0}), DomainError);
     const std::vector<Vec3> nowhere{{0, 0, std::nan("")}};
     EXPECT_THROW(least_gap(surfaces, cutters[0], nowhere), DomainError);
 }

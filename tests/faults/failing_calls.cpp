@@ -8,6 +8,12 @@
 //   ENDMILL_FAULT_COUNTS=FILE     writes how often each call was made, as "CALL COUNT" lines.
 //
 // The call "memory" stands for malloc, calloc, realloc, aligned_alloc and posix_memalign.
+//
+// Not caught are calls of other names: pread, pwrite, writev, close, ftruncate, fstat, lstat,
+// renameat, mkdirat, readdir, mmap and sbrk, and system calls without a function of the C
+// library. Neither are calls that the C library makes inside itself, such as the open and the
+// write of fopen, fprintf and fflush, and the mmap of malloc. A call before main or after its
+// end always succeeds. EFFECT "term" needs open, mkdir or rename.
 
 #include <atomic>
 #include <cerrno>

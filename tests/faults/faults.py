@@ -15,6 +15,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 import unittest
 from pathlib import Path
 
@@ -87,6 +89,37 @@ def with_random_options(seed, counts, value):
     options = options_of(COMMANDS[name][0])
     chosen = chance.sample(options, min(len(options), chance.randint(*counts)))
     return name, *(f"{option}={value(chance)}" for option in chosen)
+
+
+# A line of progress, and an estimate in it.
+PROGRESS = re.compile(r"^endmill: (?!error: |warning: )")
+ESTIMATE = re.compile(r", about .+ left$")
+# The program prints its first line after one second, if it knows the share that is done, and then one every ten seconds.
+# The rest is for a busy machine.
+FIRST_LINE_S = 20
+NEXT_LINE_S = 25
+
+
+def timed_run(command, seconds, **settings):
+    """Runs a command with its standard error in a pipe. Returns its exit status, None if it took longer than `seconds`, and
+    the lines of standard error with the times at which they came, in s since the start."""
+    start = time.monotonic()
+    with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                          **settings) as process:
+        lines = []
+
+        def read():
+            for line in process.stderr:
+                lines.append((time.monotonic() - start, line.decode(errors="replace").rstrip("\n")))
+        reader = threading.Thread(target=read)
+        reader.start()
+        try:
+            status = process.wait(timeout=seconds)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            status = None
+        reader.join()
+    return status, lines
 
 
 class Finished:
@@ -166,15 +199,36 @@ class FaultTest(unittest.TestCase):
             with open(RUNS, "a", encoding="utf-8") as file:
                 file.write(f"{self.id().rpartition('.')[2]} {self.runs}\n")
 
-    def run_command(self, name, folder, *options, fault=None, counts=None, timeout=120, **settings):
+    def command(self, name, folder):
+        """The words of a command."""
         path = self.place / "path/u/toolpath.csv"
-        words = [{"PATH": path, "FOLDER": folder}.get(word, word) for word in COMMANDS[name]]
+        return [str(word) for word in (ENDMILL, *({"PATH": path, "FOLDER": folder}.get(word, word)
+                                                  for word in COMMANDS[name]))]
+
+    def run_command(self, name, folder, *options, fault=None, counts=None, timeout=120, **settings):
         counts = counts or folder.parent / "counts"
-        done = subprocess.run([ENDMILL, *map(str, words), *options], capture_output=True, check=False,
+        done = subprocess.run([*self.command(name, folder), *options], capture_output=True, check=False,
                               stdin=subprocess.DEVNULL, timeout=timeout, cwd=folder.parent,
                               env=environment(fault, counts), **settings)
         occurred = not fault or done.returncode < 0 or made_call(fault, counts)
         return Finished(done.returncode, done.stderr.decode(errors="replace"), occurred, folder)
+
+    def assert_answered(self, case, status, lines, folder):
+        """A run with a faulty input ends with an exit code, names the error, and writes finite numbers only."""
+        text = "\n".join(line for _, line in lines)
+        self.assertIn(status, range(7), f"{case}: {text[-300:]}")
+        if status > 1:
+            self.assertRegex(text, "(?m)^endmill: error: ", case)
+        self.assertEqual(not_finite(contents(folder)), [], case)
+
+    def assert_not_silent(self, case, seconds, lines):
+        """A run that took longer than `seconds` said soon what it does, went on to do so, and estimated the time left."""
+        progress = [(at, line) for at, line in lines if PROGRESS.match(line)]
+        times = [at for at, _ in progress] + [seconds]
+        self.assertLess(times[0], FIRST_LINE_S, f"{case}: the first line of progress")
+        self.assertLess(max((late - early for early, late in zip(times, times[1:])), default=0), NEXT_LINE_S,
+                        f"{case}: silence between lines at {times}")
+        self.assertTrue(any(ESTIMATE.search(line) for _, line in progress), f"{case}: no estimate in {progress}")
 
     def in_new_place(self, act):
         """The result of act(folder), where the folder does not exist yet; its parent is removed afterwards."""

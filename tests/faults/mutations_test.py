@@ -7,7 +7,7 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from faults import (ENDMILL, IS_LONG, MESH, PLAN, PLANE, ROOT, STEEL, FaultTest, contents, environment, not_finite)
+from faults import ENDMILL, IS_LONG, MESH, PLAN, PLANE, ROOT, STEEL, FaultTest, environment, timed_run
 
 MUTANTS = 31_200 if IS_LONG else 90
 SECONDS = 30
@@ -102,16 +102,10 @@ class MutationTest(FaultTest):
             places = {"FILE": copy, "PATH": self.sources["PATH"], "COPY": beside}
             command = [ENDMILL, *(str(places.get(word, word)) for word in words), "-o", str(folder)]
             case = f"mutant {number} ({kind})"
-            try:
-                done = subprocess.run(command, capture_output=True, check=False, timeout=SECONDS, env=environment(),
-                                      preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (MEMORY_BYTES,) * 2))
-            except subprocess.TimeoutExpired:
-                self.fail(f"{case}: longer than {SECONDS} s")
-            error = done.stderr.decode(errors="replace")
-            self.assertIn(done.returncode, range(7), f"{case}: {error}")
-            if done.returncode > 1:
-                self.assertRegex(error, "(?m)^endmill: error: ", case)
-            self.assertEqual(not_finite(contents(folder)), [], case)
+            status, lines = timed_run(command, SECONDS, env=environment(), preexec_fn=lambda: resource.setrlimit(
+                resource.RLIMIT_AS, (MEMORY_BYTES,) * 2))
+            self.assertIsNotNone(status, f"{case}: longer than {SECONDS} s")
+            self.assert_answered(case, status, lines, folder)
         self.in_new_place(act)
 
     def test_mutants(self):

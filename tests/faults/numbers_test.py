@@ -3,10 +3,10 @@
 one of its exit codes, soon or with an estimate of the time left, and writes no number that is not finite. So do several
 options with random values at once, from fixed seeds."""
 import random
-import subprocess
 import unittest
 
-from faults import COMMANDS, EXTREMES, IS_LONG, FaultTest, not_finite, options_of, random_value, with_random_options
+from faults import (COMMANDS, EXTREMES, IS_LONG, STAGING, FaultTest, contents, environment, options_of, random_value,
+                    timed_run, with_random_options)
 
 VALUES_SHORT = 1  # for each option
 SEVERAL = 18_100 if IS_LONG else 40  # runs with several options
@@ -18,18 +18,15 @@ class ExtremeNumberTest(FaultTest):
         said = " ".join((name, *settings))
 
         def act(folder):
-            try:
-                done = self.run_command(name, folder, *settings, timeout=SECONDS)
-            except subprocess.TimeoutExpired as stopped:
-                told = (stopped.stderr or b"").decode(errors="replace")
-                self.assertRegex(told, "about .+ left", f"{said}: longer than {SECONDS} s in silence")
+            status, lines = timed_run([*self.command(name, folder), *settings], SECONDS, env=environment(),
+                                      cwd=folder.parent)
+            if status is None:
+                self.assert_not_silent(said, SECONDS, lines)
                 return
-            case = f"{said}: exit {done.status}, {done.error[-300:]}"
-            self.assertIn(done.status, range(7), case)
-            if done.status > 1:
-                self.assertRegex(done.error, "(?m)^endmill: error: ", case)
-                self.assertIsNone(done.files, case)
-            self.assertEqual((done.left, not_finite(done.files)), (0, []), case)
+            self.assert_answered(said, status, lines, folder)
+            self.assertEqual(list(folder.parent.rglob(STAGING + "*")), [], said)
+            if status > 1:
+                self.assertIsNone(contents(folder), said)
         self.in_new_place(act)
 
     def test_every_option(self):

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/files/detail/joined_rows.h"
 
+#include <string>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 namespace endmill {
@@ -26,6 +29,17 @@ TEST_P(JoinedRows, AreEachRowOnceInOrder)
 
 INSTANTIATE_TEST_SUITE_P(OfAnyNumber, JoinedRows,
                          testing::Values(0, 1, 512, 513, 32768, 32769, 300'000));
+
+TEST(PassTexts, PassesEachTextOnInOrder)
+{
+    std::vector<std::string> passed;
+    pass_texts(
+        1000, [](std::size_t i) { return std::to_string(i); },
+        [&](std::string_view text) { passed.emplace_back(text); });
+    ASSERT_EQ(passed.size(), 1000U);
+    for (std::size_t i = 0; i < passed.size(); ++i)
+        EXPECT_EQ(passed[i], std::to_string(i));
+}
 
 }  // namespace
 }  // namespace endmill

@@ -165,6 +165,9 @@ TEST(ToolPathCsv, InPiecesIsTheWholeTextWithTheWordsOfAFunction)
     EXPECT_GT(pieces, 10U);
     EXPECT_TRUE(text ==
                 tool_path_csv(path, limits));  // not EXPECT_EQ, which would print both
+    text.clear();
+    write_tool_path_csv(path, [&](std::string_view piece) { text += piece; });
+    EXPECT_TRUE(text == tool_path_csv(path));
 }
 
 }  // namespace

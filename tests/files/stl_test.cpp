@@ -109,7 +109,16 @@ TEST(ParseStl, RefusesABinaryFileWhoseLengthContradictsItsHeader)
     EXPECT_EQ(stl_complaint(binary(2, 2, some_corners) + "\n"),
               "E_STL_SIZE f.stl@80: header says 2 triangles (184 bytes), file has 185");
     EXPECT_EQ(stl_complaint(binary(2, 2, some_corners, "solid a").substr(0, 183)),
-              "E_STL_SIZE f.stl@80: header says 2 triangles (184 bytes), file has 183");
+              "E_STL_SIZE f.stl@80: header says 2 triangles (184 bytes), file has 183; "
+              "expected a binary STL of that size, or text without zero bytes");
+}
+
+// The first word is that of a text, which has no zero bytes, and no binary file is so short.
+TEST(ParseStl, NamesAZeroByteAfterTheFirstWord)
+{
+    EXPECT_EQ(stl_complaint("solid \0"s),
+              "E_STL_SIZE f.stl@6: a zero byte after \"solid\", in a file of 7 bytes; "
+              "expected text without zero bytes, or at least 84 bytes of a binary STL");
 }
 
 TEST(ParseStl, RefusesAsciiThatIsNotStl)

@@ -83,6 +83,33 @@ void expect_nearest(const TriangleMesh& mesh, const Vec3& place)
                 accuracy);
 }
 
+// Expects that the nearest point of a mesh to some places is found, bit by bit, on the
+// triangle that a test of every triangle finds. \param away of the places, in mm, from
+// points of the mesh.
+void expect_as_of_every_triangle(const TriangleMesh& mesh, test::Random& random,
+                                 double away)
+{
+    const TriangleTree tree{mesh};
+    for (int k = 0; k < 40; ++k) {
+        const Vec3 place =
+            mesh.points()[static_cast<std::size_t>(random.uniform(0, 999))] +
+            test::random_point(random, away);
+        double least = std::numeric_limits<double>::infinity();
+        std::size_t triangle = 0;
+        for (std::size_t t = 0; t < mesh.triangles().size(); ++t) {
+            const double square =
+                (nearest_on_triangle(place, mesh.corners(t)) - place).squaredNorm();
+            if (square < least) {
+                least = square;
+                triangle = t;
+            }
+        }
+        const auto found = tree.nearest(place);
+        EXPECT_EQ(found->distance, std::sqrt(least));
+        EXPECT_EQ(found->triangle, triangle);
+    }
+}
+
 TEST(Nearest, EqualsTheResultOfTestingEveryTriangle)
 {
     test::Random random{1};
@@ -102,29 +129,25 @@ TEST(Nearest, OfASmoothMeshEqualsTheResultOfTestingEveryTriangle)
     const TriangleMesh sheet = test::grid_mesh(40, 30, [](int i, int j) {
         return Vec3{0.1 * i, 0.1 * j, std::sin(i / 6.0) * std::cos(j / 9.0)};
     });
-    for (const TriangleMesh& mesh : {sheet, test::torus_mesh(40, 25)}) {
-        const TriangleTree tree{mesh};
+    for (const TriangleMesh& mesh : {sheet, test::torus_mesh(40, 25)})
         for (const double away : {0.01, 0.1, 1.0, 10.0, 1e3, 1e6})
-            for (int k = 0; k < 40; ++k) {
-                const Vec3 place =
-                    mesh.points()[static_cast<std::size_t>(random.uniform(0, 999))] +
-                    test::random_point(random, away);
-                double least = std::numeric_limits<double>::infinity();
-                std::size_t triangle = 0;
-                for (std::size_t t = 0; t < mesh.triangles().size(); ++t) {
-                    const double square =
-                        (nearest_on_triangle(place, mesh.corners(t)) - place)
-                            .squaredNorm();
-                    if (square < least) {
-                        least = square;
-                        triangle = t;
-                    }
-                }
-                const auto found = tree.nearest(place);
-                EXPECT_EQ(found->distance, std::sqrt(least));
-                EXPECT_EQ(found->triangle, triangle);
-            }
-    }
+            expect_as_of_every_triangle(mesh, random, away);
+}
+
+// Boxes are stored in floats, which have few digits far from the origin.
+TEST(Nearest, OfASmoothMeshOfAnySizeAndPlaceEqualsTheResultOfTestingEveryTriangle)
+{
+    test::Random random{12};
+    const TriangleMesh torus = test::torus_mesh(40, 25);
+    for (const Vec3& offset : {Vec3{0, 0, 0}, Vec3{1e2, -30, 7}, Vec3{1e5, 2e6, -3e4}})
+        for (const double scale : {1e-25, 1e-20, 1e-12, 1e-3, 1e6, 1e14, 1e19, 1e22}) {
+            std::vector<Vec3> points;
+            for (const Vec3& point : torus.points())
+                points.push_back(scale * (point + offset));
+            const TriangleMesh mesh{points, test::triangles_of(torus)};
+            for (const double away : {1e-3, 0.3, 20.0})
+                expect_as_of_every_triangle(mesh, random, scale * away);
+        }
 }
 
 TEST(Nearest, HoldsItsAccuracyFarAwayAndFarFromTheOrigin)

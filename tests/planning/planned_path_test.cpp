@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -115,6 +116,20 @@ TEST(PathMemory, ARefusalNamesPointsNeedAndLimit)
                     AllOf(HasSubstr("about 9e+08 CL points"), HasSubstr("8e+02 GiB"),
                           HasSubstr("at most 8 GiB (--max-memory)"),
                           HasSubstr("enough for 9e+06 points"))));
+}
+
+// 2 points of 950 bytes are 1.8e-6 GiB.
+TEST(PathMemory, APathThatGrowsBeyondItNamesNeedAndLimit)
+{
+    for (const Planner planner : {Planner::Paper, Planner::Verified}) {
+        PlannerOptions options = plane_options(planner);
+        std::visit([](auto& own) { own.most_points = 2; }, options);
+        EXPECT_THAT([&] { plan_path(plane_part, plane_ball, options); },
+                    testing::ThrowsMessage<LimitError>(
+                        AllOf(HasSubstr("more than 2 points"), HasSubstr(" would need "),
+                              HasSubstr("at most 1.8e-06 GiB (--max-memory)"),
+                              HasSubstr("larger tolerances need fewer points"))));
+    }
 }
 
 // A quarter of 0.5 GiB holds 141281 points of 950 bytes.

@@ -41,5 +41,29 @@ TEST(PlanePoints, BoundsCoordinatesAndRefusesNonFiniteOnes)
     EXPECT_THROW((PlanePoints{{&bad, 1}}), DomainError);
 }
 
+// The check compares several points at a time and the last ones singly.
+TEST(PlanePoints, ChecksEveryCoordinate)
+{
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    for (std::size_t size = 1; size <= 37; ++size) {
+        for (std::size_t k = 0; k < 2 * size; ++k) {
+            SectionCurve curve;
+            curve.points.assign(size, SectionPoint{-1, 2});
+            double& coordinate = curve.points[k / 2][static_cast<int>(k % 2)];
+            for (const double bad : {infinity, -infinity, nan}) {
+                coordinate = bad;
+                EXPECT_THROW((PlanePoints{{&curve, 1}}), DomainError);
+            }
+            for (const double far : {1e200, -1e200}) {
+                coordinate = far;
+                EXPECT_GE((PlanePoints{{&curve, 1}}.section().largest_at_most), 1e200);
+            }
+            coordinate = 3;
+            EXPECT_LT((PlanePoints{{&curve, 1}}.section().largest_at_most), 0x1p+250);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace endmill

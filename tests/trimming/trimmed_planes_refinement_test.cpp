@@ -86,12 +86,12 @@ TEST(RefinedPlanes, TouchThePartAtEveryRefinedPoint)
                     point.at.x(), sections.planes.positions[k], point.at.y()));
     ASSERT_GT(places.size(), 40U);
     constexpr double resolution = 1e-7;
-    EXPECT_GE(least_gap(sections.surfaces, sections.cutter, places, resolution)->gap,
+    EXPECT_GE(least_gap(sections.surfaces, sections.cutter, places, {resolution})->gap,
               -1e-8);
     // Each point on its own, so that a point above the part is found as well.
     for (std::size_t k = 0; k < places.size(); k += 7)
         EXPECT_NEAR(
-            least_gap(sections.surfaces, sections.cutter, {&places[k], 1}, resolution)
+            least_gap(sections.surfaces, sections.cutter, {&places[k], 1}, {resolution})
                 ->gap,
             0, 2 * resolution);
 }

@@ -96,7 +96,7 @@ TEST(WallLanes, CountTheExitsOfRays)
         places.at[0][3] = corners[0].x();
         const unsigned asked = part % 2 == 0 ? 0xFFU : 0x5BU;
         const ExitLanes found =
-            exits_of(walls.strips(), places, Eigen::Matrix3f::Identity(), asked);
+            ray_exits(walls.strips(), places, Eigen::Matrix3f::Identity(), asked);
         EXPECT_EQ((found.none | found.some) & ~asked, 0U);
         EXPECT_EQ(found.none & found.some, 0U);
         for (int lane = 0; lane < float_lanes; ++lane) {
@@ -119,7 +119,7 @@ TEST(WallLanes, GiveABoxTheExitsOfAllItsRays)
         Eigen::Vector3f low = random_corners(random, 1)[0];
         const Eigen::Vector3f size = 0.1F * random_corners(random, 1)[0].cwiseAbs();
         const std::optional<int> exits =
-            exits_of(walls.strips(), ProjectedBox{low, low + size});
+            box_exits(walls.strips(), ProjectedBox{low, low + size});
         if (!exits)
             continue;
         ++decided;
@@ -151,7 +151,7 @@ TEST(WallLanes, MapPlacesToTheirFrame)
     places.at[0][2] = -0.5F;
     Eigen::Matrix3f frame;
     frame << 0, 1, 0, 1, 0, 0, 0, 0, 1;
-    const ExitLanes found = exits_of(walls.strips(), places, frame, 0xFFU);
+    const ExitLanes found = ray_exits(walls.strips(), places, frame, 0xFFU);
     EXPECT_EQ(found.some, 0xFBU);
     EXPECT_EQ(found.none, 0x04U);
 }

@@ -10,6 +10,8 @@
 #include <numeric>
 #include <vector>
 
+#include "endmill/core/detail/number_text.h"
+
 namespace endmill {
 namespace {
 
@@ -127,24 +129,24 @@ constexpr double most_short = 1e6;  // exclusive, of the magnitude
 constexpr double least_short = 0.01;
 constexpr double most_short_whole = 10'000;  // exclusive
 
-// Appends the value if it is such a decimal, as coordinates in programs are. This takes a
-// fraction of the time of the general case.
-bool append_short_decimal(std::string& text, double value)
+// Writes the value if it is such a decimal, as coordinates in programs are. Returns the end,
+// or null for another value. This takes a fraction of the time of the general case.
+char* write_short_decimal(char* end, double value)
 {
     const double size = std::abs(value);
     if (!(size < most_short) || (size < least_short && size != 0))
-        return false;
+        return nullptr;
     const auto units = static_cast<std::int64_t>(size * nano + 0.5);
     if (static_cast<double>(units) / nano != size)
-        return false;
+        return nullptr;
     auto fraction = static_cast<std::uint32_t>(units % units_of_one);
     if (fraction == 0 && size >= most_short_whole)
-        return false;
-    std::array<char, 18> buffer;  // sign, six digits, point, nine digits
-    char* end = buffer.data();
+        return nullptr;
     if (value < 0)
         *end++ = '-';
-    end = std::to_chars(end, buffer.data() + buffer.size(), units / units_of_one).ptr;
+    constexpr std::size_t most_digits =
+        7;  // of the whole part, whose type has room for more
+    end = std::to_chars(end, end + most_digits, units / units_of_one).ptr;
     if (fraction != 0) {
         *end++ = '.';
         for (int k = nano_digits; k-- > 0; fraction /= 10)
@@ -153,23 +155,27 @@ bool append_short_decimal(std::string& text, double value)
         while (end[-1] == '0')
             --end;
     }
-    text.append(buffer.data(), end);
-    return true;
+    return end;
 }
 
 }  // namespace
 
-void append_text(std::string& text, double value)
+char* write_number(char* begin, double value)
 {
     assert(std::isfinite(value));
-    if (append_short_decimal(text, value))
-        return;
-    std::array<char, 32> buffer;  // no shortest text has more than 24 characters
+    if (char* const end = write_short_decimal(begin, value))
+        return end;
     const double unsigned_zero = value == 0 ? 0 : value;
     const auto [end, error] =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), unsigned_zero);
+        std::to_chars(begin, begin + longest_number_text, unsigned_zero);
     assert(error == std::errc{});
-    text.append(buffer.data(), end);
+    return end;
+}
+
+void append_text(std::string& text, double value)
+{
+    std::array<char, longest_number_text> buffer;
+    text.append(buffer.data(), write_number(buffer.data(), value));
 }
 
 std::string to_text(double value)

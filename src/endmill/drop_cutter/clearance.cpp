@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "endmill/core/detail/finished_share.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/tolerance.h"
@@ -24,6 +25,8 @@ constexpr double pieces_per_radius = 2;
 constexpr std::size_t places_in_a_chunk = 64;
 // Every 256th position is searched first, then every 16th, then all.
 constexpr std::array<std::size_t, 3> steps{256, 16, 1};
+// Positions over which a cutter is dropped before progress is reported.
+constexpr std::size_t places_a_report = 65536;
 
 void check(std::span<const Vec3> references, double resolution)
 {
@@ -52,20 +55,31 @@ std::optional<LeastGap> least_of_some(const std::array<std::size_t, 3>& begin_en
 // searched first, then those between them: once a small gap is known, everything farther
 // away is skipped.
 template <typename MakeSearch>
-std::optional<LeastGap> least_of_all(std::size_t count, const MakeSearch& make_search)
+std::optional<LeastGap> least_of_all(std::size_t count, const MakeSearch& make_search,
+                                     const std::function<void(double)>& progress)
 {
+    const auto chunks_of = [&](std::size_t step) {
+        const std::size_t stretch = step * places_in_a_chunk;
+        return (count + stretch - 1) / stretch;
+    };
+    std::size_t all_chunks = 0;
+    for (const std::size_t step : steps)
+        all_chunks += chunks_of(step);
+    FinishedShare finished{progress, all_chunks};
     std::optional<LeastGap> least;
     for (const std::size_t step : steps) {
         const std::size_t stretch = step * places_in_a_chunk;
-        const std::size_t chunks = (count + stretch - 1) / stretch;
+        const std::size_t chunks = chunks_of(step);
         const double enough = least ? least->gap : infinite;
         std::vector<std::optional<LeastGap>> least_of_chunk(chunks);
         parallel_for(chunks, [&](std::size_t begin, std::size_t end) {
             auto search = make_search();
-            for (std::size_t chunk = begin; chunk < end; ++chunk)
+            for (std::size_t chunk = begin; chunk < end; ++chunk) {
                 least_of_chunk[chunk] = least_of_some(
                     {chunk * stretch, std::min((chunk + 1) * stretch, count), step},
                     enough, search);
+                finished.add(1);
+            }
         });
         for (const auto& found : least_of_chunk)
             if (found && (!least || found->gap < least->gap))
@@ -145,30 +159,35 @@ private:
 }  // namespace
 
 std::optional<LeastGap> least_gap(std::span<const Surface> surfaces, const Cutter& cutter,
-                                  std::span<const Vec3> references, double resolution)
+                                  std::span<const Vec3> references,
+                                  const GapOptions& options)
 {
-    check(references, resolution);
+    check(references, options.resolution);
     const PieceTree tree{surfaces, cutter.radius() / pieces_per_radius};
-    return least_of_all(references.size(), [&] {
+    const auto make_search = [&] {
         return [&, finer = FinerPieces{}](std::size_t k, double enough) mutable {
-            return surface_gap(tree, CutterCore{cutter, references[k]}, resolution,
-                               enough, finer);
+            return surface_gap(tree, CutterCore{cutter, references[k]},
+                               options.resolution, enough, finer);
         };
-    });
+    };
+    return least_of_all(references.size(), make_search, options.progress);
 }
 
 std::optional<LeastGap> least_gap(const DropCutter& drop_cutter,
-                                  std::span<const Vec3> references, double resolution)
+                                  std::span<const Vec3> references,
+                                  const GapOptions& options)
 {
-    check(references, resolution);
+    check(references, options.resolution);
     const DropTree& tree = drop_cutter.tree();
-    return least_of_all(references.size(), [&] {
+    const auto make_search = [&] {
         return [&](std::size_t k, double enough) {
-            MeshGapQuery query{tree, tree.cutter(), references[k], resolution, enough};
+            MeshGapQuery query{tree, tree.cutter(), references[k], options.resolution,
+                               enough};
             tree.search(query);
             return query.found();
         };
-    });
+    };
+    return least_of_all(references.size(), make_search, options.progress);
 }
 
 namespace {
@@ -206,7 +225,7 @@ TriangleMesh prisms_over(std::span<const SectionCurve> profiles)
 std::optional<LeastGap> profile_gap(std::span<const SectionCurve> profiles,
                                     const Cutter& cutter,
                                     std::span<const SectionPoint> references,
-                                    double resolution)
+                                    const GapOptions& options)
 {
     const TriangleMesh mesh = prisms_over(profiles);
     if (mesh.triangles().empty())
@@ -214,26 +233,32 @@ std::optional<LeastGap> profile_gap(std::span<const SectionCurve> profiles,
     std::vector<Vec3> places;
     for (const SectionPoint& at : references)
         places.emplace_back(at.x(), 0, at.y());
-    return least_gap(DropCutter{mesh, cutter}, places, resolution);
+    return least_gap(DropCutter{mesh, cutter}, places, options);
 }
 
 std::optional<LeastGap> greatest_rise(const DropCutter& drop_cutter,
-                                      std::span<const Vec3> references)
+                                      std::span<const Vec3> references,
+                                      const std::function<void(double)>& progress)
 {
     check(references, gap_resolution);
-    std::vector<Eigen::Vector2d> places;
-    places.reserve(references.size());
-    for (const Vec3& reference : references)
-        places.emplace_back(reference.head<2>());
+    FinishedShare finished{progress, references.size()};
     const double r = drop_cutter.cutter().corner_radius();
-    const std::vector<std::optional<DropContact>> contacts = drop_cutter.contacts(places);
     std::optional<LeastGap> least;
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-        if (!contacts[k])
-            continue;
-        const double gap = references[k].z() - r - contacts[k]->tip_z;
-        if (!least || gap < least->gap)
-            least = LeastGap{gap, k, contacts[k]->point};
+    std::vector<Eigen::Vector2d> places;
+    for (std::size_t first = 0; first < references.size(); first += places.size()) {
+        places.clear();
+        for (const Vec3& reference : references.subspan(
+                 first, std::min(places_a_report, references.size() - first)))
+            places.emplace_back(reference.head<2>());
+        const auto contacts = drop_cutter.contacts(places);
+        for (std::size_t k = 0; k < contacts.size(); ++k) {
+            if (!contacts[k])
+                continue;
+            const double gap = references[first + k].z() - r - contacts[k]->tip_z;
+            if (!least || gap < least->gap)
+                least = LeastGap{gap, first + k, contacts[k]->point};
+        }
+        finished.add(places.size());
     }
     return least;
 }

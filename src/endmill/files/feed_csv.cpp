@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/files/result_csv.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 
+#include "endmill/core/detail/number_text.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/detail/joined_rows.h"
@@ -13,50 +17,77 @@
 namespace endmill {
 namespace {
 
-// Appends a cell; an empty one if there is no number.
-void append(std::string& text, std::optional<double> number)
+// Rows are seldom longer: ten numbers of 17 digits and two words.
+constexpr std::size_t usual_row_bytes = 256;
+
+// The text of one row, which is made without a string: there are millions of rows.
+class RowText {
+public:
+    void add(std::string_view word) { end_ = std::ranges::copy(word, end_).out; }
+
+    void add(int number)
+    {
+        end_ = std::to_chars(end_, row_.data() + row_.size(), number).ptr;
+    }
+
+    // Adds a cell; an empty one if there is no number.
+    void add_cell(std::optional<double> number)
+    {
+        require(!number || std::isfinite(*number), "feed_csv: a number is not finite");
+        *end_++ = ',';
+        if (number)
+            end_ = write_number(end_, *number);
+    }
+
+    // Adds an angle in degrees; an empty cell if it is unknown.
+    void add_degrees(std::optional<double> radians)
+    {
+        std::optional<double> degrees;
+        if (radians)
+            degrees = rounded_degrees(*radians);
+        add_cell(degrees);
+    }
+
+    std::string_view text() const
+    {
+        return {row_.data(), static_cast<std::size_t>(end_ - row_.data())};
+    }
+
+private:
+    // A row has 2 whole numbers, 2 words of at most 20 characters and 13 numbers.
+    std::array<char, 16 * longest_number_text + 64> row_;
+    char* end_ = row_.data();
+};
+
+// Adds the columns of the geometry of a move.
+void add_geometry(RowText& row, const SegmentCut& cut)
 {
-    require(!number || std::isfinite(*number), "feed_csv: a number is not finite");
-    text += ',';
-    if (number)
-        append_text(text, *number);
+    row.add(cut.pass);
+    row.add(",");
+    row.add(cut.point);
+    row.add_cell(cut.length_mm);
+    row.add_degrees(cut.mu);
+    row.add_degrees(cut.lambda);
+    row.add_cell(cut.pick_feed_mm);
+    row.add_cell(cut.pick_feed_horizontal_mm);
+    row.add_cell(cut.depth_mm);
 }
 
-// Appends an angle in degrees; an empty cell if it is unknown.
-void append_degrees(std::string& text, std::optional<double> radians)
+// Adds the columns of the feed and the loads of a move.
+void add_feed(RowText& row, const SegmentFeed& feed)
 {
-    std::optional<double> degrees;
-    if (radians)
-        degrees = rounded_degrees(*radians);
-    append(text, degrees);
-}
-
-// Appends the columns of the geometry of a move.
-void append_geometry(std::string& text, const SegmentCut& cut)
-{
-    text += std::to_string(cut.pass) + ',' + std::to_string(cut.point);
-    append(text, cut.length_mm);
-    append_degrees(text, cut.mu);
-    append_degrees(text, cut.lambda);
-    append(text, cut.pick_feed_mm);
-    append(text, cut.pick_feed_horizontal_mm);
-    append(text, cut.depth_mm);
-}
-
-// Appends the columns of the feed and the loads of a move.
-void append_feed(std::string& text, const SegmentFeed& row)
-{
-    append_degrees(text, row.engaged_angle);
-    append(text, row.tooth.feed_per_tooth_mm);
-    append(text, row.peak_factor);
-    text += ',';
-    text += feed_limit_name(reported_limit(row));
-    text += ',';
-    text += speed_limit_name(row.table.speed_limit);
-    append(text, row.loads.cutting_force_n);
-    append(text, row.loads.thrust_n);
-    append(text, row.loads.torque_n_m);
-    append(text, row.table.power_w);
+    row.add_degrees(feed.engaged_angle);
+    row.add_cell(feed.tooth.feed_per_tooth_mm);
+    row.add_cell(feed.peak_factor);
+    row.add(",");
+    row.add(feed_limit_name(reported_limit(feed)));
+    row.add(",");
+    row.add(speed_limit_name(feed.table.speed_limit));
+    row.add_cell(feed.loads.cutting_force_n);
+    row.add_cell(feed.loads.thrust_n);
+    row.add_cell(feed.loads.torque_n_m);
+    row.add_cell(feed.table.power_w);
+    row.add("\n");
 }
 
 }  // namespace
@@ -72,6 +103,20 @@ void write_feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFee
     write_feed_rows(cuts, rows, sink);
 }
 
+std::string feed_rows(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows)
+{
+    require(cuts.size() == rows.size(), "feed_csv: need one row for each move");
+    std::string text;
+    text.reserve(rows.size() * usual_row_bytes);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        RowText row;
+        add_geometry(row, cuts[i]);
+        add_feed(row, rows[i]);
+        text += row.text();
+    }
+    return text;
+}
+
 void write_feed_rows(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows,
                      const std::function<void(std::string_view piece)>& sink)
 {
@@ -79,13 +124,7 @@ void write_feed_rows(std::span<const SegmentCut> cuts, std::span<const SegmentFe
     pass_rows(
         rows.size(),
         [&](std::size_t first, std::size_t count) {
-            std::string text;
-            for (std::size_t i = first; i < first + count; ++i) {
-                append_geometry(text, cuts[i]);
-                append_feed(text, rows[i]);
-                text += '\n';
-            }
-            return text;
+            return feed_rows(cuts.subspan(first, count), rows.subspan(first, count));
         },
         sink);
 }

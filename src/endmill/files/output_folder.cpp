@@ -19,6 +19,8 @@
 #include <unistd.h>
 
 #include "endmill/core/error.h"
+#include "endmill/files/detail/folder_change.h"
+#include "endmill/files/detail/output_path.h"
 #include "endmill/files/detail/staging_folder.h"
 #include "endmill/files/read_file.h"
 

@@ -97,7 +97,14 @@ std::string tool_path_csv(const ToolPath& path);
 ///         point.
 std::string tool_path_csv(const ToolPath& path, std::span<const std::string_view> limits);
 
-/// The same in pieces, for a path whose file need not fit into memory.
+/// The same without the column `limit` in pieces, for a path whose file need not fit into
+/// memory.
+/// \param sink receives the pieces in order; the first is the header.
+/// \throws DomainError if a number is not finite, and whatever `sink` throws.
+void write_tool_path_csv(const ToolPath& path,
+                         const std::function<void(std::string_view piece)>& sink);
+
+/// The same with the column `limit`.
 /// \param limit_of the word of a point. It is called by any thread.
 /// \param sink receives the pieces in order; the first begins with the header.
 /// \throws DomainError if a number is not finite, and whatever `sink` throws.

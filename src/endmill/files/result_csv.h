@@ -12,6 +12,7 @@
 #include "endmill/deviation/deviation.h"
 #include "endmill/files/output_folder.h"
 #include "endmill/offset/drive_planes.h"
+#include "endmill/offset/slicer.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/process/cutting_force.h"
 #include "endmill/process/feed_plan.h"
@@ -56,6 +57,10 @@ std::string feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFe
 /// \throws as `feed_csv`, and whatever `sink` throws.
 void write_feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows,
                     const std::function<void(std::string_view piece)>& sink);
+
+/// The rows of `feed_csv` without its header, made by the calling thread alone.
+/// Parameters and errors are those of `feed_csv`.
+std::string feed_rows(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows);
 
 /// The rows of `feed_csv` without its header, to continue a file that `write_feed_csv` began.
 /// Parameters and errors are those of `write_feed_csv`.
@@ -105,11 +110,20 @@ private:
 /// \param placed positions of the planes in space; if null, x and y are empty.
 /// \throws DomainError if a number is not finite, or there are fewer positions than
 ///         planes.
-std::string sections_csv(std::span<const std::vector<SectionCurve>> planes,
-                         const DrivePlanes* placed);
+std::string sections_csv(std::span<const PlaneSection> planes, const DrivePlanes* placed);
+
+/// The same text in pieces, made by all threads: the header, then the rows of each plane.
+/// \param sink receives the pieces in order.
+/// \throws as `sections_csv`, and whatever `sink` throws.
+void write_sections_csv(std::span<const PlaneSection> planes, const DrivePlanes* placed,
+                        const std::function<void(std::string_view piece)>& sink);
 
 /// The same for the curves after trimming.
 std::string trimmed_csv(std::span<const Trimmed> planes, const DrivePlanes* placed);
+
+/// The same text in pieces, as `write_sections_csv`.
+void write_trimmed_csv(std::span<const Trimmed> planes, const DrivePlanes* placed,
+                       const std::function<void(std::string_view piece)>& sink);
 
 /// Columns of `loops_csv`.
 enum class LoopColumns {

@@ -7,6 +7,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/files/detail/joined_rows.h"
 
 // A section has coordinates (s, z) in its drive plane. The rows also have x and y if the
 // position of the planes in space is known, so that the file can be drawn in space
@@ -24,17 +25,16 @@ void append(std::string& text, double number)
     append_text(text, number);
 }
 
-// Collects the rows of the planes in order.
-class PointRows {
+// The rows of one plane.
+class PlaneRows {
 public:
-    explicit PointRows(const DrivePlanes* placed) : placed_{placed} {}
-
-    // Starts the rows of a plane.
-    void begin_plane(std::size_t plane)
+    // Position `plane` of `placed` is that of the plane, if there is any.
+    PlaneRows(const DrivePlanes* placed, std::size_t plane)
+        : placed_{placed},
+          plane_{plane}
     {
-        require(!placed_ || plane < placed_->positions.size(),
+        require(!placed || plane < placed->positions.size(),
                 "section CSV: more planes than positions");
-        plane_ = plane;
     }
 
     // Appends the row of a point. Its place in space follows from the position of the
@@ -64,35 +64,63 @@ public:
 
 private:
     const DrivePlanes* placed_;
-    std::size_t plane_ = 0;
-    std::string text_{point_header};
+    std::size_t plane_;
+    std::string text_;
 };
+
+// Collects the pieces of a table in a text.
+template <typename Write>
+std::string whole(const Write& write)
+{
+    std::string text;
+    write([&](std::string_view piece) { text += piece; });
+    return text;
+}
 
 }  // namespace
 
-std::string sections_csv(std::span<const std::vector<SectionCurve>> planes,
-                         const DrivePlanes* placed)
+void write_sections_csv(std::span<const PlaneSection> planes, const DrivePlanes* placed,
+                        const std::function<void(std::string_view piece)>& sink)
 {
-    PointRows rows{placed};
-    for (std::size_t p = 0; p < planes.size(); ++p) {
-        rows.begin_plane(p);
-        for (std::size_t c = 0; c < planes[p].size(); ++c)
-            for (std::size_t k = 0; k < planes[p][c].points.size(); ++k)
-                rows.add(c, k, planes[p][c].points[k]);
-    }
-    return rows.take();
+    sink(point_header);
+    pass_texts(
+        planes.size(),
+        [&](std::size_t p) {
+            PlaneRows rows{placed, p};
+            const std::vector<SectionCurve>& curves = planes[p].curves;
+            for (std::size_t c = 0; c < curves.size(); ++c)
+                for (std::size_t k = 0; k < curves[c].points.size(); ++k)
+                    rows.add(c, k, curves[c].points[k]);
+            return rows.take();
+        },
+        sink);
+}
+
+std::string sections_csv(std::span<const PlaneSection> planes, const DrivePlanes* placed)
+{
+    return whole([&](const auto& sink) { write_sections_csv(planes, placed, sink); });
+}
+
+void write_trimmed_csv(std::span<const Trimmed> planes, const DrivePlanes* placed,
+                       const std::function<void(std::string_view piece)>& sink)
+{
+    sink(point_header);
+    pass_texts(
+        planes.size(),
+        [&](std::size_t p) {
+            PlaneRows rows{placed, p};
+            const std::vector<TrimmedCurve>& curves = planes[p].curves;
+            for (std::size_t c = 0; c < curves.size(); ++c)
+                for (std::size_t k = 0; k < curves[c].points.size(); ++k)
+                    rows.add(c, k, curves[c].points[k].at);
+            return rows.take();
+        },
+        sink);
 }
 
 std::string trimmed_csv(std::span<const Trimmed> planes, const DrivePlanes* placed)
 {
-    PointRows rows{placed};
-    for (std::size_t p = 0; p < planes.size(); ++p) {
-        rows.begin_plane(p);
-        for (std::size_t c = 0; c < planes[p].curves.size(); ++c)
-            for (std::size_t k = 0; k < planes[p].curves[c].points.size(); ++k)
-                rows.add(c, k, planes[p].curves[c].points[k].at);
-    }
-    return rows.take();
+    return whole([&](const auto& sink) { write_trimmed_csv(planes, placed, sink); });
 }
 
 std::string loops_csv(std::span<const std::vector<CutOut>> planes, LoopColumns columns)

@@ -184,6 +184,18 @@ std::string rows(const Table& table, std::size_t first, std::size_t count)
     return text;
 }
 
+using Sink = std::function<void(std::string_view piece)>;
+
+// Passes all rows on, made in parallel.
+void write_table(const Table& table, const Sink& sink)
+{
+    sink(header(table.columns));
+    pass_rows(
+        table.path.points.size(),
+        [&](std::size_t first, std::size_t count) { return rows(table, first, count); },
+        sink);
+}
+
 // Writes all rows in parallel.
 std::string table_text(const Table& table)
 {
@@ -208,17 +220,16 @@ std::string tool_path_csv(const ToolPath& path, std::span<const std::string_view
     return table_text({path, [&](std::size_t i) { return limits[i]; }, columns});
 }
 
-void write_tool_path_csv(const ToolPath& path, const LimitOf& limit_of,
-                         const std::function<void(std::string_view piece)>& sink)
+void write_tool_path_csv(const ToolPath& path, const Sink& sink)
+{
+    write_table({path, {}, optional_columns(path)}, sink);
+}
+
+void write_tool_path_csv(const ToolPath& path, const LimitOf& limit_of, const Sink& sink)
 {
     OptionalColumns columns = optional_columns(path);
     columns.limit = true;
-    const Table table{path, limit_of, columns};
-    sink(header(columns));
-    pass_rows(
-        path.points.size(),
-        [&](std::size_t first, std::size_t count) { return rows(table, first, count); },
-        sink);
+    write_table({path, limit_of, columns}, sink);
 }
 
 }  // namespace endmill

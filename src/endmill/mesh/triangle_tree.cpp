@@ -174,18 +174,20 @@ FourNumbers least_squares(std::span<const Vec3> points, std::span<const Triangle
     const FourPoints centre{a.x + b.x + c.x, a.y + b.y + c.y, a.z + b.z + c.z};
     // the least normal number, so that the length is not 0
     constexpr double not_zero = std::numeric_limits<double>::min();
-    const FourNumbers to_plane = (centre.dot(a).min(centre.dot(b)).min(centre.dot(c)) /
-                                      (centre.dot(centre) + not_zero).sqrt() -
-                                  margin)
-                                     .max(0);
+    const FourNumbers along = centre.dot(a).min(centre.dot(b)).min(centre.dot(c)).max(0);
+    const FourNumbers to_plane = along * (along / (centre.dot(centre) + not_zero));
+    // (d - margin)^2 is at least d^2 - 2 d margin, and 2 d is at most d^2 / r + r for
+    // every r. Here r is many margins, so that the share of d^2 is small.
+    constexpr double share = 1e-7;
+    const double rest = margin / share * margin;
     const auto to_box = [margin](const FourNumbers& p, const FourNumbers& q,
                                  const FourNumbers& r) -> FourNumbers {
         const FourNumbers low = p.min(q).min(r);
         const FourNumbers high = p.max(q).max(r);
         return (low.max(-high) - margin).max(0).square();
     };
-    return to_plane.square().max(to_box(a.x, b.x, c.x) + to_box(a.y, b.y, c.y) +
-                                 to_box(a.z, b.z, c.z));
+    return ((1 - share) * to_plane - rest)
+        .max(to_box(a.x, b.x, c.x) + to_box(a.y, b.y, c.y) + to_box(a.z, b.z, c.z));
 }
 
 Vec3 nearer(const Vec3& place, const Vec3& a, const Vec3& b)
@@ -224,7 +226,8 @@ Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners)
 // A query for the nearest point: the best result so far, and the lower bounds of boxes.
 struct TriangleTree::NearestQuery {
     Vec3 place;
-    double margin;  // mm, by which a box is larger
+    double margin;      // mm, by which a box is larger
+    std::int32_t hint;  // number of a triangle that has been looked at, or -1
     NearestPoint best{{}, infinity, 0};
     double least_square = infinity;  // mm^2
 
@@ -283,7 +286,8 @@ struct TriangleTree::NearestQuery {
         const FourNumbers bounds =
             least_squares(mesh.points(), leaf.corners, place, margin);
         for (int k = 0; k < 4; ++k)
-            if ((1 - question_margin) * bounds[k] <= least_square)
+            if ((1 - question_margin) * bounds[k] <= least_square &&
+                leaf.numbers[k] != hint)
                 look_at(corners_of(leaf.corners[k], mesh.points()), leaf.numbers[k]);
     }
 };
@@ -570,11 +574,12 @@ std::optional<NearestPoint> TriangleTree::nearest(const Vec3& place,
             "TriangleTree: the hint is no triangle");
     if (leaves_.empty())
         return std::nullopt;
-    NearestQuery query{place, box_margin_share * largest_coordinate_};
+    NearestQuery query{place, box_margin_share * largest_coordinate_,
+                       hint ? static_cast<std::int32_t>(*hint) : -1};
     query.least_square = within > 0 ? within * within : 0;
     const double asked = query.least_square;
     if (hint)
-        query.look_at(mesh_->corners(*hint), static_cast<std::int32_t>(*hint));
+        query.look_at(mesh_->corners(*hint), query.hint);
     ask(query);
     if (!(query.least_square < asked))
         return std::nullopt;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "endmill/core/detail/finished_share.h"
 #include "endmill/core/parallel.h"
 #include "endmill/offset/detail/mesh_segments.h"
 #include "endmill/offset/detail/segment_links.h"
@@ -13,6 +14,12 @@ namespace endmill {
 namespace {
 
 using Index = std::int32_t;
+
+// Planes whose segments exist at the same time. All triangles are visited for each batch, which
+// takes little beside 4096 sections. Many planes more would take much memory, and the first
+// share of the work would be known late.
+constexpr std::size_t planes_a_batch = 4096;
+static_assert(planes_a_batch <= most_planes_a_batch);
 
 bool is_before(const SectionPoint& one, const SectionPoint& other)
 {
@@ -193,14 +200,17 @@ std::vector<PlaneSection> slice(const TriangleMesh& mesh, const DrivePlanes& pla
                                 const SliceOptions& options)
 {
     std::vector<PlaneSection> sections(planes.positions.size());
-    for (std::size_t begin = 0; begin < sections.size(); begin += most_planes_a_batch) {
+    FinishedShare finished{options.progress, sections.size()};
+    for (std::size_t begin = 0; begin < sections.size(); begin += planes_a_batch) {
         const auto positions = std::span{planes.positions}.subspan(
-            begin, std::min(most_planes_a_batch, sections.size() - begin));
+            begin, std::min(planes_a_batch, sections.size() - begin));
         const MeshSegments segments = mesh_segments(mesh, planes.frame, positions);
         parallel_for(positions.size(), [&](std::size_t first, std::size_t last) {
             SectionTracer tracer{mesh, planes, options.part_triangles, segments};
-            for (std::size_t k = first; k < last; ++k)
+            for (std::size_t k = first; k < last; ++k) {
                 sections[begin + k] = tracer.section(begin + k, k);
+                finished.add(1);
+            }
         });
     }
     return sections;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -29,6 +30,8 @@ struct SliceOptions {
     /// PlaneSection::part_range ignores the triangles from this number on. For an offset
     /// mesh these are the strips along the border.
     std::size_t part_triangles = SIZE_MAX;
+    /// If set, it is called with the finished share, 0 to 1, by any thread.
+    std::function<void(double share)> progress = {};
 };
 
 /// The sections of `mesh` by all `planes`.

@@ -2,9 +2,11 @@
 #include "endmill/planning/planned_path.h"
 
 #include <algorithm>
+#include <atomic>
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <string>
 #include <utility>
 
 #include "endmill/core/detail/units.h"
@@ -39,16 +41,52 @@ IsoParametricOptions similar_options(const PlannerOptions& options)
     };
 }
 
-}  // namespace
+// Adds to an error about too many points how much memory the whole path would need.
+// \param done share of the path that had been planned; 0: not known.
+std::string with_memory(const LimitError& error, std::size_t most_points, double done)
+{
+    const double gib =
+        static_cast<double>(most_points) * bytes_per_path_point / bytes_per_gib;
+    std::ostringstream message;
+    message << std::setprecision(2) << error.what() << "; the path would need "
+            << (done > 0 ? "about " : "more than ") << (done > 0 ? gib / done : gib)
+            << " GiB; expected at most " << gib
+            << " GiB (--max-memory); larger tolerances need fewer points";
+    return message.str();
+}
 
-PlannedPath plan_path(std::span<const Surface> surfaces, const BallCutter& cutter,
-                      const PlannerOptions& options)
+PlannedPath planned(std::span<const Surface> surfaces, const BallCutter& cutter,
+                    const PlannerOptions& options)
 {
     if (const auto* paper = std::get_if<IsoParametricOptions>(&options))
         return {plan_iso_parametric(surfaces, cutter, *paper).path};
     VerifiedPlan plan =
         plan_verified(surfaces, cutter, std::get<VerifiedOptions>(options));
     return {std::move(plan.path), plan.lifted_links, std::move(plan.uncovered)};
+}
+
+}  // namespace
+
+PlannedPath plan_path(std::span<const Surface> surfaces, const BallCutter& cutter,
+                      const PlannerOptions& options)
+{
+    std::atomic<double> done = 0;
+    PlannerOptions own = options;
+    const std::size_t most_points = std::visit(
+        [&](auto& chosen) {
+            chosen.progress = [&done, report = chosen.progress](double share) {
+                done = share;
+                if (report)
+                    report(share);
+            };
+            return chosen.most_points;
+        },
+        own);
+    try {
+        return planned(surfaces, cutter, own);
+    } catch (const LimitError& error) {
+        throw LimitError{with_memory(error, most_points, done)};
+    }
 }
 
 double estimated_points(std::span<const Surface> surfaces, const BallCutter& cutter,

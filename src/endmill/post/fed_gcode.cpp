@@ -89,13 +89,13 @@ public:
         require(move.end <= path_.points.size(),
                 "fed_gcode: need the path of the program");
         while (lines_.next()) {
-            GcodeLine line{lines_.line()};
+            line_.assign(lines_.line());
             const bool moves = lines_.number() == move.line;
             if (moves)
-                rewrite(line, move);
+                rewrite(move);
             else {
-                pass_by(line, move);
-                text_ += line.text();
+                pass_by(line_, move);
+                text_ += line_.text();
             }
             end_line();
             if (moves)
@@ -148,18 +148,19 @@ private:
             feed_.clear();
     }
 
-    void rewrite(GcodeLine& line, const GcodeMove& move)
+    // Rewrites a line that moves, and adds it to the text.
+    void rewrite(const GcodeMove& move)
     {
         if (move.modes.unit != unit_ || move.modes.feed != feed_mode_)
             feed_.clear();
         unit_ = move.modes.unit;
         feed_mode_ = move.modes.feed;
-        const std::vector<Run> runs = runs_of(line, move);
-        if (runs.size() == 1)
-            set_conditions(line, move.modes, runs[0]);
+        const std::vector<Run> runs = runs_of(line_, move);
+        if (runs.empty())
+            set_conditions(line_, move.modes, {move.first, move.end});
         else
-            line = split(line, move, runs);
-        text_ += line.text();
+            line_ = split(line_, move, runs);
+        text_ += line_.text();
     }
 
     // Writes all parts of an arc except the last one, which is returned.
@@ -214,19 +215,20 @@ private:
         return reached;
     }
 
-    // An arc on a line with M codes is not split, because some of them stop the program
-    // after the motion of their line.
+    // The runs into which a move is divided; none if it is one run. An arc on a line with M
+    // codes is not split, because some of them stop the program after the motion of their
+    // line.
     std::vector<Run> runs_of(const GcodeLine& line, const GcodeMove& move) const
     {
         const Run whole{move.first, move.end};
         if (!move.arc || line.has('M') || is_same(whole))
-            return {whole};
+            return {};
         const double chord =
             arc_angle(*move.arc) / static_cast<double>(move.end - move.first);
         const double radius =
             std::min(arc_radii(*move.arc).start, arc_radii(*move.arc).end);
         if (2 * radius * std::sin(chord / 2) < shortest_chord_mm)
-            return {whole};
+            return {};
         std::vector<Run> runs;
         for (Run run{whole.first, whole.first}; run.end < whole.end;
              run.first = run.end) {
@@ -340,6 +342,7 @@ private:
     const GcodeReadOptions& options_;
     const ToolPath& path_;
     const Sink& sink_;
+    GcodeLine line_;     // the current line
     std::string text_;   // not yet passed on
     std::string feed_;   // F in force, as written; empty if unknown
     std::string speed_;  // S in force, as written; empty if unknown

@@ -83,24 +83,34 @@ SurfaceJet jet_of(const Partials<3>& p)
             vector(p, 2, 0), vector(p, 1, 1), vector(p, 0, 2)};
 }
 
+// Number of places that are evaluated at a time.
+constexpr std::size_t lanes = 8;
+
 // Bernstein polynomials of one degree at several places. Polynomial k at place i is at [k
-// * count + i], and so is its derivative.
+// * count + i], and so is its derivative. `count` is a multiple of `lanes`; the places
+// beyond the given ones equal the last of these.
 struct BasisRows {
     std::size_t count;
     std::vector<double> values;
     std::vector<double> slopes;
 
-    BasisRows(int degree, std::span<const double> at) : count{at.size()}
+    BasisRows(int degree, std::span<const double> at)
+        : count{(at.size() + lanes - 1) / lanes * lanes}
     {
         const auto polynomials = static_cast<std::size_t>(degree) + 1;
         values.resize(polynomials * count);
         slopes.resize(polynomials * count);
-        for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t i = 0; i < at.size(); ++i) {
             if (degree == 3)
                 take(i, cubic_bernstein<2>(at[i]));
             else
                 take(i, bernstein_basis<2>(degree, at[i]));
         }
+        for (std::size_t k = 0; k < polynomials; ++k)
+            for (std::size_t i = at.size(); i < count; ++i) {
+                values[k * count + i] = values[k * count + at.size() - 1];
+                slopes[k * count + i] = slopes[k * count + at.size() - 1];
+            }
     }
 
 private:
@@ -124,7 +134,7 @@ struct RowSum {
     std::size_t points_u;
     std::size_t points_v;
     std::size_t stride_v;
-    std::size_t count;
+    std::size_t count;  // multiple of `lanes`
 };
 
 // Evaluates the coordinate at all places along u, then its partial derivatives in u and
@@ -145,10 +155,40 @@ void sum_up(const RowSum row, double* __restrict sums)
         }
         const double* __restrict values = row.values_u + a * count;
         const double* __restrict slopes = row.slopes_u + a * count;
-        for (std::size_t i = 0; i < count; ++i) {
-            sums[i] += across * values[i];
-            sums[count + i] += across * slopes[i];
-            sums[2 * count + i] += across_dv * values[i];
+        for (std::size_t first = 0; first < count; first += lanes) {
+            ENDMILL_NOT_UNROLLED
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                const std::size_t i = first + lane;
+                sums[i] += across * values[i];
+                sums[count + i] += across * slopes[i];
+                sums[2 * count + i] += across_dv * values[i];
+            }
+        }
+    }
+}
+
+// Converts the sums of w r and w at all places to those of r, as `projected` does.
+ENDMILL_WIDEST_REGISTERS
+void project(std::size_t count, double* __restrict sums)
+{
+    const double* const w = sums + 9 * count;
+    const double* const w_u = w + count;
+    const double* const w_v = w_u + count;
+    for (std::size_t c = 0; c < 3; ++c) {
+        double* const r = sums + 3 * c * count;
+        double* const r_u = r + count;
+        double* const r_v = r_u + count;
+        for (std::size_t first = 0; first < count; first += lanes) {
+            ENDMILL_NOT_UNROLLED
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                const std::size_t i = first + lane;
+                const double point = r[i] / w[i];
+                const double along_u = (r_u[i] - w_u[i] * point) / w[i];
+                const double along_v = (r_v[i] - w_v[i] * point) / w[i];
+                r[i] = point;
+                r_u[i] = along_u;
+                r_v[i] = along_v;
+            }
         }
     }
 }
@@ -262,16 +302,18 @@ std::vector<SurfaceTangents> BezierPatch::tangents(std::span<const double> u,
     const BasisRows basis_u{degree_u_, u};
     const BasisRows basis_v{degree_v_, v};
     const auto size = static_cast<std::size_t>(points());
-    const std::size_t count = u.size();
+    const std::size_t count = basis_u.count;
     std::vector<double> sums(4 * 3 * count);
     for (std::size_t j = 0; j < v.size(); ++j) {
         for (std::size_t c = 0; c < (is_rational_ ? 4U : 3U); ++c)
             sum_up({nets_.data() + c * size, basis_u.values.data(), basis_u.slopes.data(),
                     &basis_v.values[j], &basis_v.slopes[j],
                     static_cast<std::size_t>(degree_u_) + 1,
-                    static_cast<std::size_t>(degree_v_) + 1, v.size(), count},
+                    static_cast<std::size_t>(degree_v_) + 1, basis_v.count, count},
                    &sums[c * 3 * count]);
-        for (std::size_t i = 0; i < count; ++i) {
+        if (is_rational_)
+            project(count, sums.data());
+        for (std::size_t i = 0; i < u.size(); ++i) {
             const auto sum = [&](std::size_t c, std::size_t kind) {
                 return sums[(c * 3 + kind) * count + i];
             };
@@ -279,9 +321,6 @@ std::vector<SurfaceTangents> BezierPatch::tangents(std::span<const double> u,
                 return {sum(0, kind), sum(1, kind), sum(2, kind)};
             };
             all.push_back({vector(0), vector(1), vector(2)});
-            if (is_rational_)
-                all.back() = projected(
-                    all.back(), Eigen::Matrix2d{{sum(3, 0), sum(3, 2)}, {sum(3, 1), 0}});
         }
     }
     return all;
@@ -295,16 +334,16 @@ std::vector<Vec3> BezierPatch::places(std::span<const double> u,
     const BasisRows basis_u{degree_u_, u};
     const BasisRows basis_v{degree_v_, v};
     const auto size = static_cast<std::size_t>(points());
-    const std::size_t count = u.size();
+    const std::size_t count = basis_u.count;
     std::vector<double> sums(4 * count, 1);
     for (std::size_t j = 0; j < v.size(); ++j) {
         for (std::size_t c = 0; c < (is_rational_ ? 4U : 3U); ++c)
             sum_up_values({nets_.data() + c * size, basis_u.values.data(),
                            basis_u.slopes.data(), &basis_v.values[j], &basis_v.slopes[j],
                            static_cast<std::size_t>(degree_u_) + 1,
-                           static_cast<std::size_t>(degree_v_) + 1, v.size(), count},
+                           static_cast<std::size_t>(degree_v_) + 1, basis_v.count, count},
                           &sums[c * count]);
-        for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t i = 0; i < u.size(); ++i)
             all.emplace_back(Vec3{sums[i], sums[count + i], sums[2 * count + i]} /
                              sums[3 * count + i]);
     }

@@ -2,12 +2,12 @@
 #include "endmill/trimming/trimmed_planes.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
+#include "endmill/core/detail/finished_share.h"
 #include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
@@ -97,16 +97,13 @@ void for_each_plane(const SectionSource& source, std::span<const Trimmed> trimme
                 positions.size() == source.sections.size(),
             "refine_planes: need as many planes as sections");
     const SmoothDrop drop{source.surfaces, source.offset.cutter};
-    double points = 0;
+    std::size_t points = 0;
     for (const Trimmed& plane : trimmed)
         for (const TrimmedCurve& curve : plane.curves)
-            points += static_cast<double>(curve.points.size());
-    std::atomic<std::size_t> finished = 0;
+            points += curve.points.size();
+    FinishedShare finished{source.progress, points, points_a_report};
     const std::function<void(std::size_t)> finish = [&](std::size_t more) {
-        const std::size_t before = finished.fetch_add(more);
-        if (source.progress &&
-            before / points_a_report != (before + more) / points_a_report)
-            source.progress(static_cast<double>(before + more) / points);
+        finished.add(more);
     };
     parallel_for(trimmed.size(), [&](std::size_t begin, std::size_t end) {
         FinerPieces finer;
@@ -138,17 +135,20 @@ constexpr double points_of_strips = 950;
 std::vector<Trimmed> trim_planes(std::span<const PlaneSection> planes,
                                  std::span<const std::optional<Interval>> ranges,
                                  const TrimmingMethod& method,
-                                 const TrimmingOptions& options)
+                                 const TrimmingOptions& options,
+                                 const std::function<void(double share)>& progress)
 {
     require(ranges.empty() || ranges.size() == planes.size(),
             "trim_planes: need a range for each plane, or none");
     std::vector<Trimmed> trimmed(planes.size());
+    FinishedShare finished{progress, planes.size()};
     parallel_for(planes.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             Trimmed& plane = trimmed[k];
             plane = method.trim(planes[k].curves, options);
             if (!ranges.empty())
                 cut_off(ranges[k], planes[k].curves, plane);
+            finished.add(1);
         }
     });
     return trimmed;
@@ -171,11 +171,13 @@ std::vector<Trimmed> untrimmed_planes(std::span<const PlaneSection> planes)
     return kept;
 }
 
-std::vector<Trimmed> thinned_planes(std::span<const Trimmed> trimmed, double tolerance)
+std::vector<Trimmed> thinned_planes(std::span<const Trimmed> trimmed, double tolerance,
+                                    const std::function<void(double share)>& progress)
 {
     std::vector<Trimmed> result{trimmed.begin(), trimmed.end()};
+    FinishedShare finished{progress, result.size()};
     parallel_for(result.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
+        for (std::size_t k = begin; k < end; ++k) {
             for (TrimmedCurve& curve : result[k].curves) {
                 std::vector<SectionPoint> points;
                 points.reserve(curve.points.size());
@@ -186,6 +188,8 @@ std::vector<Trimmed> thinned_planes(std::span<const Trimmed> trimmed, double tol
                     kept.push_back(curve.points[number]);
                 curve.points = std::move(kept);
             }
+            finished.add(1);
+        }
     });
     return result;
 }

@@ -23,13 +23,15 @@ namespace endmill {
 /// \param ranges as path_ranges returns them, one for each plane; empty: no clipping.
 /// \param method one of trimming_methods().
 /// \param options of the method.
+/// \param progress if set, is called with the finished share, 0 to 1, by any thread.
 /// \return one result for each plane. It does not depend on the number of threads.
 /// \throws DomainError as the method does, and if the number of ranges is neither 0 nor
 ///     the number of planes.
 std::vector<Trimmed> trim_planes(std::span<const PlaneSection> planes,
                                  std::span<const std::optional<Interval>> ranges,
                                  const TrimmingMethod& method,
-                                 const TrimmingOptions& options);
+                                 const TrimmingOptions& options,
+                                 const std::function<void(double share)>& progress = {});
 
 /// Sections without loops, such as those of a drop cutter, in the form of trimmed
 /// sections. Every vertex is kept.
@@ -41,8 +43,11 @@ std::vector<Trimmed> untrimmed_planes(std::span<const PlaneSection> planes);
 /// unchanged.
 /// \param trimmed one result for each plane.
 /// \param tolerance in mm; 0: no point is dropped.
+/// \param progress if set, is called with the finished share, 0 to 1, by any thread.
 /// \throws DomainError as thinned.
-std::vector<Trimmed> thinned_planes(std::span<const Trimmed> trimmed, double tolerance);
+std::vector<Trimmed> thinned_planes(
+    std::span<const Trimmed> trimmed, double tolerance,
+    const std::function<void(double share)>& progress = {});
 
 /// The extent in z of all curves together, in mm; 0 without a curve.
 double section_height(std::span<const PlaneSection> planes);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
@@ -30,43 +31,68 @@ struct Sides {
     double along_v;
 };
 
+// The rays at the corners of a cell; none where there is no normal, and none for a missing
+// fourth corner.
+using RaysAtCorners = std::array<std::optional<PartRay>, 4>;
+
+RaysAtCorners rays_at_corners(const PartCharts& charts, const PartCell& cell)
+{
+    RaysAtCorners rays;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(cell.corners); ++k)
+        rays[k] = charts.ray(cell.chart, cell.at[k]);
+    return rays;
+}
+
 // Estimates the lengths from the partials at the cell's corners and middle.
-Sides sides_of(const PartCharts& charts, const PartCell& cell)
+Sides sides_of(const PartCharts& charts, const PartCell& cell,
+               const RaysAtCorners& corners)
 {
     Sides sides{0, 0};
     const Vector2d first = cell.at[1] - cell.at[0];
     const Vector2d last =
         cell.at[static_cast<std::size_t>(cell.corners - 1)] - cell.at[0];
-    const auto take = [&](const Vector2d& at) {
-        if (const auto ray = charts.ray(cell.chart, at)) {
-            sides.along_u = std::max(sides.along_u,
-                                     (first.x() * ray->du + first.y() * ray->dv).norm());
-            const Vec3 up = last.x() * ray->du + last.y() * ray->dv;
-            sides.along_v = std::max(sides.along_v, up.norm());
-            if (cell.corners == 3)
-                sides.along_v =
-                    std::max(sides.along_v,
-                             (up - first.x() * ray->du - first.y() * ray->dv).norm());
-        }
+    const auto take = [&](const std::optional<PartRay>& ray) {
+        if (!ray)
+            return;
+        sides.along_u =
+            std::max(sides.along_u, (first.x() * ray->du + first.y() * ray->dv).norm());
+        const Vec3 up = last.x() * ray->du + last.y() * ray->dv;
+        sides.along_v = std::max(sides.along_v, up.norm());
+        if (cell.corners == 3)
+            sides.along_v = std::max(
+                sides.along_v, (up - first.x() * ray->du - first.y() * ray->dv).norm());
     };
-    for (int k = 0; k < cell.corners; ++k)
-        take(cell.at[static_cast<std::size_t>(k)]);
-    take(cell.centre());
+    for (const std::optional<PartRay>& ray : corners)
+        take(ray);
+    take(charts.ray(cell.chart, cell.centre()));
     return sides;
 }
 
-// Halves a quadrilateral across its sides along `across`.
-std::array<PartCell, 2> halves(const PartCell& cell, Parameter across)
+// A cell with the rays at its corners.
+struct CornerCell {
+    PartCell cell;
+    RaysAtCorners rays;
+};
+
+// Halves a quadrilateral across its sides along `across`. Only the two new corners are
+// evaluated.
+std::array<CornerCell, 2> halves(const PartCharts& charts, const CornerCell& whole,
+                                 Parameter across)
 {
-    PartCell low = cell;
-    PartCell high = cell;
-    const auto& at = cell.at;
+    CornerCell low = whole;
+    CornerCell high = whole;
+    // Puts a new corner between corners a and b, b that of the high half.
+    const auto divide = [&](std::size_t a, std::size_t b) {
+        const Vector2d middle = (whole.cell.at[a] + whole.cell.at[b]) / 2;
+        low.cell.at[b] = high.cell.at[a] = middle;
+        low.rays[b] = high.rays[a] = charts.ray(whole.cell.chart, middle);
+    };
     if (across == Parameter::U) {
-        low.at[1] = high.at[0] = (at[0] + at[1]) / 2;
-        low.at[2] = high.at[3] = (at[3] + at[2]) / 2;
+        divide(0, 1);
+        divide(3, 2);
     } else {
-        low.at[3] = high.at[0] = (at[0] + at[3]) / 2;
-        low.at[2] = high.at[1] = (at[1] + at[2]) / 2;
+        divide(0, 3);
+        divide(1, 2);
     }
     return {low, high};
 }
@@ -111,7 +137,13 @@ public:
 private:
     void add(const PartCell& cell, int halvings)
     {
-        const Sides sides = sides_of(charts_, cell);
+        add({cell, rays_at_corners(charts_, cell)}, halvings);
+    }
+
+    void add(const CornerCell& piece, int halvings)
+    {
+        const PartCell& cell = piece.cell;
+        const Sides sides = sides_of(charts_, cell, piece.rays);
         const double longest = std::max(sides.along_u, sides.along_v);
         if (longest <= most_across * pitch_ || halvings >= most_halvings) {
             keep(cell, sides);
@@ -119,8 +151,9 @@ private:
             for (const PartCell& quarter : cell.quarters())
                 add(quarter, halvings + 1);
         } else {
-            for (const PartCell& half : halves(
-                     cell, sides.along_u >= sides.along_v ? Parameter::U : Parameter::V))
+            for (const CornerCell& half :
+                 halves(charts_, piece,
+                        sides.along_u >= sides.along_v ? Parameter::U : Parameter::V))
                 add(half, halvings + 1);
         }
     }

@@ -29,16 +29,15 @@ constexpr double rounding_share = 1e-14;
 // Boxes per box of the level above.
 constexpr std::size_t children = 4;
 
-// Returns the greatest bounds of the whole patch.
-BendBounds patch_bounds(const BezierPatch& patch)
+// Greatest number of halvings of a patch for bounds of its second derivatives.
+constexpr int most_halvings = 4;
+
+// Returns the number of halvings for which a piece lies in one of the bounded parts.
+int halvings_of(int level)
 {
-    BendBounds greatest{0, 0, 0};
-    for (const BendBounds& bounds : bend_bounds(patch)) {
-        greatest.uu = std::max(greatest.uu, bounds.uu);
-        greatest.uv = std::max(greatest.uv, bounds.uv);
-        greatest.vv = std::max(greatest.vv, bounds.vv);
-    }
-    return greatest;
+    constexpr int level_of_piece = 4;  // of most_cells
+    static_assert(1 << level_of_piece == most_cells);
+    return std::clamp(level - level_of_piece, 0, most_halvings);
 }
 
 }  // namespace
@@ -59,8 +58,7 @@ SurfaceTree::SurfaceTree(std::span<const Surface> surfaces, double chord_toleran
         for (int j = 0; j < surface.patches(Parameter::V); ++j)
             for (int i = 0; i < surface.patches(Parameter::U); ++i) {
                 const auto [level_u, level_v] = levels.patch(i, j);
-                add({&surface, i, j, level_u, level_v},
-                    patch_bounds(surface.patch(i, j)));
+                add_patch({&surface, i, j, level_u, level_v});
             }
     }
     samples_.resize(pieces_.size());
@@ -92,8 +90,27 @@ std::vector<Vec3> SurfaceTree::Cells::points() const
         .places(parameters(low_u, high_u, level_u), parameters(low_v, high_v, level_v));
 }
 
+// Splits a patch into pieces. The second derivatives are bounded on parts of the patch,
+// because one bound of the whole patch would be far too wide for most pieces.
+void SurfaceTree::add_patch(const Cells& whole)
+{
+    const Halvings halvings{halvings_of(whole.level_u), halvings_of(whole.level_v)};
+    const std::vector<BendBounds> bounds =
+        bend_bounds(whole.surface->patch(whole.column, whole.row), halvings);
+    add(whole, {halvings, bounds});
+}
+
+const BendBounds& SurfaceTree::Bounds::of(const Cells& cells) const
+{
+    const auto column =
+        static_cast<std::size_t>(cells.low_u >> (cells.level_u - halvings.u));
+    const auto row =
+        static_cast<std::size_t>(cells.low_v >> (cells.level_v - halvings.v));
+    return parts[(row << halvings.u) + column];
+}
+
 // Splits the cells into pieces; the halves of a piece are consecutive.
-void SurfaceTree::add(const Cells& cells, const BendBounds& bounds)
+void SurfaceTree::add(const Cells& cells, const Bounds& bounds)
 {
     const int count_u = cells.high_u - cells.low_u;
     const int count_v = cells.high_v - cells.low_v;
@@ -120,8 +137,8 @@ void SurfaceTree::add(const Cells& cells, const BendBounds& bounds)
     }
     // The surface deviates by at most this length from a triangle of the corners, and the
     // corners of the triangles lie on the surface.
-    const double bulge = bounds.chord_error(std::ldexp(count_u, -cells.level_u),
-                                            std::ldexp(count_v, -cells.level_v));
+    const double bulge = bounds.of(cells).chord_error(
+        std::ldexp(count_u, -cells.level_u), std::ldexp(count_v, -cells.level_v));
     const double around =
         bulge + rounding_share * std::max(box.low.cwiseAbs().maxCoeff(),
                                           box.high.cwiseAbs().maxCoeff());

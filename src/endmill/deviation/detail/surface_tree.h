@@ -75,7 +75,16 @@ private:
             return (low - place).cwiseMax(place - high).cwiseMax(0).squaredNorm();
         }
     };
-    void add(const Cells& cells, const BendBounds& bounds);
+    // Bounds of the second derivatives on equal parts of a patch.
+    struct Bounds {
+        Halvings halvings;
+        std::span<const BendBounds> parts;
+
+        // Those on the part in which the cells lie.
+        const BendBounds& of(const Cells& cells) const;
+    };
+    void add_patch(const Cells& whole);
+    void add(const Cells& cells, const Bounds& bounds);
     void add_upper_boxes();
     const SampledPatch& sample(std::size_t piece) const;
     void look_at(NearestSearch& search, std::size_t piece) const;

@@ -10,23 +10,20 @@
 namespace endmill {
 namespace {
 
-// Number of sweeps that are tested at a time.
-constexpr std::size_t block_size = 64;
-using Block = std::array<double, block_size>;
-// Number of `flat_radius` among the columns.
-constexpr std::size_t flat_radius_column = 8;
+using SweepBlock = SweepRows::Block;
+using Column = SweepBlock::Column;
 
 // The half spaces of a block of sweeps. All but `size` are multiplied by `size`.
 struct Gaps {
-    Block gap;    // distance from the reach of the rays; below 0 a sweep may reach them
-    Block x;      // normal
-    Block y;      // normal
-    Block z;      // normal
-    Block size;   // length of the direction to the sweep, mm
-    Block least;  // as in HalfSpace, from the centre of the rays
+    Column gap;    // distance from the reach of the rays; below 0 a sweep may reach them
+    Column x;      // normal
+    Column y;      // normal
+    Column z;      // normal
+    Column size;   // length of the direction to the sweep, mm
+    Column least;  // as in HalfSpace, from the centre of the rays
     // Below 0 if the normal is not perpendicular to the move. Another normal may then be
     // better.
-    Block lost;
+    Column lost;
 };
 
 double reciprocal(double value)
@@ -39,8 +36,8 @@ double reciprocal(double value)
 // Computes the half spaces of `half_space`, and their distances from the rays by the bounds
 // of `RayBounds::is_out_of_reach`, without a division. A distance of 0 or more is certain.
 ENDMILL_WIDEST_REGISTERS
-void measure_gaps(const RayBounds& rays, const SweepRows::Columns& sweeps,
-                  std::size_t count, Gaps& gaps)
+void measure_gaps(const RayBounds& rays, const SweepBlock& sweeps, std::size_t count,
+                  Gaps& gaps)
 {
     const double cx = rays.centre.x();
     const double cy = rays.centre.y();
@@ -101,29 +98,88 @@ void measure_gaps(const RayBounds& rays, const SweepRows::Columns& sweeps,
     }
 }
 
+// Calls `visit(place in the block)` for each sweep of the block that may clear a point of
+// the rays, after its half space is computed.
+template <typename Visit>
+void visit_near_of(const RayBounds& rays, const SweepBlock& block, std::size_t count,
+                   Gaps& gaps, const Visit& visit)
+{
+    measure_gaps(rays, block, count, gaps);
+    for (std::size_t k = 0; k < count; ++k)
+        if (!(gaps.gap[k] >= 0))
+            visit(k);
+}
+
 }  // namespace
 
-// Calls `visit(row, gaps, place of the row in them)` for each row that may clear a point of
-// the rays.
+void SweepRows::Block::set(std::size_t k, std::int32_t its_number,
+                           const StraightSweep& sweep)
+{
+    const Vec3 move = sweep.to() - sweep.from();
+    const double corner = sweep.cutter().corner_radius();
+    number[k] = its_number;
+    x[k] = sweep.from().x();
+    y[k] = sweep.from().y();
+    z[k] = sweep.from().z() + corner;
+    dx[k] = move.x();
+    dy[k] = move.y();
+    dz[k] = move.z();
+    per_squared[k] = reciprocal(move.squaredNorm());
+    per_level[k] = reciprocal(move.head<2>().squaredNorm());
+    flat_radius[k] = sweep.cutter().flat_radius();
+    corner_radius[k] = corner;
+}
+
+void SweepRows::Block::copy(std::size_t k, const Block& other, std::size_t from)
+{
+    number[k] = other.number[from];
+    x[k] = other.x[from];
+    y[k] = other.y[from];
+    z[k] = other.z[from];
+    dx[k] = other.dx[from];
+    dy[k] = other.dy[from];
+    dz[k] = other.dz[from];
+    per_squared[k] = other.per_squared[from];
+    per_level[k] = other.per_level[from];
+    flat_radius[k] = other.flat_radius[from];
+    corner_radius[k] = other.corner_radius[from];
+}
+
+// Calls `visit(block, place in it, gaps)` for each sweep that may clear a point of the rays.
 template <typename Visit>
 void SweepRows::visit_near(const RayBounds& rays, const Visit& visit) const
 {
     Gaps gaps;
-    for (std::size_t first = 0; first < numbers_.size(); first += block_size) {
-        const std::size_t count = std::min(block_size, numbers_.size() - first);
-        measure_gaps(rays, columns_from(first), count, gaps);
-        for (std::size_t k = 0; k < count; ++k)
-            if (!(gaps.gap[k] >= 0))
-                visit(first + k, gaps, k);
+    for (std::size_t first = 0; first < count_; first += block_size) {
+        const Block& block = blocks_[first / block_size];
+        visit_near_of(rays, block, std::min(block_size, count_ - first), gaps,
+                      [&](std::size_t k) { visit(block, k, gaps); });
     }
 }
 
+// Appends one sweep.
+void SweepRows::add(const Block& block, std::size_t k)
+{
+    if (count_ == blocks_.size() * block_size)
+        blocks_.emplace_back();
+    blocks_.back().copy(count_ % block_size, block, k);
+    ++count_;
+}
+
+// Appends the sweeps of a block that may clear a point of the rays.
+void SweepRows::add_near(const RayBounds& rays, const Block& block, std::size_t count)
+{
+    Gaps gaps;
+    visit_near_of(rays, block, count, gaps, [&](std::size_t k) { add(block, k); });
+}
+
+// The sweeps of the tree are tested block by block, because all of them would take much
+// memory, most of it for sweeps that are not near.
 SweepRows::SweepRows(const SweepTree& tree, const RayBounds& rays)
     : SweepRows{tree.sweeps()}
 {
-    if (sweeps_.empty())
-        return;
-    SweepRows all{sweeps_};
+    Block block{};
+    std::size_t count = 0;
     tree.visit(
         rays.centre,
         [&](const Vec3& nearest, const Cutter& cutter) {
@@ -131,68 +187,32 @@ SweepRows::SweepRows(const SweepTree& tree, const RayBounds& rays)
                                          rays.longest);
         },
         [&](std::size_t number) {
-            all.numbers_.push_back(static_cast<std::int32_t>(number));
+            block.set(count++, static_cast<std::int32_t>(number), sweeps_[number]);
+            if (count == block_size) {
+                add_near(rays, block, count);
+                count = 0;
+            }
         });
-    all.fill();
-    *this = all.reduced(rays);
-}
-
-SweepRows::Columns SweepRows::columns_from(std::size_t first) const
-{
-    const auto at = [&](std::size_t column) { return column_begin(column) + first; };
-    return {at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7), at(8), at(9)};
-}
-
-// Computes the columns, in the order of `Columns`.
-void SweepRows::fill()
-{
-    rows_.resize(columns * numbers_.size());
-    for (std::size_t k = 0; k < numbers_.size(); ++k) {
-        const StraightSweep& sweep = sweeps_[static_cast<std::size_t>(numbers_[k])];
-        const Vec3 move = sweep.to() - sweep.from();
-        const double corner = sweep.cutter().corner_radius();
-        const std::array<double, columns> row{sweep.from().x(),
-                                              sweep.from().y(),
-                                              sweep.from().z() + corner,
-                                              move.x(),
-                                              move.y(),
-                                              move.z(),
-                                              reciprocal(move.squaredNorm()),
-                                              reciprocal(move.head<2>().squaredNorm()),
-                                              sweep.cutter().flat_radius(),
-                                              corner};
-        for (std::size_t c = 0; c < columns; ++c)
-            rows_[c * numbers_.size() + k] = row[c];
-    }
+    add_near(rays, block, count);
 }
 
 SweepRows SweepRows::reduced(const RayBounds& rays) const
 {
-    std::vector<std::size_t> kept;
-    kept.reserve(numbers_.size());
-    visit_near(rays,
-               [&](std::size_t row, const Gaps&, std::size_t) { kept.push_back(row); });
     SweepRows some{sweeps_};
-    some.numbers_.resize(kept.size());
-    some.rows_.resize(columns * kept.size());
-    for (std::size_t k = 0; k < kept.size(); ++k)
-        some.numbers_[k] = numbers_[kept[k]];
-    double* to = some.rows_.data();
-    for (std::size_t c = 0; c < columns; ++c) {
-        const double* from = column_begin(c);
-        for (const std::size_t row : kept)
-            *to++ = from[row];
-    }
+    visit_near(rays, [&](const Block& block, std::size_t k, const Gaps&) {
+        some.add(block, k);
+    });
     return some;
 }
 
 std::vector<NearSweep> SweepRows::near(const RayBounds& rays) const
 {
     std::vector<NearSweep> found;
-    visit_near(rays, [&](std::size_t row, const Gaps& gaps, std::size_t k) {
-        const std::int32_t number = numbers_[row];
+    found.reserve(count_);
+    visit_near(rays, [&](const Block& block, std::size_t k, const Gaps& gaps) {
+        const std::int32_t number = block.number[k];
         // Beyond the end of a move of a ball another half space would be little closer.
-        const bool is_flat = column_begin(flat_radius_column)[row] > 0;
+        const bool is_flat = block.flat_radius[k] > 0;
         if (!(gaps.size[k] > 0) || (is_flat && gaps.lost[k] < 0)) {
             found.push_back(
                 {number, half_space_beyond(sweeps_[static_cast<std::size_t>(number)],

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -31,36 +32,41 @@ public:
     /// Returns the rows of these sweeps.
     SweepRows reduced(const RayBounds& rays) const;
 
-    /// Pointers to the numbers of the sweeps.
-    struct Columns {
-        const double* x;   ///< mm, start of the move, one corner radius above the tip
-        const double* y;   ///< mm
-        const double* z;   ///< mm
-        const double* dx;  ///< mm, the move
-        const double* dy;  ///< mm
-        const double* dz;  ///< mm
-        const double* per_squared;    ///< 1 / length^2 of the move; 0 if the length is
-        const double* per_level;      ///< the same, seen from above
-        const double* flat_radius;    ///< mm
-        const double* corner_radius;  ///< mm
+    /// Number of sweeps that are tested at a time.
+    static constexpr std::size_t block_size = 64;
+
+    /// Numbers of up to `block_size` sweeps.
+    struct Block {
+        using Column = std::array<double, block_size>;  ///< one number per sweep
+
+        std::array<std::int32_t, block_size> number;  ///< of the sweep
+        Column x;              ///< mm, start of the move, one corner radius above the tip
+        Column y;              ///< mm
+        Column z;              ///< mm
+        Column dx;             ///< mm, the move
+        Column dy;             ///< mm
+        Column dz;             ///< mm
+        Column per_squared;    ///< 1 / length^2 of the move; 0 if the length is
+        Column per_level;      ///< the same, seen from above
+        Column flat_radius;    ///< mm
+        Column corner_radius;  ///< mm
+
+        /// Sets the numbers at place `k` to those of a sweep.
+        void set(std::size_t k, std::int32_t its_number, const StraightSweep& sweep);
+        /// Copies the numbers at place `from` of another block to place `k`.
+        void copy(std::size_t k, const Block& other, std::size_t from);
     };
 
 private:
-    static constexpr std::size_t columns = 10;
-
     explicit SweepRows(std::span<const StraightSweep> sweeps) : sweeps_{sweeps} {}
-    const double* column_begin(std::size_t column) const
-    {
-        return rows_.data() + column * numbers_.size();
-    }
-    void fill();
-    Columns columns_from(std::size_t first) const;
+    void add(const Block& block, std::size_t k);
+    void add_near(const RayBounds& rays, const Block& block, std::size_t count);
     template <typename Visit>
     void visit_near(const RayBounds& rays, const Visit& visit) const;
 
     std::span<const StraightSweep> sweeps_;
-    std::vector<std::int32_t> numbers_;
-    std::vector<double> rows_;  // one column after the other
+    std::size_t count_ = 0;
+    std::vector<Block> blocks_;  // all full but the last
 };
 
 }  // namespace endmill

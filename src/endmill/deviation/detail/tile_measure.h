@@ -40,8 +40,10 @@ struct Extremes {
         ++rays;
         top = std::max(top, cell.ray.point.z() + cell.reach);
         is_cut = is_cut || cell.cut.sweep >= 0;
-        take(DeviationPlace{cell.value(), cell.ray, cell.cell.chart, cell.cell.centre(),
-                            cell.cut.sweep});
+        const double left = cell.value();
+        if (left > highest.left || left < deepest.left)
+            take(DeviationPlace{left, cell.ray, cell.cell.chart, cell.cell.centre(),
+                                cell.cut.sweep});
     }
     /// Updates the extreme places.
     void take(const DeviationPlace& place)

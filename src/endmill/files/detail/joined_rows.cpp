@@ -7,9 +7,9 @@
 
 #include "endmill/core/parallel.h"
 
-// Rows are formatted in runs of fixed length. The runs of a batch are formatted in
-// parallel and passed on in order meanwhile; a batch bounds the memory for text that exists
-// twice.
+// Rows are formatted in runs of fixed length, or a run is one text of the caller. The runs of
+// a batch are formatted in parallel and passed on in order meanwhile; a batch bounds the
+// memory for text that exists twice.
 
 namespace endmill {
 namespace {
@@ -40,18 +40,24 @@ void pass_rows(
     const std::function<std::string(std::size_t first, std::size_t count)>& rows_of,
     const std::function<void(std::string_view piece)>& sink)
 {
-    std::vector<std::string> chunks(chunks_per_batch);
-    for (std::size_t first = 0; first < rows; first += rows_per_batch) {
-        const std::size_t batch = std::min(rows_per_batch, rows - first);
-        const std::size_t count = (batch + rows_per_chunk - 1) / rows_per_chunk;
+    pass_texts((rows + rows_per_chunk - 1) / rows_per_chunk,
+               [&](std::size_t i) {
+                   const std::size_t first = i * rows_per_chunk;
+                   return rows_of(first, std::min(rows_per_chunk, rows - first));
+               },
+               sink);
+}
+
+void pass_texts(std::size_t count,
+                const std::function<std::string(std::size_t i)>& text_of,
+                const std::function<void(std::string_view text)>& sink)
+{
+    std::vector<std::string> texts(std::min(count, chunks_per_batch));
+    for (std::size_t first = 0; first < count; first += chunks_per_batch)
         parallel_in_order(
-            count,
-            [&](std::size_t i) {
-                const std::size_t at = i * rows_per_chunk;
-                chunks[i] = rows_of(first + at, std::min(rows_per_chunk, batch - at));
-            },
-            [&](std::size_t i) { sink(std::exchange(chunks[i], {})); });
-    }
+            std::min(chunks_per_batch, count - first),
+            [&](std::size_t i) { texts[i] = text_of(first + i); },
+            [&](std::size_t i) { sink(std::exchange(texts[i], {})); });
 }
 
 }  // namespace endmill

@@ -28,4 +28,12 @@ void pass_rows(
     const std::function<std::string(std::size_t first, std::size_t count)>& rows_of,
     const std::function<void(std::string_view piece)>& sink);
 
+/// Passes texts on in order, which several threads make. About 64 exist at a time.
+/// \param count   number of texts.
+/// \param text_of text `i`; called by any thread.
+/// \param sink    receives the texts in order, one call at a time; called by any thread.
+void pass_texts(std::size_t count,
+                const std::function<std::string(std::size_t i)>& text_of,
+                const std::function<void(std::string_view text)>& sink);
+
 }  // namespace endmill

@@ -2,10 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace endmill {
 
@@ -38,75 +34,20 @@ private:
     int lock_ = -1;  // descriptor of the folder
 };
 
-/// The changes of a folder that one run publishes: new files, and old files to remove. They
-/// are made one by one, and can be undone as long as not all are made, also by a later run:
-///
-///     STAGING/new/NAME   a new file that is not published yet
-///     STAGING/old/NAME   an old file, moved out of the way
-///     STAGING/names      the journal: what is done to each file and folder
-///
-/// Nothing is changed before the journal is on the disk and STAGING/old exists. Undoing only
-/// renames files, each between two places, and removes empty folders. So it can be stopped at
-/// any time and repeated.
-///
-/// No file named summary.json is in the folder while it is being changed: old ones go first,
-/// new ones come last.
-class FolderChange {
-public:
-    /// \param folder the folder. \param staging a StagingFolder in it.
-    FolderChange(std::filesystem::path folder, std::filesystem::path staging);
-
-    /// Makes all changes, or none of them. If it fails and the system does not even let it
-    /// restore the folder, `staging` is released, and a later run restores it.
-    /// \param written names of files in STAGING/new. \param removed names of old files.
-    /// \throws OutputError with the name of the file and the reason.
-    void make(const std::vector<std::filesystem::path>& written,
-              const std::vector<std::filesystem::path>& removed, StagingFolder& staging);
-
-    /// Undoes the changes, unless all new files are published.
-    /// \return false if something cannot be undone, or if the journal cannot be read.
-    bool undo();
-
-private:
-    enum class Fate : char;
-    struct Entry;
-    using Journal = std::vector<Entry>;
-
-    static std::optional<Journal> journal_in(const std::filesystem::path& file);
-    static void write(const Journal& journal, const std::filesystem::path& file);
-    Journal journal_of(const std::vector<std::filesystem::path>& written,
-                       const std::vector<std::filesystem::path>& removed) const;
-    bool is_complete(const Journal& journal) const;
-    bool undo(const Entry& entry);
-    void move_away(const std::filesystem::path& name);
-    void publish(const std::filesystem::path& name);
-
-    std::filesystem::path folder_;
-    std::filesystem::path staging_;
-};
-
-/// Undoes the unfinished changes of runs that were killed in `folder`, and removes their
-/// staging folders. Those of runs that still go on stay.
-/// \return a staging folder whose changes cannot be undone; empty if there is none.
-std::filesystem::path clear_abandoned_runs(const std::filesystem::path& folder);
-
 /// Whether the name is that of a staging folder.
 bool is_staging_name(const std::filesystem::path& name);
 
-/// Whether `name` lies in `folder` itself: no folder on its path is a symbolic link.
-bool lies_inside(const std::filesystem::path& folder, const std::filesystem::path& name);
+/// Removes a staging folder whose changes are complete or undone, as far as possible. The
+/// journal of a FolderChange goes after the old files, which nobody could put back without it.
+void remove_staging(const std::filesystem::path& staging);
 
-/// Whether `name` is relative and names a file without leaving its folder.
-bool is_plain_name(const std::filesystem::path& name);
+/// What is known of a staging folder whose process may be gone.
+struct Abandoned {
+    bool is_known = true;  ///< whether it could be found out
+    int lock = -1;  ///< descriptor to close; -1 if its process lives, or it is no folder
+};
 
-/// Creates the folders of `name` below `folder`. \return 0, or the error number.
-int make_folders(const std::filesystem::path& folder, const std::filesystem::path& name);
-
-/// Writes all of `content` to a descriptor. \return 0, or the error number.
-int write_whole(int descriptor, std::string_view content);
-
-/// Throws an OutputError "cannot ACT PATH: REASON" with the reason of the operating system.
-[[noreturn]] void fail_output(const std::string& act, const std::filesystem::path& path,
-                              int error);
+/// Locks a staging folder if its process is gone. \pre is_staging_name(path)
+Abandoned lock_of_abandoned(const std::filesystem::path& path);
 
 }  // namespace endmill

@@ -63,13 +63,19 @@ bool is_keyword(std::string_view word, std::string_view keyword)
     return std::ranges::equal(word, keyword, is_letter_case_apart);
 }
 
+constexpr std::size_t binary_start = header_bytes + triangle_bytes;
+
+bool begins_with_solid(std::string_view content)
+{
+    TextScanner scanner{content.substr(0, binary_start), {}};
+    return is_keyword(scanner.word_across_lines(), "solid");
+}
+
 // Whether the content begins like an ASCII file: with "solid", and without a NUL byte in
 // the length of a binary header and one triangle. Binary files have NUL bytes there.
 bool looks_ascii(std::string_view content)
 {
-    constexpr std::size_t binary_start = header_bytes + triangle_bytes;
-    TextScanner scanner{content.substr(0, binary_start), {}};
-    return is_keyword(scanner.word_across_lines(), "solid") &&
+    return begins_with_solid(content) &&
            content.substr(0, binary_start).find('\0') == std::string_view::npos;
 }
 
@@ -78,6 +84,12 @@ bool looks_ascii(std::string_view content)
 [[noreturn]] void refuse_size(const MeshSource& source)
 {
     const std::size_t size = source.content.size();
+    const bool may_be_text = begins_with_solid(source.content);
+    if (size < header_bytes && may_be_text)
+        throw complaint(source, "E_STL_SIZE", FilePlace::byte(source.content.find('\0')),
+                        "a zero byte after \"solid\", in a file of " +
+                            std::to_string(size) + " bytes",
+                        "text without zero bytes, or at least 84 bytes of a binary STL");
     if (size < header_bytes)
         throw FormatError{"E_STL_SIZE",
                           {source.file, "",
@@ -85,11 +97,12 @@ bool looks_ascii(std::string_view content)
                                " bytes and does not begin with \"solid\"",
                            "at least 84 bytes of a binary STL"}};
     const std::uint32_t count = claimed_triangles(source.content);
-    throw complaint(source, "E_STL_SIZE", FilePlace::byte(count_at),
-                    "header says " + std::to_string(count) + " triangles (" +
-                        std::to_string(binary_size(count)) + " bytes), file has " +
-                        std::to_string(size),
-                    "");
+    throw complaint(
+        source, "E_STL_SIZE", FilePlace::byte(count_at),
+        "header says " + std::to_string(count) + " triangles (" +
+            std::to_string(binary_size(count)) + " bytes), file has " +
+            std::to_string(size),
+        may_be_text ? "a binary STL of that size, or text without zero bytes" : "");
 }
 
 // An empty soup with memory for `most_triangles`, after a check of the limits.

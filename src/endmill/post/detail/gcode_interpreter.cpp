@@ -8,17 +8,20 @@
 #include <optional>
 #include <utility>
 
+#include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 #include "endmill/post/detail/canned_cycle.h"
 #include "endmill/post/detail/gcode_arc.h"
 #include "endmill/post/detail/gcode_block.h"
 #include "endmill/post/detail/gcode_modes.h"
 #include "endmill/post/detail/gcode_remarks.h"
+#include "endmill/post/detail/parsed_lines.h"
 #include "endmill/post/detail/program_builder.h"
 #include "endmill/post/detail/reference_moves.h"
 #include "endmill/post/detail/text_lines.h"
 
-// Interpreter of a subset of RS-274. Each line is handled in this order, which is that of
+// Interpreter of a subset of RS-274. Several threads parse the lines ahead (ParsedLines), and
+// one at a time executes them. Each line is handled in this order, which is that of
 // the language:
 // 1. `%`, the number of the program, and block delete,
 // 2. words and comments (`parse_block`),
@@ -40,6 +43,11 @@ namespace {
 
 constexpr std::array axis_letters{'X', 'Y', 'Z'};
 constexpr int vertical = 2;  // index of the Z axis
+
+// Lines are parsed in chunks of about this many bytes, and so many chunks at a time, which
+// bounds the memory for words.
+constexpr std::size_t chunk_bytes = std::size_t{1} << 15U;
+constexpr std::size_t most_chunks = 64;
 
 using MoveVisit = std::function<void(const GcodeMove&)>;
 
@@ -71,11 +79,38 @@ public:
 private:
     void run()
     {
-        while (!has_ended_ && lines_.next())
-            read_line();
+        while (!has_ended_ && !lines_.rest().empty())
+            read_chunks();
         require_path();
         references_.finish("line");
         remarks_.finish(modes_, has_ended_, builder_);
+    }
+
+    // Parses the next chunks, and executes each when those before it are executed.
+    void read_chunks()
+    {
+        std::vector<std::string_view> chunks;
+        for (std::string_view text = lines_.rest();
+             !text.empty() && chunks.size() < most_chunks;
+             text.remove_prefix(chunks.back().size()))
+            chunks.push_back(text.substr(0, length_of_lines(text, chunk_bytes)));
+        std::vector<std::optional<ParsedLines>> parsed(chunks.size());
+        parallel_in_order(
+            chunks.size(), [&](std::size_t i) { parsed[i].emplace(chunks[i]); },
+            [&](std::size_t i) {
+                for (std::size_t k = 0; k < parsed[i]->size() && !has_ended_; ++k)
+                    read_next_line(*parsed[i], k);
+                parsed[i].reset();
+            });
+    }
+
+    void read_next_line(const ParsedLines& parsed, std::size_t k)
+    {
+        lines_.next();
+        if (parsed.is_parsed(k))
+            read_block(parsed.block(k));
+        else
+            read_line();
     }
 
     // A deleted block is not parsed, because it may contain machine-specific words.
@@ -91,7 +126,11 @@ private:
                 return;
             text.remove_prefix(1);
         }
-        const GcodeBlock block = parse_block(text, lines_);
+        read_block(parse_block(text, lines_));
+    }
+
+    void read_block(const GcodeBlock& block)
+    {
         const std::size_t first = builder_.point_count();
         arc_.reset();
         if (!block.is_empty())

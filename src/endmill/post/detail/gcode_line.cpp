@@ -23,14 +23,18 @@ bool is_letter(char byte)
     return 'A' <= capital(byte) && capital(byte) <= 'Z';
 }
 
+bool is_of_number(char byte)
+{
+    return ('0' <= byte && byte <= '9') || byte == '.' || byte == '+' || byte == '-';
+}
+
 // Number of bytes of the word at the beginning of `text`. The word may contain blanks but
 // does not end with one.
 std::size_t word_length(std::string_view text)
 {
-    constexpr std::string_view of_numbers = "0123456789.+-";
     std::size_t length = 1;
     for (std::size_t i = 1; i < text.size() && !is_letter(text[i]); ++i) {
-        if (of_numbers.find(text[i]) != std::string_view::npos)
+        if (is_of_number(text[i]))
             length = i + 1;
         else if (!is_blank(text[i]))
             break;
@@ -50,8 +54,10 @@ std::size_t other_length(std::string_view text)
 
 }  // namespace
 
-GcodeLine::GcodeLine(std::string_view line) : text_{line}
+void GcodeLine::assign(std::string_view line)
 {
+    text_ = line;
+    pieces_.clear();
     pieces_.reserve(usual_pieces);
     for (std::size_t at = 0; at < line.size();) {
         const std::string_view rest = line.substr(at);

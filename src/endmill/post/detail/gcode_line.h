@@ -14,7 +14,10 @@ namespace endmill {
 class GcodeLine {
 public:
     /// \param line the line without its LF.
-    explicit GcodeLine(std::string_view line);
+    explicit GcodeLine(std::string_view line = {}) { assign(line); }
+
+    /// Replaces the line by another one, in the memory of this one.
+    void assign(std::string_view line);
 
     /// Whether there is a word `letter` (a capital) outside comments.
     bool has(char letter) const { return find(letter) != pieces_.size(); }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 #include "endmill/core/tolerance.h"
 
@@ -18,14 +19,17 @@ constexpr double least_horizontal_share = 1e-6;
 
 void require_upright(const ToolPath& path)
 {
-    for (std::size_t i = 0; i < path.points.size(); ++i) {
-        const Vec3& axis = path.points[i].location.axis;
-        if (!((axis - Vec3::UnitZ()).norm() <= cutting_axis_tolerance))
-            throw GeometryError{
-                "the axis of point " + std::to_string(i) + " is " + to_text(axis.x()) +
-                "," + to_text(axis.y()) + "," + to_text(axis.z()) +
-                "; expected 0,0,1: the model describes vertical axes only"};
-    }
+    parallel_for(path.points.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Vec3& axis = path.points[i].location.axis;
+            if (!((axis - Vec3::UnitZ()).norm() <= cutting_axis_tolerance))
+                throw GeometryError{
+                    "the axis of point " + std::to_string(i) + " is " +
+                    to_text(axis.x()) + "," + to_text(axis.y()) + "," +
+                    to_text(axis.z()) +
+                    "; expected 0,0,1: the model describes vertical axes only"};
+        }
+    });
 }
 
 // Whether a move is vertical up to rounding.

@@ -2,15 +2,20 @@
 #include "endmill/process/detail/pass_index.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
-#include <numeric>
 #include <utility>
+
+#include "endmill/core/detail/widest_registers.h"
+#include "endmill/core/parallel.h"
 
 // The tree is searched depth-first for each move:
 // 1. A node is skipped if all its moves come later, if the plane across the move misses
-//    its box, or if the box is farther away than the nearest crossings found so far.
+//    its box, or if the box is farther away than the nearest crossings found so far. The
+//    eight children of a node are tested at once.
 // 2. In a leaf every move is intersected with the plane, and the nearest crossing on each
 //    side is kept.
 // 3. The later child is visited first, because the pass cut last is most likely the
@@ -51,7 +56,7 @@ Eigen::Matrix3d turn_along(std::span<const CutMove> moves)
     for (const CutMove& move : moves) {
         const std::complex<double> way{move.to().x() - move.from().x(),
                                        move.to().y() - move.from().y()};
-        if (const double length = std::abs(way); length > 0)
+        if (const double length = std::sqrt(std::norm(way)); length > 0)
             doubled += way * way / length;
     }
     return Eigen::AngleAxisd{-std::arg(doubled) / 2, Vec3::UnitZ()}.toRotationMatrix();
@@ -71,18 +76,26 @@ struct PassIndex::Bound {
     }
 };
 
+// What a box is tested by, in the frame of the boxes.
+struct PassIndex::Query {
+    std::uint32_t end;  // only moves before this index are considered
+    Vec3 middle;        // mm
+    Vec3 direction;
+    Vec3 left;  // unit vector, horizontal
+    Bound left_bound;
+    Bound right_bound;
+
+    // Falls when a bound falls.
+    double both_bounds() const { return left_bound.square + right_bound.square; }
+};
+
 struct PassIndex::Search {
     const CutMove* move;
-    std::size_t end;  // only moves before this index are considered
     Vec3 middle;
     Vec3 direction;
     Vec3 left;  // unit vector, horizontal
     double reach;
-    Vec3 turned_middle;
-    Vec3 turned_direction;
-    Vec3 turned_left;
-    Bound left_bound;
-    Bound right_bound;
+    Query turned;
     NeighbouringPasses found = {};
 };
 
@@ -90,9 +103,12 @@ PassIndex::PassIndex(std::span<const CutMove> moves)
     : moves_{moves},
       turn_{turn_along(moves)}
 {
-    build_leaves();
-    while (levels_.back().size() > 1)
-        build_level();
+    std::vector<Node> nodes = build_leaves();
+    levels_.push_back(groups_of(nodes));
+    while (levels_.back().size() > 1) {
+        nodes = nodes_around(nodes);
+        levels_.push_back(groups_of(nodes));
+    }
 }
 
 PassIndex::Box PassIndex::box_of(const Leaf& leaf) const
@@ -110,11 +126,9 @@ PassIndex::Box PassIndex::box_of(const Leaf& leaf) const
 }
 
 // Divides the moves into leaves and sorts them. A leaf ends where its moves are not
-// connected, such as at the end of a pass.
-void PassIndex::build_leaves()
+// connected, such as at the end of a pass. Returns their nodes.
+std::vector<PassIndex::Node> PassIndex::build_leaves()
 {
-    std::vector<Node> nodes;
-    double extents = 0;
     for (std::size_t first = 0; first < moves_.size();) {
         std::size_t end = first + 1;
         while (end < std::min(first + leaf_moves, moves_.size()) &&
@@ -123,72 +137,127 @@ void PassIndex::build_leaves()
         const Leaf leaf{static_cast<std::uint32_t>(first),
                         static_cast<std::uint32_t>(end)};
         leaves_.push_back(leaf);
-        nodes.push_back({box_of(leaf), leaf.first});
-        extents += 2 * nodes.back().box.half.x();
         first = end;
     }
-    const double width = leaves_a_strip * extents / static_cast<double>(leaves_.size());
-    const auto strip = [&](std::size_t leaf) {
-        return width > 0 ? std::floor(nodes[leaf].box.centre.x() / width) : 0;
-    };
-    std::vector<std::uint32_t> order(leaves_.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, [&](std::uint32_t leaf) {
-        return std::pair{strip(leaf), leaf};
+    std::vector<Node> nodes(leaves_.size());
+    parallel_for(nodes.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            nodes[i] = {box_of(leaves_[i]), leaves_[i].first};
     });
+    double extents = 0;
+    for (const Node& node : nodes)
+        extents += 2 * node.box.half.x();
+    const double width = leaves_a_strip * extents / static_cast<double>(leaves_.size());
+    std::vector<std::pair<double, std::uint32_t>> order;  // strips with their leaves
+    order.reserve(leaves_.size());
+    for (const Node& node : nodes)
+        order.emplace_back(width > 0 ? std::floor(node.box.centre.x() / width) : 0,
+                           static_cast<std::uint32_t>(order.size()));
+    std::ranges::sort(order);
     std::vector<Leaf> leaves;
-    std::vector<Node> level;
+    std::vector<Node> sorted;
     leaves.reserve(order.size());
-    level.reserve(order.size());
-    for (const std::uint32_t leaf : order) {
+    sorted.reserve(order.size());
+    for (const auto& [strip, leaf] : order) {
         leaves.push_back(leaves_[leaf]);
-        level.push_back(nodes[leaf]);
+        sorted.push_back(nodes[leaf]);
     }
     leaves_ = std::move(leaves);
-    levels_.push_back(std::move(level));
+    return sorted;
 }
 
-// Adds the level whose boxes each enclose two boxes of the level below.
-void PassIndex::build_level()
+std::vector<PassIndex::Group> PassIndex::groups_of(std::span<const Node> nodes)
 {
-    const std::vector<Node>& below = levels_.back();
-    std::vector<Node> level;
-    level.reserve((below.size() + 1) / 2);
-    for (std::size_t i = 0; i < below.size(); i += 2) {
-        const Node& first = below[i];
-        const Node& second = below[std::min(i + 1, below.size() - 1)];
-        const Box& one = first.box;
-        const Box& other = second.box;
-        const Vec3 low = (one.centre - one.half).cwiseMin(other.centre - other.half);
-        const Vec3 high = (one.centre + one.half).cwiseMax(other.centre + other.half);
-        level.push_back(
-            {{(low + high) / 2, (high - low) / 2}, std::min(first.first, second.first)});
+    Group unused{};
+    unused.first.fill(std::numeric_limits<std::uint32_t>::max());
+    std::vector<Group> groups((nodes.size() + lanes - 1) / lanes, unused);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        Group& group = groups[i / lanes];
+        const std::size_t lane = i % lanes;
+        for (int axis = 0; axis < 3; ++axis) {
+            group.centre[axis][lane] = nodes[i].box.centre[axis];
+            group.half[axis][lane] = nodes[i].box.half[axis];
+        }
+        group.first[lane] = nodes[i].first;
     }
-    levels_.push_back(std::move(level));
+    return groups;
 }
 
-// Whether the plane intersects the box, and the box comes near enough on a side that it
-// reaches.
-bool PassIndex::may_hold(const Search& search, const Box& box) const
+// The nodes that each enclose a group of nodes.
+std::vector<PassIndex::Node> PassIndex::nodes_around(std::span<const Node> nodes)
 {
-    const Vec3 offset = box.centre - search.turned_middle;
-    if (std::abs(offset.dot(search.turned_direction)) >
-        box.half.dot(search.turned_direction.cwiseAbs()) + same_place_mm)
-        return false;
-    const double side = offset.dot(search.turned_left);
-    const double half_width = box.half.dot(search.turned_left.cwiseAbs()) + same_place_mm;
-    double bound = 0;
-    if (side + half_width >= 0)
-        bound = search.left_bound.box_square;
-    if (side - half_width <= 0)
-        bound = std::max(bound, search.right_bound.box_square);
-    return (offset.cwiseAbs() - box.half).cwiseMax(0).squaredNorm() < bound;
+    std::vector<Node> around;
+    around.reserve((nodes.size() + lanes - 1) / lanes);
+    for (std::size_t begin = 0; begin < nodes.size(); begin += lanes) {
+        Vec3 low = nodes[begin].box.centre - nodes[begin].box.half;
+        Vec3 high = nodes[begin].box.centre + nodes[begin].box.half;
+        std::uint32_t first = nodes[begin].first;
+        for (std::size_t i = begin + 1; i < std::min(begin + lanes, nodes.size()); ++i) {
+            low = low.cwiseMin(nodes[i].box.centre - nodes[i].box.half);
+            high = high.cwiseMax(nodes[i].box.centre + nodes[i].box.half);
+            first = std::min(first, nodes[i].first);
+        }
+        around.push_back({{(low + high) / 2, (high - low) / 2}, first});
+    }
+    return around;
+}
+
+// The lanes, as bits, whose box the plane intersects, and which come near enough on a side
+// that the box reaches.
+ENDMILL_WIDEST_REGISTERS
+unsigned PassIndex::lanes_near(const Query& query, const Group& group)
+{
+    const double mx = query.middle.x();
+    const double my = query.middle.y();
+    const double mz = query.middle.z();
+    const double dx = query.direction.x();
+    const double dy = query.direction.y();
+    const double dz = query.direction.z();
+    const double lx = query.left.x();
+    const double ly = query.left.y();
+    const double left = query.left_bound.box_square;
+    const double right = query.right_bound.box_square;
+    std::array<unsigned, lanes> near;
+    ENDMILL_NOT_UNROLLED
+    for (std::size_t k = 0; k < lanes; ++k) {
+        const double x = group.centre[0][k] - mx;
+        const double y = group.centre[1][k] - my;
+        const double z = group.centre[2][k] - mz;
+        const double half_x = group.half[0][k];
+        const double half_y = group.half[1][k];
+        const double half_z = group.half[2][k];
+        const double from_plane =
+            std::abs(x * dx + y * dy + z * dz) -
+            (half_x * std::abs(dx) + half_y * std::abs(dy) + half_z * std::abs(dz));
+        const double side = x * lx + y * ly;
+        const double half_width =
+            half_x * std::abs(lx) + half_y * std::abs(ly) + same_place_mm;
+        const double left_bound = side + half_width >= 0 ? left : 0;
+        const double right_bound = side - half_width <= 0 ? right : 0;
+        const double bound = left_bound > right_bound ? left_bound : right_bound;
+        const double gap_x = std::abs(x) - half_x;
+        const double gap_y = std::abs(y) - half_y;
+        const double gap_z = std::abs(z) - half_z;
+        const double outside_x = gap_x > 0 ? gap_x : 0;
+        const double outside_y = gap_y > 0 ? gap_y : 0;
+        const double outside_z = gap_z > 0 ? gap_z : 0;
+        const double square =
+            outside_x * outside_x + outside_y * outside_y + outside_z * outside_z;
+        const bool is_near = static_cast<unsigned>(from_plane <= same_place_mm) &
+                             static_cast<unsigned>(square < bound);
+        near[k] = is_near ? 1U : 0U;
+    }
+    unsigned bits = 0;
+    for (std::size_t k = 0; k < lanes; ++k)
+        bits |= (group.first[k] < query.end ? near[k] : 0U) << k;
+    return bits;
 }
 
 // Intersects the moves of a leaf with the plane and keeps the nearest crossings.
 void PassIndex::look_into(Search& search, const Leaf& leaf) const
 {
-    for (std::size_t i = std::min<std::size_t>(leaf.end, search.end); i-- > leaf.first;) {
+    for (std::size_t i = std::min<std::size_t>(leaf.end, search.turned.end);
+         i-- > leaf.first;) {
         const CutMove& other = moves_[i];
         const double before = (other.from() - search.middle).dot(search.direction);
         const double after = (other.to() - search.middle).dot(search.direction);
@@ -209,7 +278,7 @@ void PassIndex::look_into(Search& search, const Leaf& leaf) const
         if (distance > same_place_mm && std::abs(side) < least_side_share * distance)
             continue;
         const bool is_left = side >= 0 || distance <= same_place_mm;
-        Bound& bound = is_left ? search.left_bound : search.right_bound;
+        Bound& bound = is_left ? search.turned.left_bound : search.turned.right_bound;
         auto& found = is_left ? search.found.left : search.found.right;
         const double square = distance * distance;
         if (square > bound.square ||
@@ -220,20 +289,23 @@ void PassIndex::look_into(Search& search, const Leaf& leaf) const
     }
 }
 
-// Visits a node of a level, and its children.
-void PassIndex::descend(Search& search, std::size_t level, std::size_t node) const
+// Visits the nodes of a group of a level, and their children. The moves cut last are most
+// likely the nearest; visiting them first tightens the bounds.
+void PassIndex::descend(Search& search, std::size_t level, std::size_t group) const
 {
-    if (node >= levels_[level].size() || levels_[level][node].first >= search.end ||
-        !may_hold(search, levels_[level][node].box))
-        return;
-    if (level == 0) {
-        look_into(search, leaves_[node]);
-        return;
+    unsigned near = lanes_near(search.turned, levels_[level][group]);
+    while (near != 0) {
+        const auto lane = static_cast<unsigned>(std::bit_width(near)) - 1;
+        near ^= 1U << lane;
+        const std::size_t node = lanes * group + lane;
+        const double bounds = search.turned.both_bounds();
+        if (level == 0)
+            look_into(search, leaves_[node]);
+        else
+            descend(search, level - 1, node);
+        if (near != 0 && search.turned.both_bounds() < bounds)
+            near &= lanes_near(search.turned, levels_[level][group]);
     }
-    // The moves cut last are most likely the nearest; visiting them first tightens the
-    // bounds.
-    descend(search, level - 1, 2 * node + 1);
-    descend(search, level - 1, 2 * node);
 }
 
 // Looks around the crossings of a move nearby first, which lowers the bounds at once.
@@ -245,16 +317,16 @@ NeighbouringPasses PassIndex::beside(std::size_t move, double reach,
     const Vec3 left = Vec3{-direction.y(), direction.x(), 0}.normalized();
     const Vec3 middle = own.middle();
     Search search{.move = &own,
-                  .end = move,
                   .middle = middle,
                   .direction = direction,
                   .left = left,
                   .reach = reach,
-                  .turned_middle = turn_ * middle,
-                  .turned_direction = turn_ * direction,
-                  .turned_left = turn_ * left,
-                  .left_bound = Bound{reach},
-                  .right_bound = Bound{reach}};
+                  .turned = {.end = static_cast<std::uint32_t>(move),
+                             .middle = turn_ * middle,
+                             .direction = turn_ * direction,
+                             .left = turn_ * left,
+                             .left_bound = Bound{reach},
+                             .right_bound = Bound{reach}}};
     for (const auto& crossing : {nearby.left, nearby.right})
         if (crossing) {
             const std::size_t first =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -29,8 +30,9 @@ struct NeighbouringPasses {
 
 /// Finds for every move the earlier passes beside it.
 ///
-/// The index is a binary tree of bounding boxes over runs of consecutive moves. A run is a
-/// short piece of a pass, so its box is narrow. The boxes are aligned with the mean
+/// The index is a tree of bounding boxes over runs of consecutive moves. Each node has eight
+/// children, whose boxes are tested at once. A run is a short piece of a pass, so its box is
+/// narrow. The boxes are aligned with the mean
 /// direction of the moves, which keeps them narrow for rasters at any angle. The runs are
 /// sorted by strips across that direction, and by the order of cutting within a strip: the
 /// plane across a move meets few strips, in which neighbouring passes follow one another.
@@ -70,19 +72,28 @@ private:
         std::uint32_t end;
     };
     struct Bound;
+    struct Query;
     struct Search;
+    static constexpr std::size_t lanes = 8;
+    // Up to eight nodes. Unused lanes have moves that are later than all others.
+    struct Group {
+        std::array<std::array<double, lanes>, 3> centre;  // x, y and z of the boxes
+        std::array<std::array<double, lanes>, 3> half;    // likewise
+        std::array<std::uint32_t, lanes> first;
+    };
 
     Box box_of(const Leaf& leaf) const;
-    void build_leaves();
-    void build_level();
-    bool may_hold(const Search& search, const Box& box) const;
+    std::vector<Node> build_leaves();
+    static std::vector<Group> groups_of(std::span<const Node> nodes);
+    static std::vector<Node> nodes_around(std::span<const Node> nodes);
+    static unsigned lanes_near(const Query& query, const Group& group);
     void look_into(Search& search, const Leaf& leaf) const;
-    void descend(Search& search, std::size_t level, std::size_t node) const;
+    void descend(Search& search, std::size_t level, std::size_t group) const;
 
     std::span<const CutMove> moves_;
     Eigen::Matrix3d turn_;      // rotation about z into the frame of the boxes
     std::vector<Leaf> leaves_;  // runs of moves, sorted by strips
-    std::vector<std::vector<Node>> levels_;  // of the leaves, of pairs of them, ...
+    std::vector<std::vector<Group>> levels_;  // of the leaves, of groups of them, ...
 };
 
 }  // namespace endmill

@@ -79,27 +79,27 @@ struct ConeNode {
     std::vector<std::size_t> cones;  ///< numbers of minimal cones
 };
 
-/// A node in the queue.
-struct Waiting {
+/// A node that waits to be split.
+struct QueuedNode {
     ConeNode node;
     std::size_t created;  ///< its age: the number of nodes queued before it
 };
 
-bool comes_later(const Waiting& a, const Waiting& b)
+bool comes_later(const QueuedNode& a, const QueuedNode& b)
 {
     return a.node.axes.bound != b.node.axes.bound ? a.node.axes.bound > b.node.axes.bound
                                                   : a.created > b.created;
 }
 
 /// A node after it was bounded.
-struct Bounded {
+struct BoundedNode {
     ConeNode node;
     std::optional<AxisFit> fit;      ///< a fit that is better than the best so far
     std::vector<std::size_t> tried;  ///< cells whose centres were tried as axes
 };
 
 /// Improves a range that meets all cones by descent.
-AxisFit lowest(AdaptiveFitter& fitter, const AxisFit& fit, const Descent& descent)
+AxisFit descended(AdaptiveFitter& fitter, const AxisFit& fit, const Descent& descent)
 {
     auto best = [&fitter](const Vec3& axis, const FitRequest& request) {
         return fitter.best(axis, request);
@@ -127,14 +127,14 @@ public:
         // A smaller thin width does not help if it is the limit.
         const int most =
             fitting_.thin_width < fitting_.limits.widest() ? most_retries : 0;
-        for (int retries = 0; !resolves_arcs(retries < most); ++retries)
+        for (int retries = 0; !search_with_thin_width(retries < most); ++retries)
             fitting_.thin_width /= 4;
         const double proved =
             target();  // no pose of a dropped node has a smaller objective
         if (best_) {
             AdaptiveFitter fitter{cones_, fitting_};
             fitter.begin_with(first_cones_);
-            best_ = lowest(fitter, *best_, last_descent);
+            best_ = descended(fitter, *best_, last_descent);
         }
         return result(proved);
     }
@@ -156,7 +156,7 @@ private:
     /// Bounds nodes until the gap or the limit of nodes is reached. \return false if a
     /// node of arcs became too small to split and the search should start again:
     /// `may_retry` is set, and less than half of the nodes are used.
-    bool resolves_arcs(bool may_retry)
+    bool search_with_thin_width(bool may_retry)
     {
         queue_.clear();
         unresolved_.clear();
@@ -165,7 +165,7 @@ private:
         for (AxisNode& node : root_nodes(fitting_))
             fresh.push_back({std::move(node), first_cones_});
         while (!fresh.empty()) {
-            has_small_arc = bound(std::move(fresh)) || has_small_arc;
+            has_small_arc = bound_all(std::move(fresh)) || has_small_arc;
             report();
             if (has_small_arc && may_retry && 2 * result_.nodes < options_.max_nodes)
                 return false;
@@ -195,7 +195,8 @@ private:
         return bound;
     }
 
-    void improve(const std::optional<AxisFit>& fit)
+    /// Takes a fit if it is better than the best one.
+    void keep_better(const std::optional<AxisFit>& fit)
     {
         if (fit && fit->objective < below())
             best_ = fit;
@@ -208,7 +209,7 @@ private:
         fitter.begin_with(first_cones_);
         if (!is_complete())
             for (const Vec3& axis : starts)
-                improve(fitter.best(axis, {below()}));
+                keep_better(fitter.best(axis, {below()}));
         for (int round = 0; round < (is_complete() ? 1 : first_rounds); ++round) {
             const std::size_t cones = fitter.set().size();
             improve(first_fit(fitter.fitting(), starts), fitter);
@@ -221,32 +222,32 @@ private:
     void improve(const std::optional<AxisFit>& fit, AdaptiveFitter& fitter)
     {
         if (is_complete())
-            improve(fit);
+            keep_better(fit);
         else if (fit)
-            improve(fitter.best(fit->axis, {below()}));
+            keep_better(fitter.best(fit->axis, {below()}));
         if (best_ && !is_complete())
-            best_ = lowest(fitter, *best_, last_descent);
+            best_ = descended(fitter, *best_, last_descent);
     }
 
     bool is_complete() const { return first_cones_.size() == cones_.size(); }
 
     /// Bounds nodes and queues those that are not dropped. \return true if a node of arcs
     /// became too small to split.
-    bool bound(std::vector<ConeNode> fresh)
+    bool bound_all(std::vector<ConeNode> fresh)
     {
-        std::vector<Bounded> bounded(fresh.size());
+        std::vector<BoundedNode> bounded(fresh.size());
         parallel_for(fresh.size(), [&](std::size_t begin, std::size_t end) {
             AdaptiveFitter fitter{cones_, fitting_};
             NodeBounder bounder{fitter.fitting()};
             for (std::size_t k = begin; k < end; ++k) {
                 bounded[k].node = std::move(fresh[k]);
-                bound(bounder, fitter, bounded[k]);
+                bound_one(bounder, fitter, bounded[k]);
             }
         });
         result_.nodes += bounded.size();
         bool has_small_arc = false;
-        for (Bounded& one : bounded) {
-            improve(one.fit);
+        for (BoundedNode& one : bounded) {
+            keep_better(one.fit);
             for (const std::size_t cell : one.tried)
                 is_tried_[cell] = 1;
             const bool is_arc = one.node.axes.kind == NodeKind::Arc;
@@ -258,7 +259,7 @@ private:
 
     /// Bounds a node for its cones, and for those that turn out to be missed. Its parts
     /// begin with the last of these cones.
-    void bound(NodeBounder& bounder, AdaptiveFitter& fitter, Bounded& one) const
+    void bound_one(NodeBounder& bounder, AdaptiveFitter& fitter, BoundedNode& one) const
     {
         fitter.begin_with(one.node.cones);
         GrowCones grow;
@@ -268,7 +269,7 @@ private:
             };
         bounder.bound(one.node.axes, target(), grow);
         const std::size_t bounded_for = fitter.set().size();
-        try_axes(fitter, one);
+        fit_about_axes(fitter, one);
         if (fitter.set().size() > bounded_for)
             bounder.bound(one.node.axes, target(), grow);
         const auto set = fitter.set();
@@ -282,7 +283,7 @@ private:
     /// has no azimuth about itself, so that the range about it may be better than those
     /// about all axes nearby. Without these fits the bounds of such nodes would never be
     /// reached.
-    void try_axes(AdaptiveFitter& fitter, Bounded& one) const
+    void fit_about_axes(AdaptiveFitter& fitter, BoundedNode& one) const
     {
         const AxisNode& node = one.node.axes;
         if (node.boxes.empty() || node.kind == NodeKind::Arc)
@@ -293,7 +294,7 @@ private:
         const double slack = is_complete() ? 0 : small_gain;
         auto attempt = [&](const Vec3& axis) {
             if (auto fit = fitter.best(axis, {least, slack})) {
-                one.fit = lowest(fitter, *fit, {first_step * size});
+                one.fit = descended(fitter, *fit, {first_step * size});
                 least = one.fit->objective;
             }
         };
@@ -359,7 +360,7 @@ private:
     ConeFitting fitting_;
     WholeConeSearchOptions options_;
     std::optional<AxisFit> best_;
-    std::vector<Waiting> queue_;      ///< a heap, least bound first
+    std::vector<QueuedNode> queue_;   ///< a heap, least bound first
     std::vector<double> unresolved_;  ///< bounds of nodes too small to split
     std::vector<char> is_tried_;      ///< by cell: 1 if its centre was tried as an axis
     std::size_t created_ = 0;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "endmill/setup/detail/bit_transpose.h"
 #include "endmill/setup/detail/least_cones.h"
 
 namespace endmill {
@@ -73,11 +74,11 @@ ConeSet::ConeSet(const DistinctCones& cones, std::span<const std::size_t> chosen
 
 void ConeSet::fill(const DistinctCones& cones, std::span<const std::size_t> chosen)
 {
-    widen(padded_words(chosen.size()));
     std::vector<std::size_t> in_order{chosen.begin(), chosen.end()};
     std::sort(in_order.begin(), in_order.end());
     for (const std::size_t cone : in_order)
-        add(cones, cone);
+        facets_.push_back(cones.first_facet(cone));
+    fill_columns(cones, in_order);
     if (chosen.empty())
         return;
     const auto smallest = cones.row(chosen.front());
@@ -87,6 +88,29 @@ void ConeSet::fill(const DistinctCones& cones, std::span<const std::size_t> chos
             smallest_.push_back(at);
         if (!apart || holds(cones.row(*apart), cells_[at]))
             other_.push_back(at);
+    }
+}
+
+/// Fills the columns of these cones, in blocks of 64 x 64 bits.
+void ConeSet::fill_columns(const DistinctCones& cones,
+                           std::span<const std::size_t> chosen)
+{
+    widen(padded_words(chosen.size()));
+    BitBlock block;
+    for (std::size_t word = 0; 64 * word < chosen.size(); ++word) {
+        const auto here = chosen.subspan(
+            64 * word, std::min<std::size_t>(64, chosen.size() - 64 * word));
+        everything_[word] = ~std::uint64_t{0} >> (64 - here.size());
+        std::size_t at = 0;
+        for (std::size_t across = 0; across < cones.row_words(); ++across) {
+            block.fill(0);
+            for (std::size_t k = 0; k < here.size(); ++k)
+                block[k] = cones.row(here[k])[across];
+            transpose(block);
+            for (; at < cells_.size() && cells_[at] / 64 == across; ++at)
+                missing_[at * words_ + word] =
+                    everything_[word] & ~block[cells_[at] % 64];
+        }
     }
 }
 

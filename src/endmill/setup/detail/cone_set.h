@@ -64,6 +64,7 @@ public:
 
 private:
     void fill(const DistinctCones& cones, std::span<const std::size_t> chosen);
+    void fill_columns(const DistinctCones& cones, std::span<const std::size_t> chosen);
     void widen(std::size_t words);
 
     std::vector<std::size_t> facets_;
@@ -89,6 +90,10 @@ auto with_words(std::size_t words, Body&& body)
             return body(std::integral_constant<std::size_t, 4>{});
         case 8:
             return body(std::integral_constant<std::size_t, 8>{});
+        case 12:
+            return body(std::integral_constant<std::size_t, 12>{});
+        case 16:
+            return body(std::integral_constant<std::size_t, 16>{});
         default:
             return body(std::integral_constant<std::size_t, 0>{});
     }

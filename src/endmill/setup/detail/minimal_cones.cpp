@@ -14,6 +14,13 @@ namespace {
 /// Cells nearby are closer than this number of cell sizes.
 constexpr double steps_of_a_cell = 1.5;
 
+/// Words of a column that are combined before the words behind them.
+constexpr std::size_t words_at_once = 16;
+
+/// Number of passes over some cells. Each takes every sixteenth cell, so that its cells lie
+/// far apart and meet most cones; often the words are empty before the last pass.
+constexpr std::size_t passes = 16;
+
 bool is_empty(std::span<const std::uint64_t> column)
 {
     return std::ranges::all_of(column, [](std::uint64_t word) { return word == 0; });
@@ -68,28 +75,43 @@ ConeSet MinimalCones::some(std::span<const std::size_t> numbers) const
     return {all_, chosen, cells_};
 }
 
+void MinimalCones::clear_met(std::span<std::uint64_t> cones,
+                             std::span<const std::uint32_t> cells) const
+{
+    for (std::size_t first = 0; first < cones.size(); first += words_at_once) {
+        const auto part =
+            cones.subspan(first, std::min(words_at_once, cones.size() - first));
+        for (std::size_t pass = 0; pass < passes; ++pass) {
+            if (is_empty(part))
+                break;
+            for (std::size_t at = pass; at < cells.size(); at += passes) {
+                const std::uint64_t* const column =
+                    columns_.column(cells_[cells[at]]).data() + first;
+                for (std::size_t k = 0; k < part.size(); ++k)
+                    part[k] &= ~column[k];
+            }
+        }
+    }
+}
+
 std::vector<std::size_t> MinimalCones::missed(
     std::span<const std::uint32_t> reached) const
 {
-    std::vector<std::uint64_t> open = everything_;
-    std::vector<char> is_reached(cells_.size(), 0);
-    auto reach = [&](std::uint32_t at) {
-        if (is_reached[at] != 0)
-            return;
-        is_reached[at] = 1;
-        const auto column = columns_.column(cells_[at]);
-        for (std::size_t k = 0; k < open.size(); ++k)
-            open[k] &= ~column[k];
-    };
-    for (const std::uint32_t at : reached)
-        reach(at);
-    const std::vector<std::uint64_t> missed = open;
+    std::vector<std::uint64_t> missed = everything_;
+    clear_met(missed, reached);
     if (is_empty(missed))
         return {};
+    std::vector<std::uint32_t> around;
+    std::vector<char> is_around(cells_.size(), 0);
     for (const std::uint32_t at : reached)
         for (const std::uint32_t next : nearby_[at])
-            reach(next);
-    return numbers_of(is_empty(open) ? missed : open);
+            if (is_around[next] == 0) {
+                is_around[next] = 1;
+                around.push_back(next);
+            }
+    std::vector<std::uint64_t> distant = missed;
+    clear_met(distant, around);
+    return numbers_of(is_empty(distant) ? missed : distant);
 }
 
 }  // namespace endmill

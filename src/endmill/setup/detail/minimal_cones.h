@@ -39,6 +39,10 @@ public:
     std::vector<std::size_t> missed(std::span<const std::uint32_t> reached) const;
 
 private:
+    // Clears the bits of the cones that hold one of these cells, indices into cells_.
+    void clear_met(std::span<std::uint64_t> cones,
+                   std::span<const std::uint32_t> cells) const;
+
     DistinctCones all_;
     std::vector<std::size_t> least_;         // numbers of the minimal cones in all_
     VisibilityMap columns_;                  // the minimal cones as columns of bits

@@ -76,6 +76,7 @@ public:
             discard_clear_moves();
             for (WorkedTile& tile : tiles_)
                 cut(tile);
+            add_batch();
         }
     }
 
@@ -139,13 +140,14 @@ private:
             find_touches(current_plane(tile), {first, last});
             for (int k = first; k < last; ++k)
                 if (touches_[k])
-                    cut(tile, batch_.number[k]);
+                    cut(tile, static_cast<std::size_t>(k));
         }
     }
 
-    // Cuts a tile by one move.
-    void cut(WorkedTile& tile, std::uint32_t number)
+    // Cuts a tile by move `k` of the batch.
+    void cut(WorkedTile& tile, std::size_t k)
     {
+        const std::uint32_t number = batch_.number[k];
         const SweptMove& move = moves_[number];
         double body_depth = 0;
         for (const BodyCylinder& body : tool_.body)
@@ -168,18 +170,30 @@ private:
         if (body_depth > 0)
             raise_to(part_.body_depths[number], body_depth);
         if (cut.deepest > 0)
-            add(tile, number, {cut.depths, rapid_depth.value_or(cut.deepest)});
+            add(tile, k, {cut.depths, rapid_depth.value_or(cut.deepest)});
     }
 
-    // Adds the cut of a tile to the result of a move.
-    void add(WorkedTile& tile, std::uint32_t number, const TileCut& cut)
+    // Adds the cut of a tile to the cut of a move of the batch.
+    void add(WorkedTile& tile, std::size_t k, const TileCut& cut)
     {
         tile.is_lowered = true;
         const double pitch = stock_.grid().pitch;
-        const std::atomic_ref<std::int64_t> volume{part_.volumes[number]};
-        volume.fetch_add(std::llround(cut.depths * (pitch * pitch) / part_.unit),
-                         std::memory_order_relaxed);
-        raise_to(part_.deepest[number], cut.deepest);
+        volumes_[k] += std::llround(cut.depths * (pitch * pitch) / part_.unit);
+        deepest_[k] = std::max(deepest_[k], cut.deepest);
+    }
+
+    // Adds the cuts of the batch to the results of its moves, which the groups share.
+    void add_batch()
+    {
+        for (std::size_t k = 0; k < static_cast<std::size_t>(batch_.count); ++k) {
+            if (volumes_[k] != 0)
+                std::atomic_ref<std::int64_t>{part_.volumes[batch_.number[k]]}.fetch_add(
+                    volumes_[k], std::memory_order_relaxed);
+            if (deepest_[k] > 0)
+                raise_to(part_.deepest[batch_.number[k]], deepest_[k]);
+        }
+        volumes_.fill(0);
+        deepest_.fill(0);
     }
 
     HeightStock& stock_;
@@ -191,6 +205,9 @@ private:
     std::vector<UpperPlane> tops_;
     MoveBatch batch_;
     std::array<std::uint8_t, MoveBatch::capacity> touches_;
+    // Cuts of the moves of the batch in all tiles: in units of volume, and in mm.
+    std::array<std::int64_t, MoveBatch::capacity> volumes_{};
+    std::array<double, MoveBatch::capacity> deepest_{};
 };
 
 // Returns the groups over which a move passes.

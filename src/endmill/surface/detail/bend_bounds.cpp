@@ -2,7 +2,11 @@
 #include "endmill/surface/detail/bend_bounds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
 
 #include "endmill/surface/detail/bernstein_net.h"
 
@@ -56,11 +60,69 @@ Nets from_first_corner(Nets nets)
     return nets;
 }
 
+// Coefficients of u times the polynomial.
+BernsteinNet times_u(const BernsteinNet& net)
+{
+    const auto degree = net.rows();
+    BernsteinNet product = BernsteinNet::Zero(degree + 1, net.cols());
+    for (Eigen::Index k = 1; k <= degree; ++k)
+        product.row(k) = double(k) / double(degree) * net.row(k - 1);
+    return product;
+}
+
+// Coefficients of the polynomial with a degree in u that is higher by one.
+BernsteinNet elevated_in_u(const BernsteinNet& net)
+{
+    const auto degree = net.rows();
+    BernsteinNet elevated = times_u(net);
+    for (Eigen::Index k = 0; k < degree; ++k)
+        elevated.row(k) += double(degree - k) / double(degree) * net.row(k);
+    return elevated;
+}
+
+BernsteinNet times_v(const BernsteinNet& net)
+{
+    return times_u(net.transpose()).transpose();
+}
+
+BernsteinNet elevated_in_v(const BernsteinNet& net)
+{
+    return elevated_in_u(net.transpose()).transpose();
+}
+
+// The coefficients of w (r - l) in place of those of w r, where the function l of u and v is
+// linear and near r. So r - l has the second derivatives of r, but on a small piece it and
+// its first derivatives are small, and so are the terms of Leibniz' rule other than r's own.
+Nets less_linear(Nets nets)
+{
+    const BernsteinNet w = elevated_in_u(elevated_in_v(nets.w));
+    const BernsteinNet w_u = times_u(elevated_in_v(nets.w));
+    const BernsteinNet w_v = times_v(elevated_in_u(nets.w));
+    const auto last_u = nets.w.rows() - 1;
+    const auto last_v = nets.w.cols() - 1;
+    for (BernsteinNet& net : nets.r) {
+        const auto corner = [&](Eigen::Index i, Eigen::Index j) {
+            return net(i, j) / nets.w(i, j);
+        };
+        const double a = corner(0, 0);
+        const double b = corner(last_u, 0);
+        const double c = corner(last_u, last_v);
+        const double d = corner(0, last_v);
+        const double along_u = ((b - a) + (c - d)) / 2;
+        const double along_v = ((d - a) + (c - b)) / 2;
+        const double first = (a + b + c + d) / 4 - (along_u + along_v) / 2;
+        net =
+            elevated_in_u(elevated_in_v(net)) - first * w - along_u * w_u - along_v * w_v;
+    }
+    return nets;
+}
+
 // Bounds on one piece: the lengths of the control points of the second derivatives. With
 // weights, the derivatives of r follow from those of w r and w by Leibniz' rule, where
 // each term is replaced by its greatest size.
-BendBounds bounds_of(const Nets& nets, bool is_rational)
+BendBounds bounds_of(const Nets& piece, bool is_rational)
 {
+    const Nets nets = is_rational ? less_linear(piece) : from_first_corner(piece);
     const auto duu = [](const BernsteinNet& net) { return du(du(net)); };
     const auto duv = [](const BernsteinNet& net) { return du(dv(net)); };
     const auto dvv = [](const BernsteinNet& net) { return dv(dv(net)); };
@@ -87,41 +149,47 @@ Nets nets_of(const BezierPatch& patch)
     return nets;
 }
 
-// The coefficients on the four quarters of the unit interval along one parameter.
-std::array<Nets, bounded_pieces> quarters(const Nets& nets, Parameter along)
+std::pair<Nets, Nets> halves_of(const Nets& nets, Parameter across)
 {
-    std::array<Nets, bounded_pieces> pieces;
-    const auto cut = [&](const BernsteinNet& net, auto&& member) {
-        const auto [low, high] = halves(net, along);
-        const auto [first, second] = halves(low, along);
-        const auto [third, fourth] = halves(high, along);
-        member(pieces[0]) = first;
-        member(pieces[1]) = second;
-        member(pieces[2]) = third;
-        member(pieces[3]) = fourth;
-    };
-    for (int c = 0; c < 3; ++c)
-        cut(nets.r[c], [c](Nets& piece) -> BernsteinNet& { return piece.r[c]; });
-    cut(nets.w, [](Nets& piece) -> BernsteinNet& { return piece.w; });
+    std::pair<Nets, Nets> pieces;
+    for (std::size_t c = 0; c < 3; ++c)
+        std::tie(pieces.first.r[c], pieces.second.r[c]) = halves(nets.r[c], across);
+    std::tie(pieces.first.w, pieces.second.w) = halves(nets.w, across);
+    return pieces;
+}
+
+// The coefficients on the pieces that arise when the square is halved `times` times.
+std::vector<Nets> divided(const Nets& nets, Parameter across, int times)
+{
+    std::vector<Nets> pieces{nets};
+    for (int k = 0; k < times; ++k) {
+        std::vector<Nets> finer;
+        finer.reserve(2 * pieces.size());
+        for (const Nets& piece : pieces) {
+            auto [low, high] = halves_of(piece, across);
+            finer.push_back(std::move(low));
+            finer.push_back(std::move(high));
+        }
+        pieces = std::move(finer);
+    }
     return pieces;
 }
 
 }  // namespace
 
-std::array<BendBounds, bounded_pieces * bounded_pieces> bend_bounds(
-    const BezierPatch& patch)
+std::vector<BendBounds> bend_bounds(const BezierPatch& patch, const Halvings& halvings)
 {
-    std::array<BendBounds, bounded_pieces * bounded_pieces> bounds;
-    // Converts from the parameters of the piece to those of the patch.
-    constexpr double unit = bounded_pieces * bounded_pieces;
-    const auto columns = quarters(nets_of(patch), Parameter::U);
-    for (int i = 0; i < bounded_pieces; ++i) {
-        const auto column = quarters(columns[i], Parameter::V);
-        for (int j = 0; j < bounded_pieces; ++j) {
-            const BendBounds piece =
-                bounds_of(from_first_corner(column[j]), patch.is_rational());
-            bounds[j * bounded_pieces + i] = {unit * piece.uu, unit * piece.uv,
-                                              unit * piece.vv};
+    const std::vector<Nets> columns = divided(nets_of(patch), Parameter::U, halvings.u);
+    std::vector<BendBounds> bounds(columns.size() << halvings.v);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const std::vector<Nets> column = divided(columns[i], Parameter::V, halvings.v);
+        for (std::size_t j = 0; j < column.size(); ++j) {
+            const BendBounds piece = bounds_of(column[j], patch.is_rational());
+            // Converts from the parameters of the piece to those of the patch.
+            bounds[j * columns.size() + i] = {
+                std::ldexp(piece.uu, 2 * halvings.u),
+                std::ldexp(piece.uv, halvings.u + halvings.v),
+                std::ldexp(piece.vv, 2 * halvings.v)};
         }
     }
     return bounds;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "endmill/surface/bezier_patch.h"
 
@@ -28,13 +28,23 @@ struct BendBounds {
     }
 };
 
-/// Number of equal pieces along each parameter on which a patch is bounded.
-inline constexpr int bounded_pieces = 4;
+/// Numbers of times that a patch is halved along its parameters, 0 or more.
+struct Halvings {
+    int u;  ///< gives 2^u columns
+    int v;  ///< gives 2^v rows
+};
 
-/// Bounds over the equal pieces of `patch`; piece (i, j) is at [j * bounded_pieces + i].
-/// They come from convex hulls of control points, and are never too small except for
-/// rounding.
-std::array<BendBounds, bounded_pieces * bounded_pieces> bend_bounds(
-    const BezierPatch& patch);
+/// Halvings along each parameter that give the pieces of a whole patch.
+inline constexpr int bounded_halvings = 2;
+/// Number of these pieces along each parameter.
+inline constexpr int bounded_pieces = 1 << bounded_halvings;
+
+/// Bounds over equal pieces of `patch`; piece (i, j) is at [j * 2^halvings.u + i]. They
+/// come from convex hulls of control points, and are never too small except for rounding.
+/// The smaller the pieces, the closer the bounds; they converge to the greatest lengths
+/// over a piece, with weights too.
+std::vector<BendBounds> bend_bounds(const BezierPatch& patch,
+                                    const Halvings& halvings = {bounded_halvings,
+                                                                bounded_halvings});
 
 }  // namespace endmill

@@ -18,7 +18,7 @@ namespace {
 // Level that would divide a patch into a million cells along one parameter.
 constexpr int most_level = 20;
 
-using PieceBounds = std::array<BendBounds, bounded_pieces * bounded_pieces>;
+using PieceBounds = std::vector<BendBounds>;
 
 // The bound over a block of `columns` by `rows` pieces that starts at piece (i, j).
 BendBounds joined(const PieceBounds& pieces, int i, int j, int columns, int rows)

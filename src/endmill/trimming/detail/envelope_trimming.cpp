@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "endmill/trimming/detail/section_order.h"
@@ -79,7 +80,7 @@ public:
         if (!pieces.empty())
             write_place({left, no_segment}, envelope_.end, 1);
         while (next_vertical_ < verticals_.size())
-            write_lone(verticals_[next_vertical_++]);
+            write_lone(take_vertical());
         return std::move(trimmed_);
     }
 
@@ -98,12 +99,12 @@ private:
     // Writes the vertical segments in front of `place`, then the place itself.
     void write_place(const Sides& sides, std::int32_t place, std::size_t most_places)
     {
-        if (next_vertical_ == verticals_.size() && is_common_vertex(sides, place)) {
+        if (is_common_vertex(sides, place) && order_.s(place) < next_vertical_s_) {
             write(made_.vertex(place));
             return;
         }
         while (next_vertical_ < verticals_.size() && compare_next_vertical(place) < 0) {
-            const Vertical& vertical = verticals_[next_vertical_++];
+            const Vertical& vertical = take_vertical();
             if (sides.left == no_segment)
                 write_lone(vertical);
             else if (order_.side(sides.left, vertical.top) > 0)
@@ -117,11 +118,26 @@ private:
         }
         const Vertical* vertical = nullptr;
         if (next_vertical_ < verticals_.size() && compare_next_vertical(place) == 0)
-            vertical = &verticals_[next_vertical_++];
+            vertical = &take_vertical();
         if (place < 0)
             write_crossing(sides, vertical);
         else
             write_vertex(sides, place, vertical);
+    }
+
+    // Moves on behind the next vertical segment, and returns it.
+    const Vertical& take_vertical()
+    {
+        const Vertical& vertical = verticals_[next_vertical_++];
+        next_vertical_s_ = next_vertical_s();
+        return vertical;
+    }
+
+    double next_vertical_s() const
+    {
+        return next_vertical_ < verticals_.size()
+                   ? order_.s(verticals_[next_vertical_].top)
+                   : std::numeric_limits<double>::infinity();
     }
 
     // Whether `place` is the vertex between two consecutive segments of a curve.
@@ -135,10 +151,10 @@ private:
     // behind it (1).
     int compare_next_vertical(std::int32_t place) const
     {
-        const double s = order_.s(verticals_[next_vertical_].top);
         if (place < 0)
-            return -order_.order(envelope_.crossings[~place], s);
-        return (s > order_.s(place)) - (s < order_.s(place));
+            return -order_.order(envelope_.crossings[~place], next_vertical_s_);
+        const double s = order_.s(place);
+        return (next_vertical_s_ > s) - (next_vertical_s_ < s);
     }
 
     void write_crossing(const Sides& sides, const Vertical* vertical)
@@ -260,6 +276,7 @@ private:
     UpperEnvelope envelope_;
     std::vector<Vertical> verticals_;
     std::size_t next_vertical_ = 0;
+    double next_vertical_s_ = next_vertical_s();  // infinite if none is left
     Trimmed trimmed_;
 };
 

@@ -3,23 +3,27 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
+#include "endmill/core/detail/widest_registers.h"
 #include "endmill/core/error.h"
 
 namespace endmill {
 namespace {
 
 // Whether all coordinates are at most `bound` in size; false if one is not a number. The
-// loop does not stop early, so that the compiler can test several points at a time.
+// loop does not stop early and counts in integers as wide as a coordinate, so that the
+// compiler can test several points at a time.
+ENDMILL_WIDEST_REGISTERS
 bool are_at_most(std::span<const SectionPoint> points, double bound)
 {
-    bool is_any_larger = false;
+    std::int64_t larger = 0;
     for (const SectionPoint& point : points) {
-        is_any_larger |= !(std::abs(point[0]) <= bound);
-        is_any_larger |= !(std::abs(point[1]) <= bound);
+        larger |= std::abs(point[0]) <= bound ? 0 : 1;
+        larger |= std::abs(point[1]) <= bound ? 0 : 1;
     }
-    return !is_any_larger;
+    return larger == 0;
 }
 
 // mm. The coordinates of every realistic part are smaller, so that the first test

@@ -39,7 +39,7 @@ int SectionOrder::height_order(std::int32_t p, std::int32_t q, double s) const
     const BoundedHeight at_p = height(line(p), s);
     const BoundedHeight at_q = height(line(q), s);
     const double difference = at_p.z - at_q.z;
-    if (std::abs(difference) > 1.001 * (at_p.error + at_q.error) + slack_)
+    if (std::abs(difference) > bound_margin * (at_p.error + at_q.error) + slack_)
         return difference > 0 ? 1 : -1;
     return exact_height_order(line(p), line(q), s);
 }
@@ -76,7 +76,7 @@ EnvelopeCrossing SectionOrder::crossing(std::int32_t p, std::int32_t q) const
     const double reach = std::max(std::abs(run), std::abs(rise));
     const double size = std::max({std::abs(c[0]), std::abs(c[1]), reach});
     const double error =
-        reach * (1.001 * share_doubt + 0x1p-50) + 0x1p-51 * size + underflow;
+        reach * (bound_margin * share_doubt + 0x1p-50) + 0x1p-51 * size + underflow;
     return {c[0] + share * run, c[1] + share * rise, error, p, q};
 }
 

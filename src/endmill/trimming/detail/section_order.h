@@ -22,6 +22,11 @@ struct EnvelopeCrossing {
     std::int32_t q;  ///< number of the other
 };
 
+/// Factor of an error bound that is compared with a rounded difference. The difference has
+/// at least 1 - u of its true size, and a bound that is itself rounded at least 1 - 4u of
+/// its own, where u = 2^-53. The factor covers both amply.
+inline constexpr double bound_margin = 1.001;
+
 /// Compares segments, vertices and crossings of a plane: above or below, in front or
 /// behind. Every answer is exact. Each comparison is first computed in doubles. If the
 /// result exceeds its error bound, its sign is certain; otherwise exact_crossing.h
@@ -63,8 +68,9 @@ public:
         const double dz = b[1] - a[1];
         const double left = ds * (crossing.z - a[1]);
         const double right = dz * (crossing.s - a[0]);
-        const double doubt = 0x1p-51 * (std::abs(left) + std::abs(right)) + slack_ +
-                             1.001 * crossing.error * (std::abs(ds) + std::abs(dz));
+        const double doubt =
+            0x1p-51 * (std::abs(left) + std::abs(right)) + slack_ +
+            bound_margin * crossing.error * (std::abs(ds) + std::abs(dz));
         if (std::abs(left - right) > doubt)
             return (left > right) == (ds > 0) ? 1 : -1;
         return exact_side(line(segment), line(crossing.p), line(crossing.q));
@@ -78,7 +84,7 @@ public:
     int order(const EnvelopeCrossing& crossing, double s) const
     {
         const double difference = crossing.s - s;
-        if (std::abs(difference) > 1.001 * crossing.error)
+        if (std::abs(difference) > bound_margin * crossing.error)
             return difference > 0 ? 1 : -1;
         return exact_order(line(crossing.p), line(crossing.q), s);
     }
@@ -87,7 +93,7 @@ public:
     int order(const EnvelopeCrossing& x, const EnvelopeCrossing& y) const
     {
         const double difference = x.s - y.s;
-        if (std::abs(difference) > 1.001 * (x.error + y.error))
+        if (std::abs(difference) > bound_margin * (x.error + y.error))
             return difference > 0 ? 1 : -1;
         return exact_order(line(x.p), line(x.q), line(y.p), line(y.q));
     }

@@ -23,14 +23,14 @@ struct Chain {
     bool is_rightwards;
 };
 
-// An upper envelope as two stacks that meet at the finger, the position of the last
-// change. The top of each stack is the piece nearest to the finger; a piece over the
-// finger is in both. In the right stack EnvelopePiece::from is the end of a piece, so
-// that in both stacks it is the end farther from the finger.
+// An upper envelope as two stacks that meet at the split, the place of the last change.
+// The top of each stack is the piece nearest to the split; a piece over the split is in
+// both. In the right stack EnvelopePiece::from is the end of a piece, so that in both
+// stacks it is the end farther from the split.
 struct OpenEnvelope {
     std::vector<EnvelopePiece> left;
     std::vector<EnvelopePiece> right;
-    std::int32_t finger = 0;
+    std::int32_t split = 0;
 
     std::size_t size() const { return left.size() + right.size(); }
 };
@@ -50,7 +50,7 @@ private:
     std::int32_t last_;
 };
 
-// The source of a merge: the pieces right of another envelope's finger, which are
+// The source of a merge: the pieces right of another envelope's split, which are
 // consumed.
 class EnvelopeFeed {
 public:
@@ -95,8 +95,11 @@ struct ShearedRange {
     // Whether all points certainly lie lower than all points of `other`.
     bool is_below(const ShearedRange& other) const
     {
+        // With u = 2^-53, 2u of the size covers the rounding of a height. 8u also covers
+        // the rounding of `size` and of this sum.
+        constexpr double height_error = 0x1p-50;
         constexpr double underflow = std::numeric_limits<double>::min();
-        return highest + 0x1p-50 * (size + other.size) + underflow < other.lowest;
+        return highest + height_error * (size + other.size) + underflow < other.lowest;
     }
 };
 
@@ -114,7 +117,7 @@ bool touches(std::int32_t segment, std::int32_t vertex)
 // Builds the envelope (see upper_envelope.h):
 // 1. A curve is cut into chains at its vertical segments and wherever ds changes its
 //    sign.
-// 2. A chain begins where the chain before it ended, which is the finger of the current
+// 2. A chain begins where the chain before it ended, which is the split of the current
 //    envelope. It is merged from there (walk): the pieces that it passes move from one
 //    stack to the other. For a curve with short folds this takes O(1) per segment.
 // 3. Before a chain is built, blocks of segments that lie below the envelope are skipped
@@ -185,14 +188,14 @@ private:
                 break;
             }
             vertex += block_size;
-            move_finger(vertex);
+            move_split(vertex);
         }
         return vertex;
     }
 
     // Whether the next `block_size` segments certainly lie below the last open envelope,
-    // whose finger is at `vertex`. Heights are measured from a line with the slope of the
-    // piece above the finger. Proof: paper/notes/envelope-filters.md, section 9.
+    // whose split is at `vertex`. Heights are measured from a line with the slope of the
+    // piece above the split. Proof: paper/notes/envelope-filters.md, section 9.
     bool is_buried(std::int32_t vertex) const
     {
         const OpenEnvelope& envelope = open_.back();
@@ -210,12 +213,15 @@ private:
         for (std::int32_t k = vertex; k <= vertex + block_size; ++k)
             block.add(points[k]);
         ShearedRange above{slope};
-        return add_pieces(envelope.left, -1, -block.least_s, above) &&
+        above.add(points[over]);
+        // The last comparison implies the first one, which ends many tests early.
+        return block.is_below(above) &&
+               add_pieces(envelope.left, -1, -block.least_s, above) &&
                add_pieces(envelope.right, 1, block.largest_s, above) &&
                block.is_below(above);
     }
 
-    // Adds the segments of the pieces of `half` from the finger to `end`, a value of s.
+    // Adds the segments of the pieces of `half` from the split to `end`, a value of s.
     // Both are negated if `direction` is -1. Returns false if the pieces do not reach it,
     // or if there are so many that the test would take longer than it saves.
     bool add_pieces(const std::vector<EnvelopePiece>& half, double direction, double end,
@@ -229,17 +235,17 @@ private:
             range.add(section_.points[segment]);
             range.add(section_.points[segment + 1]);
             const double error = from < 0 ? crossings_[~from].error : 0;
-            if (direction * place_s(from) - 1.001 * error >= end)
+            if (direction * place_s(from) - end >= bound_margin * error)
                 return true;
         }
         return false;
     }
 
-    // Moves the finger of the last open envelope to a vertex below that envelope.
-    void move_finger(std::int32_t vertex)
+    // Moves the split of the last open envelope to a vertex below that envelope.
+    void move_split(std::int32_t vertex)
     {
         OpenEnvelope& envelope = open_.back();
-        if (order_.s(vertex) > order_.s(envelope.finger))
+        if (order_.s(vertex) > order_.s(envelope.split))
             move_pieces<true>(envelope, vertex);
         else
             move_pieces<false>(envelope, vertex);
@@ -250,7 +256,7 @@ private:
     {
         auto& behind = is_rightwards ? envelope.left : envelope.right;
         auto& ahead = is_rightwards ? envelope.right : envelope.left;
-        std::int32_t place = envelope.finger;
+        std::int32_t place = envelope.split;
         int farther = -1;
         while (farther < 0) {
             const auto [p, p_end] = ahead.back();
@@ -261,7 +267,7 @@ private:
             if (farther <= 0)
                 ahead.pop_back();
         }
-        envelope.finger = vertex;
+        envelope.split = vertex;
     }
 
     void add_chain(const Chain& chain, bool is_new)
@@ -275,7 +281,7 @@ private:
                 open_.back().left.reserve(section_.points.size());
         }
         OpenEnvelope& envelope = open_.back();
-        envelope.finger = chain.first;
+        envelope.split = chain.first;
         if (chain.is_rightwards)
             walk<true>(envelope, ChainFeed{chain});
         else
@@ -304,18 +310,18 @@ private:
         walk<true>(open_.back(), EnvelopeFeed{last.right});
     }
 
-    // Moves the finger to -infinity.
+    // Moves the split to -infinity.
     static void rewind(OpenEnvelope& envelope)
     {
         while (!envelope.left.empty()) {
             const EnvelopePiece piece = envelope.left.back();
-            append(envelope.right, piece.segment, envelope.finger);
-            envelope.finger = piece.from;
+            append(envelope.right, piece.segment, envelope.split);
+            envelope.split = piece.from;
             envelope.left.pop_back();
         }
-        if (envelope.finger != left_of_all) {
-            append(envelope.right, no_segment, envelope.finger);
-            envelope.finger = left_of_all;
+        if (envelope.split != left_of_all) {
+            append(envelope.right, no_segment, envelope.split);
+            envelope.split = left_of_all;
         }
     }
 
@@ -326,7 +332,7 @@ private:
         if (open_.empty())
             return envelope;
         OpenEnvelope& whole = open_.back();
-        std::int32_t from = whole.finger;
+        std::int32_t from = whole.split;
         for (; !whole.right.empty(); whole.right.pop_back()) {
             append(whole.left, whole.right.back().segment, from);
             from = whole.right.back().from;
@@ -337,8 +343,8 @@ private:
         return envelope;
     }
 
-    // Merges the segments of `feed` into `envelope`, from the finger on, and moves the
-    // finger along. Between two places where either changes its segment, both are linear,
+    // Merges the segments of `feed` into `envelope`, from the split on, and moves the
+    // split along. Between two places where either changes its segment, both are linear,
     // so that the signs of their difference at both ends decide which is above and
     // whether they cross.
     template <bool is_rightwards, typename Feed>
@@ -346,7 +352,7 @@ private:
     {
         auto& behind = is_rightwards ? envelope.left : envelope.right;
         auto& ahead = is_rightwards ? envelope.right : envelope.left;
-        std::int32_t place = envelope.finger;
+        std::int32_t place = envelope.split;
         // Whether the feed lies above the envelope (1), on it (0) or below it (-1), just
         // ahead.
         int above = 0;
@@ -398,7 +404,7 @@ private:
                             ? 1
                             : order_at(feed.segment(), ahead.back().segment, place);
         }
-        envelope.finger = place;
+        envelope.split = place;
     }
 
     // Whether q counts as the carrier where q and p coincide: the one with the smaller

@@ -188,16 +188,20 @@ CutRay missing(const HeightStock& stock, const PartRay& ray)
 
 CutRay ray_in_block(const Block& block, const PartRay& ray)
 {
-    CutRay cut{infinite, 0, -1};
+    double nearest = infinite;
+    double cosine = 1;
     for (int c = 0; c < 3; ++c) {
         if (ray.point[c] < block.low[c] || ray.point[c] > block.high[c])
             return missing(block, ray);
         const double rate = ray.normal[c];
         const double way = (rate > 0 ? block.high[c] : block.low[c]) - ray.point[c];
-        if (rate != 0 && way / rate < cut.thickness)
-            cut = {way / rate, tangent_of(rate), -1};
+        const double length = rate != 0 ? way / rate : infinite;
+        if (length < nearest) {
+            nearest = length;
+            cosine = rate;
+        }
     }
-    return cut;
+    return {nearest, tangent_of(cosine), -1};
 }
 
 CutRay ray_in_stock(const HeightStock& stock, const PartRay& ray)

@@ -254,7 +254,7 @@ ExitLanes BorderWalls::exits(const PlaceLanes& places, unsigned asked) const
         return {};
     if (edges_.empty())
         return {.none = asked};
-    return exits_of(strips(), places, frame_.cast<float>(), asked);
+    return ray_exits(strips(), places, frame_.cast<float>(), asked);
 }
 
 std::optional<int> BorderWalls::exits(const ProjectedBox& box) const
@@ -263,7 +263,7 @@ std::optional<int> BorderWalls::exits(const ProjectedBox& box) const
         return std::nullopt;
     if (edges_.empty())
         return 0;
-    return exits_of(strips(), box);
+    return box_exits(strips(), box);
 }
 
 }  // namespace endmill

@@ -24,10 +24,10 @@ constexpr std::uint32_t most_blocks_of_a_box = 32;
     return WideFloats{values.data()};
 }
 
-// What one block of walls says about rays.
+// The exits of a ray, or of all rays from a box, through the walls of one block.
 struct Meeting {
-    bool is_certain;
-    int exits;
+    bool is_certain;  // else the number of exits is not known
+    int exits;        // exits less entries
 };
 
 // Walls in `met` are met by all rays that start beside them, and those in `uncertain`
@@ -97,8 +97,8 @@ struct Meeting {
 }  // namespace
 
 ENDMILL_WIDEST_REGISTERS
-ExitLanes exits_of(const WallStrips& walls, const PlaceLanes& places,
-                   const Eigen::Matrix3f& frame, unsigned asked)
+ExitLanes ray_exits(const WallStrips& walls, const PlaceLanes& places,
+                    const Eigen::Matrix3f& frame, unsigned asked)
 {
     std::array<LaneFloats, 3> at;
     for (int axis = 0; axis < 3; ++axis)
@@ -130,7 +130,7 @@ ExitLanes exits_of(const WallStrips& walls, const PlaceLanes& places,
 }
 
 ENDMILL_WIDEST_REGISTERS
-std::optional<int> exits_of(const WallStrips& walls, const ProjectedBox& box)
+std::optional<int> box_exits(const WallStrips& walls, const ProjectedBox& box)
 {
     const std::uint32_t first = walls.strip_at(box.low.x());
     const std::uint32_t last = walls.strip_at(box.high.x());

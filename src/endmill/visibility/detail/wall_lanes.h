@@ -58,14 +58,15 @@ struct ExitLanes {
     unsigned some = 0;  ///< it does not
 };
 
-/// The rays in the lanes `asked`.
+/// Which rays leave a solid through walls more or less often than they enter it.
 /// \param places where the rays start. \param frame maps them to the frame of the walls.
-ExitLanes exits_of(const WallStrips& walls, const PlaceLanes& places,
-                   const Eigen::Matrix3f& frame, unsigned asked);
+/// \param asked the lanes of the rays; the others get no answer.
+ExitLanes ray_exits(const WallStrips& walls, const PlaceLanes& places,
+                    const Eigen::Matrix3f& frame, unsigned asked);
 
 /// The number of times that each ray that starts in a box leaves through walls, less the
 /// times that it enters; nothing if that is uncertain, or not the same for all.
 /// \param box in the frame of the walls.
-std::optional<int> exits_of(const WallStrips& walls, const ProjectedBox& box);
+std::optional<int> box_exits(const WallStrips& walls, const ProjectedBox& box);
 
 }  // namespace endmill
