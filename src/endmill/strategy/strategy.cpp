@@ -2,14 +2,16 @@
 #include "endmill/strategy/strategy.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <optional>
 #include <utility>
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/tolerance.h"
+#include "endmill/planning/detail/piece_order.h"
 #include "endmill/strategy/detail/front_march.h"
 #include "endmill/strategy/detail/pass_moves.h"
 #include "endmill/strategy/detail/starts.h"
@@ -26,17 +28,19 @@ namespace {
 
 // Share of the scallop height at which passes are laid out. The rest is for what lies
 // between samples and for the chords of moves.
-constexpr double layout_share = 0.96;
+constexpr double layout_share = 0.97;
 // Share of it by which a sample may miss its cover.
-constexpr double slack_share = 0.01;
+constexpr double slack_share = 0.005;
 // Share of it by which moves may miss what the rolling balls cover.
-constexpr double move_share = 0.02;
+constexpr double move_share = 0.015;
 // Samples across a strip for the choice of the start, and for the result.
 constexpr double few_samples_across = 4;
 constexpr double samples_across = 8;
 // Rounds in which a pass is bent, for the choice and for the result.
 constexpr int few_rounds = 1;
-constexpr int rounds = 6;
+constexpr int rounds = 12;
+// Rounds in which passes are bent towards places that their moves miss.
+constexpr int mending_rounds = 6;
 // Starts that are tried with many samples.
 constexpr std::size_t finalists = 3;
 // Memory of a sample with its triangles and coverage, bytes.
@@ -157,36 +161,164 @@ LaidPasses best_passes(std::span<const Surface> surfaces,
     return {std::move(samples), std::move(best->passes)};
 }
 
-// The nearest-neighbour order of pieces, with directions.
-std::vector<PassPiece> in_cutting_order(std::vector<LaidPass> pieces)
+// All passes divided into moves, in their order.
+std::vector<LaidPass> divided(std::span<const LaidPass> passes, const PartSamples& samples,
+                              const ClearMoves& clear, double height)
 {
-    std::vector<PassPiece> ordered;
-    std::vector<bool> is_done(pieces.size(), false);
-    Vec3 at = Vec3::Zero();
-    for (std::size_t count = 0; count < pieces.size(); ++count) {
-        std::size_t best = pieces.size();
-        bool is_reversed = false;
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t k = 0; k < pieces.size(); ++k) {
-            if (is_done[k])
-                continue;
-            const Vec3& front = pieces[k].contacts.front().at.contact.point;
-            const Vec3& back = pieces[k].contacts.back().at.contact.point;
-            if (const double d = (front - at).squaredNorm(); d < least)
-                least = d, best = k, is_reversed = false;
-            if (const double d = (back - at).squaredNorm(); d < least)
-                least = d, best = k, is_reversed = true;
-        }
-        is_done[best] = true;
-        Pass contacts;
-        for (const PassContact& contact : pieces[best].contacts)
-            contacts.push_back(contact.at);
-        if (is_reversed)
-            std::reverse(contacts.begin(), contacts.end());
-        at = contacts.back().contact.point;
-        ordered.push_back({static_cast<int>(count), std::move(contacts)});
+    const MoveLimits limits{layout_share * height, move_share * height};
+    std::vector<std::vector<LaidPass>> parts(passes.size());
+    parallel_for(passes.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            parts[k] = divided_into_moves(passes[k], samples, clear, limits);
+    });
+    std::vector<LaidPass> pieces;
+    for (std::vector<LaidPass>& own : parts)
+        for (LaidPass& piece : own)
+            pieces.push_back(std::move(piece));
+    return pieces;
+}
+
+// The contacts of a piece in the order of cutting. A closed piece returns to its start.
+Pass contacts_of(const LaidPass& piece, const OrderedPiece& order)
+{
+    Pass contacts;
+    contacts.reserve(piece.contacts.size() + 1);
+    for (const PassContact& contact : piece.contacts)
+        contacts.push_back(contact.at);
+    if (piece.is_closed) {
+        std::rotate(contacts.begin(),
+                    contacts.begin() + static_cast<std::ptrdiff_t>(order.start),
+                    contacts.end());
+        contacts.push_back(contacts.front());
     }
+    if (order.is_reversed)
+        std::reverse(contacts.begin(), contacts.end());
+    return contacts;
+}
+
+// The pieces in an order with short links.
+std::vector<PassPiece> in_cutting_order(std::span<const LaidPass> pieces,
+                                        const BallCutter& cutter, const LinkOptions& options)
+{
+    const auto tip = [&](const PassContact& contact) {
+        return locate(cutter, contact.at.contact, options.axis).tip;
+    };
+    std::vector<PieceEnds> ends;
+    ends.reserve(pieces.size());
+    for (const LaidPass& piece : pieces) {
+        if (piece.is_closed) {
+            ClosedPiece closed;
+            for (const PassContact& contact : piece.contacts)
+                closed.starts.push_back(tip(contact));
+            ends.emplace_back(std::move(closed));
+        } else {
+            ends.emplace_back(OpenPiece{tip(piece.contacts.front()),
+                                        tip(piece.contacts.back()),
+                                        options.order != PassOrder::OneWay});
+        }
+    }
+    std::vector<PassPiece> ordered;
+    for (const OrderedPiece& place : order_pieces(ends).pieces)
+        ordered.push_back({static_cast<int>(ordered.size()),
+                           contacts_of(pieces[place.piece], place)});
     return ordered;
+}
+
+// A triangle in which a place is not covered, and the worst of the places found in it.
+struct UncoveredTriangle {
+    double area_mm2;
+    MissedPlace worst;
+};
+
+// What the pieces leave uncovered at `height`.
+std::vector<UncoveredTriangle> uncovered_by(std::span<const LaidPass> pieces,
+                                            const PartSamples& samples,
+                                            const BallCutter& cutter, double height)
+{
+    Coverage coverage{samples, cutter, height};
+    for (const LaidPass& piece : pieces)
+        coverage.add(piece.contacts, piece.is_closed);
+    std::vector<UncoveredTriangle> found;
+    for (std::size_t number = 0; number < samples.triangles().size(); ++number) {
+        const Triangle& triangle = samples.triangles()[number];
+        std::optional<MissedPlace> worst;
+        for (const std::int32_t i : triangle)
+            if (const double gap = coverage.gaps()[i]; gap > 0 && (!worst || gap > worst->gap))
+                worst = {samples.parameters(i), i, gap};
+        if (!worst)
+            for (const MissedPlace& place :
+                 coverage.missed(std::array{static_cast<std::int32_t>(number)}, 0))
+                if (!worst || place.gap > worst->gap)
+                    worst = place;
+        if (!worst)
+            continue;
+        const Vec3& a = samples.point(triangle[0]);
+        const Vec3 across =
+            (samples.point(triangle[1]) - a).cross(samples.point(triangle[2]) - a);
+        found.push_back({across.norm() / 2, *worst});
+    }
+    return found;
+}
+
+// The contact of a list of passes that is nearest to a place.
+struct NearestContact {
+    std::size_t pass;
+    std::size_t contact;
+    double distance;  // mm
+};
+
+NearestContact nearest_contact(std::span<const LaidPass> passes, const Vec3& place,
+                               int surface)
+{
+    NearestContact nearest{0, 0, std::numeric_limits<double>::infinity()};
+    for (std::size_t pass = 0; pass < passes.size(); ++pass)
+        for (std::size_t k = 0; k < passes[pass].contacts.size(); ++k) {
+            const PassContact& contact = passes[pass].contacts[k];
+            const double distance = (contact.at.contact.point - place).norm();
+            if (contact.surface == surface && distance < nearest.distance)
+                nearest = {pass, k, distance};
+        }
+    return nearest;
+}
+
+// Bends the nearest pass towards each place just so far that its ball reaches the place.
+// \param excess by what factor the bend exceeds its first-order value.
+void bend_passes(std::vector<LaidPass>& passes, std::span<const UncoveredTriangle> uncovered,
+                 const PartSamples& samples, const BallCutter& cutter, double height,
+                 double excess)
+{
+    // the gap decreases by about half_width / R per mm of bend
+    const double half_width = strip_width(cutter, height) / 2;
+    for (const auto& [area, place] : uncovered) {
+        const PassContact aim = samples.contact(place.at, place.near);
+        const NearestContact nearest =
+            nearest_contact(passes, aim.at.contact.point, aim.surface);
+        if (!(nearest.distance > 0) || nearest.distance > 2 * half_width ||
+            place.gap > height)
+            continue;
+        std::vector<PassContact>& contacts = passes[nearest.pass].contacts;
+        const PassContact& from = contacts[nearest.contact];
+        if (!samples.is_joined(from, aim))
+            continue;
+        const double bend = excess * place.gap * cutter.radius() / half_width;
+        const double share = std::min(1.0, bend / nearest.distance);
+        PassContact bent = samples.contact({std::lerp(from.at.u, aim.at.u, share),
+                                            std::lerp(from.at.v, aim.at.v, share)},
+                                           from.near);
+        bent.is_required = true;
+        contacts.insert(contacts.begin() + static_cast<std::ptrdiff_t>(nearest.contact) + 1,
+                        bent);
+    }
+}
+
+void require_sound(const BallCutter& cutter, const StrategyOptions& options)
+{
+    require(0 < options.inner_tolerance && options.inner_tolerance < cutter.radius(),
+            "plan_iso_scallop: need 0 < inner tolerance < cutter radius");
+    require(0 < options.scallop_height && options.scallop_height < cutter.radius(),
+            "plan_iso_scallop: need 0 < scallop height < cutter radius");
+    require((options.link.axis - Vec3::UnitZ()).norm() < unit_vector_rounding,
+            "plan_iso_scallop: the axis must be +z");
 }
 
 }  // namespace
@@ -194,33 +326,43 @@ std::vector<PassPiece> in_cutting_order(std::vector<LaidPass> pieces)
 StrategyPlan plan_iso_scallop(std::span<const Surface> surfaces, const BallCutter& cutter,
                               const StrategyOptions& options)
 {
+    require_sound(cutter, options);
+    const double height = options.scallop_height;
     const std::vector<double> sides = tool_side_signs(surfaces, options.link.axis);
     require_reachable(surfaces, options.link.axis, sides);
-    const LaidPasses best = best_passes(surfaces, sides, cutter, options);
-    const std::vector<LaidPass>& passes = best.passes;
+    LaidPasses laid = best_passes(surfaces, sides, cutter, options);
     const ClearMoves clear{surfaces, sides, cutter, options.link.axis,
                            options.inner_tolerance};
-    const MoveLimits limits{layout_share * options.scallop_height,
-                            move_share * options.scallop_height};
-    std::vector<std::vector<LaidPass>> divided(passes.size());
-    parallel_for(passes.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-            divided[k] = divided_into_moves(passes[k], best.samples, clear, limits);
-    });
     std::vector<LaidPass> pieces;
-    for (std::vector<LaidPass>& own : divided)
-        for (LaidPass& piece : own)
-            pieces.push_back(std::move(piece));
+    std::vector<UncoveredTriangle> uncovered;
+    for (int round = 0;; ++round) {
+        pieces = divided(laid.passes, laid.samples, clear, height);
+        uncovered = uncovered_by(pieces, laid.samples, cutter, height);
+        if (uncovered.empty() || round == mending_rounds)
+            break;
+        bend_passes(laid.passes, uncovered, laid.samples, cutter, height, 1.5 + round);
+    }
+
     StrategyPlan plan;
-    plan.passes = pieces.size();
+    plan.passes = laid.passes.size();
+    plan.pieces = pieces.size();
+    for (const auto& [area, place] : uncovered) {
+        plan.uncovered_mm2 += area;
+        plan.uncovered.push_back(
+            {laid.samples.surface(place.near), place.at,
+             laid.samples.contact(place.at, place.near).at.contact.point});
+    }
     const auto is_clear = [&](const SurfaceContact& from, const SurfaceContact& to) {
         FinerPieces finer;
         return clear.is_clear({ball_centre(from, cutter), ball_centre(to, cutter)}, finer);
     };
-    LinkedPath linked =
-        link_pieces(in_cutting_order(std::move(pieces)), cutter, options.link, is_clear);
+    LinkedPath linked = link_pieces(in_cutting_order(pieces, cutter, options.link), cutter,
+                                    options.link, is_clear);
     plan.path = std::move(linked.path);
     plan.lifted_links = linked.lifted_links;
+    if (plan.path.points.empty())
+        throw GeometryError{"the ball fits nowhere on the part without entering it by more "
+                            "than the inner tolerance"};
     return plan;
 }
 

@@ -30,12 +30,14 @@ struct StrategyOptions {
 
 /// A path by a strategy, and what it leaves.
 struct StrategyPlan {
-    ToolPath path;             ///< all pieces and the links between them
-    std::size_t passes = 0;    ///< pieces before they are joined, in contact throughout
+    ToolPath path;                 ///< all pieces and the links between them
+    std::size_t passes = 0;        ///< passes as laid, before they are divided
+    std::size_t pieces = 0;        ///< parts of passes that are cut in contact throughout
     std::size_t lifted_links = 0;  ///< links that are lifted because they are not clear
-    double uncovered_mm2 = 0;  ///< area that may keep more than the scallop height
-    /// Where that is, at most one place for each connected region.
-    std::vector<UncoveredPlace> uncovered = {};
+    /// Area in mm^2 of the parts of the sampled surface in which a place was found that
+    /// keeps more than the scallop height.
+    double uncovered_mm2 = 0;
+    std::vector<UncoveredPlace> uncovered = {};  ///< these places, the worst of each part
 };
 
 /// Plans passes of equal scallop height: each lies as far as possible from the passes

@@ -23,9 +23,12 @@ constexpr double bend_decay = 4;
 // A bend is not followed below this share of the island's own.
 constexpr double least_bend_share = 0.1;
 // A bend exceeds the gap that asks for it by this factor, so that few rounds are needed.
-constexpr double bend_excess = 1.2;
+constexpr double bend_excess = 1.6;
 // Greatest bend of a round, as a share of the scallop height.
 constexpr double greatest_bend = 0.5;
+// Greatest sum of the bends of all rounds, in scallop heights. At 1 a pass would return to
+// its front.
+constexpr double greatest_total_bend = 0.7;
 
 // Least distance of the contacts of a pass, as a share of the distance of samples.
 constexpr double least_step = 0.9;
@@ -198,17 +201,21 @@ bool FrontMarch::step(std::span<const SampleEdge> front)
     std::vector<double> bend(measured_.size(), 0);
     std::vector<double> best_bend = bend;
     double least_missed = std::numeric_limits<double>::infinity();
+    double missed_before = least_missed;
     std::vector<LaidPass> passes;
     for (int round = 0; round <= rounds_; ++round) {
         passes = try_passes(bend);
         const std::vector<Island> left = islands();
-        missed_places_ = coverage_->missed(strip_triangles(), slack_);
+        if (rounds_ > 1)
+            missed_places_ = coverage_->missed(strip_triangles(), slack_);
         const double missed = missed_by(left);
+        const bool is_stuck = missed == missed_before;
+        missed_before = missed;
         if (missed < least_missed) {
             least_missed = missed;
             best_bend = bend;
         }
-        if (round == rounds_ || missed == 0 || !bend_towards(left, front, bend))
+        if (round == rounds_ || missed == 0 || is_stuck || !bend_towards(left, front, bend))
             break;
     }
     if (bend != best_bend)
@@ -312,7 +319,7 @@ bool FrontMarch::bend_towards(std::span<const Island> islands,
         }
     }
     for (std::size_t k = 0; k < measured_.size(); ++k)
-        bend[k] = std::min(bend[k] + wanted_[measured_[k]], greatest_bend * height);
+        bend[k] = std::min(bend[k] + wanted_[measured_[k]], greatest_total_bend * height);
     for (const std::int32_t i : wanting_)
         wanted_[i] = 0;
     wanting_.clear();

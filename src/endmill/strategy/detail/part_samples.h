@@ -17,6 +17,7 @@ struct PassContact {
     SurfaceContact at;   ///< parameters, point and normal
     int surface;         ///< number of its surface
     std::int32_t near;   ///< number of a sample beside it
+    bool is_required = false;  ///< whether a move must begin or end here
 };
 
 /// A place between two neighbouring samples.

@@ -4,32 +4,42 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
-#include "endmill/planning/segmentation.h"
+#include "endmill/planning/detail/segmentation.h"
 #include "endmill/strategy/detail/reach.h"
 
 namespace endmill {
 namespace {
 
-using Demands = std::array<Vec3, 3>;
+// Directions around a contact in which the border of what its ball covers is demanded. Two
+// of them lie across the feed.
+constexpr int demand_directions = 6;
+using Demands = std::array<Vec3, demand_directions + 1>;
 
-// The points that a move past this contact must reach: they lie on the ball, in the middle
-// of the strip that it covers and on both of its borders.
+// The points that a move past a contact must reach: the one above it, and some on the
+// circle of the ball at the height to which it covers.
 Demands demands_at(std::span<const PassContact> contacts, std::size_t k, double radius,
                    double height)
 {
     const CutterContact& contact = contacts[k].at.contact;
     const Vec3& before = contacts[k > 0 ? k - 1 : k].at.contact.point;
     const Vec3& after = contacts[std::min(k + 1, contacts.size() - 1)].at.contact.point;
-    const Vec3 centre = contact.point + radius * contact.normal;
-    const Vec3 across = contact.normal.cross(after - before);
-    const double length = across.norm();
-    const double cosine = (radius - height) / radius;
-    const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
-    const Vec3 side = length > 0 ? Vec3{(radius * sine / length) * across} : Vec3{Vec3::Zero()};
-    const Vec3 down = centre - radius * cosine * contact.normal;
-    return {contact.point + height * contact.normal, down + side, down - side};
+    const Vec3 feed = after - before;
+    const Vec3 across = contact.normal.cross(
+        feed.norm() > 0 ? feed : contact.normal.unitOrthogonal()).normalized();
+    const Vec3 along = across.cross(contact.normal);
+    const double circle = std::sqrt(height * (2 * radius - height));
+    const Vec3 middle = contact.point + height * contact.normal;
+    Demands demands;
+    demands[0] = middle;
+    for (int direction = 0; direction < demand_directions; ++direction) {
+        const double angle = 2 * std::numbers::pi * (direction + 0.5) / demand_directions;
+        demands[direction + 1] =
+            middle + circle * (std::sin(angle) * across + std::cos(angle) * along);
+    }
+    return demands;
 }
 
 // Halvings of the way between two contacts of a pass in search of clear moves.
@@ -95,6 +105,11 @@ std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples
     const auto is_clear = [&](std::size_t from, std::size_t to) {
         return clear.is_clear({centre(from), centre(to)}, finer);
     };
+    const auto passes_required = [&](std::size_t from, std::size_t to) {
+        return std::any_of(contacts.begin() + static_cast<std::ptrdiff_t>(from) + 1,
+                           contacts.begin() + static_cast<std::ptrdiff_t>(to),
+                           [](const PassContact& contact) { return contact.is_required; });
+    };
     const auto reaches_demands = [&](std::size_t from, std::size_t to) {
         const UprightSweep sweep{centre(from), centre(to)};
         for (std::size_t k = from; k <= to; ++k)
@@ -117,12 +132,18 @@ std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples
         if (last > first) {
             const auto divided = fewest_moves(
                 last - first + 1, PassShape::Open, [&](std::size_t from, std::size_t to) {
-                    return to == from + 1 || (reaches_demands(first + from, first + to) &&
+                    return to == from + 1 || (!passes_required(first + from, first + to) &&
+                                              reaches_demands(first + from, first + to) &&
                                               is_clear(first + from, first + to));
                 });
             piece.contacts.clear();
             for (const std::size_t vertex : divided->vertices)
                 piece.contacts.push_back(contacts[first + vertex]);
+        }
+        const bool is_whole = first == 0 && last + 1 == contacts.size();
+        if (pass.is_closed && is_whole && piece.contacts.size() > 2) {
+            piece.contacts.pop_back();
+            piece.is_closed = true;
         }
         pieces.push_back(std::move(piece));
         first = last + 1;

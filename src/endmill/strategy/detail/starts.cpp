@@ -75,7 +75,7 @@ std::vector<LevelLine> section(const PartSamples& samples, const LineStart& star
     return level_lines(samples, values);
 }
 
-// The border of the component of samples that contains `inside`, or the sample itself.
+// The border of the connected part of the samples that contains `inside`, or the sample.
 std::vector<SampleEdge> border_of_component(const PartSamples& samples, std::int32_t inside)
 {
     SampleWalk walk{samples};
@@ -112,30 +112,30 @@ std::vector<MarchStart> march_starts(const PartSamples& samples)
     return starts;
 }
 
-std::vector<LaidPass> lay_passes(Coverage& coverage, const MarchStart& start, double slack,
-                                 int rounds)
+std::vector<LaidPass> lay_passes(Coverage& coverage, const std::optional<MarchStart>& start,
+                                 double slack, int rounds)
 {
     const PartSamples& samples = coverage.samples();
     FrontMarch march{coverage, slack, rounds};
-    if (const auto* line = std::get_if<LineStart>(&start)) {
-        march.lay(section(samples, *line));
-        march.run();
-    } else {
-        const auto& side = std::get<BorderStart>(start);
-        std::vector<SampleEdge> front;
-        for (const BorderPlace& place : border_places(samples))
-            if (place.share >= side.first_share && place.share <= side.last_share)
-                front.push_back(place.at);
-        march.run(std::move(front));
+    if (start) {
+        if (const auto* line = std::get_if<LineStart>(&*start)) {
+            march.lay(section(samples, *line));
+            march.run();
+        } else {
+            const auto& side = std::get<BorderStart>(*start);
+            std::vector<SampleEdge> front;
+            for (const BorderPlace& place : border_places(samples))
+                if (place.share >= side.first_share && place.share <= side.last_share)
+                    front.push_back(place.at);
+            march.run(std::move(front));
+        }
     }
     // other components, and what a first pass of no length left
-    for (std::size_t laid = 0; !march.is_complete();) {
-        const std::int32_t inside = march.first_uncovered();
-        march.run(border_of_component(samples, inside));
-        const std::size_t now = march.passes().size();
-        if (now == laid)
+    while (!march.is_complete()) {
+        const std::size_t before = march.passes().size();
+        march.run(border_of_component(samples, march.first_uncovered()));
+        if (march.passes().size() == before)
             break;
-        laid = now;
     }
     return march.take_passes();
 }

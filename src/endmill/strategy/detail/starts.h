@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -29,8 +30,11 @@ std::vector<MarchStart> march_starts(const PartSamples& samples);
 
 /// Lays the passes of a start, and of further starts where it leaves components of the
 /// part uncovered.
+/// \param coverage      what is covered so far; the passes are added.
+/// \param start         where the first pass lies; nothing if passes have been added.
 /// \param slack, rounds of FrontMarch.
-std::vector<LaidPass> lay_passes(Coverage& coverage, const MarchStart& start, double slack,
+std::vector<LaidPass> lay_passes(Coverage& coverage, const std::optional<MarchStart>& start,
+                                 double slack,
                                  int rounds);
 
 }  // namespace endmill
