@@ -10,6 +10,7 @@
 #include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/plan_files.h"
+#include "cli/plan_strategy.h"
 #include "cli/plan_text.h"
 #include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
@@ -55,6 +56,11 @@ void complete(PlanOptions& options, std::span<const Surface> surfaces, double di
         throw DomainError{"--scallop " + to_text(planning.scallop_height) +
                           ": expected a height below the ball's diameter, " +
                           to_text(diameter) + " mm"};
+    if (options.strategy != PlanStrategy::Iso && planning.scallop_height >= diameter / 2)
+        throw DomainError{"--scallop " + to_text(planning.scallop_height) +
+                          ": expected a height below the ball's radius, " +
+                          to_text(diameter / 2) + " mm, with --strategy " +
+                          strategy_word(options.strategy)};
     if (options.mode == Planner::Verified && options.motion.inner >= diameter / 2)
         throw DomainError{"--inner-tolerance " + to_text(options.motion.inner) +
                           ": expected a depth below the ball's radius, " +
@@ -109,14 +115,18 @@ ExitCode run_plan(PlanOptions options)
     OutputFolder folder{output_folder(options.part, "plan", options.common),
                         options.common.full_folder};
     folder.protect(options.part);
-    const PlanResult result = write_plan({surfaces, context, options}, folder);
+    const PlanTask task{surfaces, context, options};
+    const PlanResult result = options.strategy == PlanStrategy::Iso
+                                  ? write_plan(task, folder)
+                                  : write_strategy_plan(task, folder);
     folder.publish();
     print_result(options.common, result.summary,
                  settings_text(context, options) + result.text + "written to " +
                      printable(folder.path().string()) + "\n");
     if (result.gouge)
         report_gouge(*result.gouge, options);
-    const bool is_good = result.uncovered_places == 0 && !result.gouge;
+    const bool is_good =
+        result.uncovered_places == 0 && !result.gouge && !result.is_undecided;
     return is_good ? ExitCode::Yes : ExitCode::No;
 }
 
@@ -125,7 +135,7 @@ ExitCode run_plan(PlanOptions options)
 void add_plan_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "plan", "plan iso-parametric finishing passes of a ball-end mill on a surface");
+        "plan", "plan finishing passes of a ball-end mill on a surface");
     const auto options = std::make_shared<PlanOptions>();
     add_plan_options(*command, *options);
     command->footer(
@@ -134,13 +144,16 @@ void add_plan_command(CLI::App& program, Action& action)
         "replaces the files of an earlier run.\n\n"
         "Exit 1: a path gouges the part deeper than the inner tolerance (--mode paper "
         "may),\n"
-        "or --mode verified finds places that no pass covers, such as a crease.\n\n"
+        "--mode verified finds places that no pass covers, such as a crease, or a path by\n"
+        "--strategy iso-scallop is not judged clean.\n\n"
         "Example:\n"
         "  endmill plan datasets/surfaces/saddle.json\n"
         "  endmill plan datasets/surfaces/saddle.json --cutter ball:15 --inner-tolerance "
         "0 --outer-tolerance 0.05 --direction u -o no-gouge\n"
         "  endmill plan datasets/surfaces/wavy.json --cutter ball:10 --chord-tolerance "
-        "0.05 --direction u -o wavy");
+        "0.05 --direction u -o wavy\n"
+        "  endmill plan datasets/surfaces/saddle.json --cutter ball:15 --scallop 0.5 "
+        "--strategy iso-scallop -o iso-scallop");
     command->callback([options, &action] {
         action = [options] {
             return naming(options->part, [&] { return run_plan(*options); });

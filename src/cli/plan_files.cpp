@@ -28,16 +28,6 @@
 namespace endmill {
 namespace {
 
-// Removes the files of an earlier run with other directions, which could be mistaken for
-// files of this run.
-void replace_earlier_run(OutputFolder& folder)
-{
-    for (const std::string prefix : {"", "u/", "v/"})
-        for (const char* name :
-             {"toolpath.csv", "toolpath.vtp", "toolpath.svg", "summary.json"})
-            folder.remove_unless_written(prefix + name);
-}
-
 // The feed in the program if no feed is given. It affects only the length of the tape.
 constexpr double default_feed_mm_per_min = 1000;
 
@@ -243,9 +233,17 @@ std::optional<KnownGouge> known_gouge(std::span<const DirectionResult> results)
 
 }  // namespace
 
+void replace_earlier_plans(OutputFolder& folder)
+{
+    for (const std::string prefix : {"", "u/", "v/"})
+        for (const char* name :
+             {"toolpath.csv", "toolpath.vtp", "toolpath.svg", "summary.json"})
+            folder.remove_unless_written(prefix + name);
+}
+
 PlanResult write_plan(const PlanTask& task, OutputFolder& folder)
 {
-    replace_earlier_run(folder);
+    replace_earlier_plans(folder);
     std::vector<Parameter> directions{Parameter::U, Parameter::V};
     if (task.options.direction != PlanDirection::Both)
         directions = {task.options.direction == PlanDirection::U ? Parameter::U

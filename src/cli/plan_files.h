@@ -29,7 +29,13 @@ struct PlanResult {
     std::string text;
     std::size_t uncovered_places;     ///< places that a verified plan does not cover
     std::optional<KnownGouge> gouge;  ///< the deepest, if a path is known to gouge
+    /// Whether the verdict on a path by a strategy is not "clean".
+    bool is_undecided = false;
 };
+
+/// Removes the files of an earlier plan from `folder`, so that none is mistaken for a file of
+/// this run.
+void replace_earlier_plans(OutputFolder& folder);
 
 /// Plans along the requested parameters, and writes paths, pictures and summaries into
 /// `folder`. The files of an earlier run are replaced. Both directions are planned at

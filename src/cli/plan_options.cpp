@@ -44,6 +44,14 @@ constexpr std::array count_links{Choice<CountedMoves>{"yes", CountedMoves::CutsA
 constexpr std::array modes{Choice<Planner>{"verified", Planner::Verified},
                            Choice<Planner>{"paper", Planner::Paper}};
 
+constexpr std::array strategies{
+    Choice<PlanStrategy>{"iso", PlanStrategy::Iso},
+    Choice<PlanStrategy>{"iso-scallop", PlanStrategy::IsoScallop}};
+
+// Options of passes along parameter lines only.
+constexpr std::array iso_options{"--direction", "--outer-tolerance", "--stop-at-borders",
+                                 "--count-links", "--distance"};
+
 // Policies of mode paper only. Mode verified chooses points and passes by the motion of
 // the ball.
 constexpr std::array paper_options{"--governing",      "--last-path", "--end-point",
@@ -162,6 +170,11 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_tolerances(command, options);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
                               "parameter along which the passes run (default both)");
+    add_choice<PlanStrategy>(
+        command, "--strategy", options.strategy, strategies,
+        "how passes are laid. iso (default): along parameter lines; iso-scallop: each as "
+        "far from the passes before it as the scallop height allows, which is shorter on "
+        "most parts; --scallop then limits all remaining stock");
     add_choice<Planner>(
         command, "--mode", options.mode, modes,
         "verified (default): every move is proved to be within "
@@ -197,12 +210,31 @@ void refuse_zero_tolerances(const PlanOptions& options)
         inner == 0.0 ? "--inner-tolerance" : "--outer-tolerance")};
 }
 
+// What the strategies other than iso cannot do.
+void refuse_for_strategy(const PlanOptions& options)
+{
+    const std::string chosen = "--strategy " + strategy_word(options.strategy);
+    refuse_idle_options(options.common, iso_options, chosen, "--strategy iso");
+    if (options.mode == Planner::Paper)
+        throw DomainError{"--mode paper with " + chosen +
+                          ": the paper plans along parameter lines; expected --strategy "
+                          "iso or --mode verified"};
+    if (options.requested.inner == 0.0)
+        throw DomainError{"--inner-tolerance 0 with " + chosen +
+                          ": expected a tolerance above 0, or --strategy iso"};
+    if (options.planning.link.axis != Vec3::UnitZ())
+        throw DomainError{"--axis with " + chosen +
+                          ": expected 0,0,1; turn the part, or use --strategy iso"};
+}
+
 }  // namespace
 
 void refuse_idle_plan_options(const PlanOptions& options)
 {
     const CommonOptions& common = options.common;
     refuse_zero_tolerances(options);
+    if (options.strategy != PlanStrategy::Iso)
+        refuse_for_strategy(options);
     if (options.mode == Planner::Verified)
         refuse_idle_options(common, paper_options, "--mode verified", "--mode paper");
     if (options.mode == Planner::Verified && options.requested.inner &&
@@ -216,6 +248,11 @@ void refuse_idle_plan_options(const PlanOptions& options)
     if (options.direction != PlanDirection::Both && !options.feed_mm_per_min)
         refuse_idle_options(common, std::array{"--distance"}, "one --direction",
                             "--direction both or --feed");
+}
+
+std::string strategy_word(PlanStrategy strategy)
+{
+    return std::string{word_for<PlanStrategy>(strategy, strategies)};
 }
 
 std::string mode_word(Planner mode)

@@ -14,6 +14,12 @@ namespace endmill {
 /// The parameter along which the passes run.
 enum class PlanDirection { U, V, Both };
 
+/// How the passes of a plan are laid.
+enum class PlanStrategy {
+    Iso,         ///< along parameter lines
+    IsoScallop,  ///< each as far from the passes before it as the scallop height allows
+};
+
 /// The options of `endmill plan`. An empty option takes the default that the help states.
 struct PlanOptions {
     CommonOptions common;
@@ -24,6 +30,7 @@ struct PlanOptions {
     std::optional<double> feed_mm_per_min;
     PlanDirection direction = PlanDirection::Both;
     Planner mode = Planner::Verified;
+    PlanStrategy strategy = PlanStrategy::Iso;
     TravelKind distance = TravelKind::Contact;
     CountedMoves counted = CountedMoves::CutsAndLinks;
     RequiredContinuity required = RequiredContinuity::None;
@@ -40,6 +47,8 @@ void refuse_idle_plan_options(const PlanOptions& options);
 
 /// The word for `mode` in summaries.
 std::string mode_word(Planner mode);
+/// The word for `strategy` in summaries.
+std::string strategy_word(PlanStrategy strategy);
 
 /// The options of the planner along `along`.
 PlannerOptions planner_options(const PlanOptions& options, Parameter along);

@@ -37,7 +37,11 @@ std::string cross_curvature_text(const PlanOptions& options)
 std::string settings_text(const PlanContext& context, const PlanOptions& options)
 {
     const std::string tolerance =
-        options.mode == Planner::Paper
+        options.strategy != PlanStrategy::Iso
+            ? fmt::format("strategy {}, inner tolerance {} mm",
+                          strategy_word(options.strategy),
+                          shown_limit(options.motion.inner))
+        : options.mode == Planner::Paper
             ? fmt::format("chord tolerance {} mm",
                           shown_limit(options.planning.chord_tolerance))
             : fmt::format("inner tolerance {} mm, outer tolerance {} mm",

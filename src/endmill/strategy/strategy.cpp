@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -40,11 +41,15 @@ constexpr double samples_across = 8;
 constexpr int few_rounds = 1;
 constexpr int rounds = 12;
 // Rounds in which passes are bent towards places that their moves miss.
-constexpr int mending_rounds = 6;
+constexpr int mending_rounds = 10;
 // Starts that are tried with many samples.
 constexpr std::size_t finalists = 3;
-// Memory of a sample with its triangles and coverage, bytes.
-constexpr std::size_t bytes_per_sample = 400;
+// Memory of a sample with its triangles and the coverage by several starts at once, bytes.
+constexpr double bytes_per_sample = 1200;
+constexpr double bytes_per_gib = 1024.0 * 1024 * 1024;
+// Shares of the work: starts on few samples, starts on many, moves.
+constexpr double ranked_share = 0.4;
+constexpr double laid_share = 0.9;
 
 // Width of a strip on a plane, mm.
 double strip_width(const BallCutter& cutter, double height)
@@ -73,6 +78,34 @@ double cost(std::span<const LaidPass> passes, double width)
     return sum;
 }
 
+// Reports the share of some work, from one share of all work to another.
+class ShareCounter {
+public:
+    ShareCounter(const std::function<void(double)>& progress, double from, double to,
+                 std::size_t items)
+        : progress_{&progress},
+          from_{from},
+          to_{to},
+          items_{items}
+    {
+    }
+
+    void finish_item()
+    {
+        const std::size_t done = ++done_;
+        if (*progress_)
+            (*progress_)(std::lerp(from_, to_,
+                                   static_cast<double>(done) / static_cast<double>(items_)));
+    }
+
+private:
+    const std::function<void(double)>* progress_;
+    double from_;
+    double to_;
+    std::size_t items_;
+    std::atomic<std::size_t> done_ = 0;
+};
+
 struct Trial {
     std::vector<LaidPass> passes;
     double cost;
@@ -95,13 +128,15 @@ struct RankedStart {
 
 std::vector<RankedStart> ranked(const std::vector<MarchStart>& starts,
                                 const PartSamples& samples, const BallCutter& cutter,
-                                double height)
+                                double height, ShareCounter& counter)
 {
     std::vector<RankedStart> ranked(starts.size());
     parallel_for(starts.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
+        for (std::size_t k = begin; k < end; ++k) {
             ranked[k] = {starts[k],
                          trial(samples, starts[k], cutter, height, few_rounds).cost};
+            counter.finish_item();
+        }
     });
     std::stable_sort(
         ranked.begin(), ranked.end(),
@@ -112,9 +147,12 @@ std::vector<RankedStart> ranked(const std::vector<MarchStart>& starts,
 // The starts that cost least on few samples, the best one first. Sections in other places
 // are tried in the best directions only.
 std::vector<MarchStart> best_starts(const PartSamples& samples, const BallCutter& cutter,
-                                    double height)
+                                    const StrategyOptions& options)
 {
-    std::vector<RankedStart> known = ranked(march_starts(samples), samples, cutter, height);
+    const double height = options.scallop_height;
+    const std::vector<MarchStart> starts = march_starts(samples);
+    ShareCounter counter{options.progress, 0, ranked_share, starts.size() + 2 * finalists};
+    std::vector<RankedStart> known = ranked(starts, samples, cutter, height, counter);
     std::vector<MarchStart> further;
     std::size_t directions = 0;
     for (const RankedStart& candidate : known)
@@ -124,7 +162,7 @@ std::vector<MarchStart> best_starts(const PartSamples& samples, const BallCutter
             for (const double share : {0.25, 0.75})
                 further.push_back(LineStart{line->angle, share});
         }
-    for (RankedStart& candidate : ranked(further, samples, cutter, height))
+    for (RankedStart& candidate : ranked(further, samples, cutter, height, counter))
         known.push_back(std::move(candidate));
     std::stable_sort(
         known.begin(), known.end(),
@@ -147,13 +185,17 @@ LaidPasses best_passes(std::span<const Surface> surfaces,
 {
     const double height = options.scallop_height;
     const double width = strip_width(cutter, height);
-    const PartSamples few{surfaces, sides, width / few_samples_across, 20'000'000};
-    const std::vector<MarchStart> starts = best_starts(few, cutter, height);
-    PartSamples samples{surfaces, sides, width / samples_across, 20'000'000};
+    const PartSamples few{surfaces, sides, width / few_samples_across,
+                          options.most_samples};
+    const std::vector<MarchStart> starts = best_starts(few, cutter, options);
+    PartSamples samples{surfaces, sides, width / samples_across, options.most_samples};
     std::vector<Trial> trials(starts.size());
+    ShareCounter counter{options.progress, ranked_share, laid_share, starts.size()};
     parallel_for(starts.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
+        for (std::size_t k = begin; k < end; ++k) {
             trials[k] = trial(samples, starts[k], cutter, height, rounds);
+            counter.finish_item();
+        }
     });
     const auto best =
         std::min_element(trials.begin(), trials.end(),
@@ -323,6 +365,12 @@ void require_sound(const BallCutter& cutter, const StrategyOptions& options)
 
 }  // namespace
 
+std::size_t most_part_samples(double memory_gib)
+{
+    return static_cast<std::size_t>(
+        std::clamp(memory_gib * bytes_per_gib / bytes_per_sample, 1.0, 1e9));
+}
+
 StrategyPlan plan_iso_scallop(std::span<const Surface> surfaces, const BallCutter& cutter,
                               const StrategyOptions& options)
 {
@@ -340,6 +388,8 @@ StrategyPlan plan_iso_scallop(std::span<const Surface> surfaces, const BallCutte
         uncovered = uncovered_by(pieces, laid.samples, cutter, height);
         if (uncovered.empty() || round == mending_rounds)
             break;
+        if (options.progress)
+            options.progress(std::lerp(laid_share, 1.0, (round + 1.0) / mending_rounds));
         bend_passes(laid.passes, uncovered, laid.samples, cutter, height, 1.5 + round);
     }
 

@@ -24,6 +24,7 @@ struct StrategyOptions {
     double inner_tolerance = 0.01;  ///< greatest gouge depth, anywhere on the part, mm
     LinkOptions link = {};          ///< tool axis and safe height
     std::size_t most_points = 40'000'000;  ///< a longer path throws LimitError
+    std::size_t most_samples = 20'000'000;  ///< a part that needs more throws LimitError
     /// If set, it is called with the finished share, 0 to 1.
     std::function<void(double share)> progress = {};
 };
@@ -39,6 +40,9 @@ struct StrategyPlan {
     double uncovered_mm2 = 0;
     std::vector<UncoveredPlace> uncovered = {};  ///< these places, the worst of each part
 };
+
+/// The greatest number of samples of a part for which `memory_gib` suffices.
+std::size_t most_part_samples(double memory_gib);
 
 /// Plans passes of equal scallop height: each lies as far as possible from the passes
 /// before it. Passes are level lines of the distance from what is covered; they branch,

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/plan_strategy.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "build_facts.h"
+#include "cli/console.h"
+#include "cli/path_facts.h"
+#include "cli/progress.h"
+#include "cli/shown_numbers.h"
+#include "cli/surface_facts.h"
+#include "endmill/core/text.h"
+#include "endmill/files/path_file.h"
+#include "endmill/files/vtk.h"
+#include "endmill/planning/economy.h"
+#include "endmill/strategy/strategy.h"
+#include "endmill/verification/verification.h"
+
+namespace endmill {
+namespace {
+
+// How long measuring takes, as a multiple of planning.
+constexpr double measuring_share = 0.1;
+
+Deviation measured(const PlanTask& task, const ToolPath& path,
+                   const DeviationLimits& limits, ProgressLine& progress)
+{
+    progress.begin("measuring");
+    const double radius = task.context.cutter_diameter / 2;
+    return deviation_of_path(
+        std::vector<Surface>(task.surfaces.begin(), task.surfaces.end()), path,
+        Cutter::ball(radius), {limits, LimitProof::None, progress.shower()});
+}
+
+Json summary_of(const PlanTask& task, const StrategyPlan& plan, const Deviation& deviation,
+                const DeviationLimits& limits)
+{
+    const auto& [surfaces, context, options] = task;
+    const PathEconomy economy = path_economy(plan.path);
+    Json summary{{"name", context.name},
+                 {"source", context.source},
+                 {"endmill", program_version},
+                 {"strategy", strategy_word(options.strategy)},
+                 {"mode", mode_word(options.mode)},
+                 {"cutter", "ball:" + to_text(context.cutter_diameter)},
+                 {"passes", plan.passes},
+                 {"pieces", plan.pieces},
+                 {"ncl", economy.ncl},
+                 {"cut_contact_mm", economy.cut.contact_mm},
+                 {"cut_tip_mm", economy.cut.tip_mm},
+                 {"link_mm", economy.link.tip_mm},
+                 {"lifted_links", plan.lifted_links},
+                 {"scallop_mm", limits.scallop},
+                 {"inner_tolerance_mm", options.motion.inner},
+                 {"outer_tolerance_mm", 0}};
+    if (options.feed_mm_per_min) {
+        summary["feed_mm_per_min"] = *options.feed_mm_per_min;
+        summary["time_min"] =
+            (economy.cut.tip_mm + economy.link.tip_mm) / *options.feed_mm_per_min;
+    }
+    add_cutter_limit(summary, context.limit, context.several);
+    add_continuity(summary, context.continuity, context.several);
+    summary["max_gouge_mm"] = deviation.max_gouge_mm;
+    summary["gouge_bound_mm"] = finite_or_null(deviation.gouge_bound_mm);
+    summary["max_left_mm"] = finite_or_null(deviation.max_scallop_mm);
+    summary["left_bound_mm"] = finite_or_null(deviation.scallop_bound_mm);
+    summary["verdict"] = verdict_name(verdict(deviation, limits));
+    summary["uncovered_mm2"] = plan.uncovered_mm2;
+    summary["uncovered_places"] = plan.uncovered.size();
+    summary["interpolation"] = "linear";
+    summary["safe_height_mm"] = options.planning.link.safe_height;
+    summary["axis"] = vector_json(options.planning.link.axis);
+    return summary;
+}
+
+std::string report(const Json& s, const StrategyPlan& plan, const DeviationLimits& limits)
+{
+    const auto number = [&](const char* key) { return s[key].get<double>(); };
+    const std::string left = s["max_left_mm"].is_null()
+                                 ? "unknown"
+                                 : shown_against(number("max_left_mm"), limits.scallop);
+    return fmt::format(
+        "  {}   {} passes in {}, {}; cut {} mm by contacts, {} mm by tips, links {} mm, "
+        "{} lifted\n"
+        "  judged        {}: gouge {} mm (limit {}), remaining {} mm (limit {}){}\n",
+        s["strategy"].get<std::string>(), s["passes"].get<std::size_t>(),
+        counted(plan.pieces, "piece"), counted(s["ncl"].get<std::size_t>(), "point"),
+        shown(number("cut_contact_mm")), shown(number("cut_tip_mm")),
+        shown(number("link_mm")), plan.lifted_links, s["verdict"].get<std::string>(),
+        shown_against(number("max_gouge_mm"), limits.tolerance),
+        shown_limit(limits.tolerance), left, shown_limit(limits.scallop),
+        plan.uncovered.empty()
+            ? std::string{}
+            : fmt::format("; not covered: {}", counted(plan.uncovered.size(), "place")));
+}
+
+// The figure's title and caption.
+FigureOptions strategy_figure(const Json& s)
+{
+    FigureOptions figure;
+    figure.title = s["name"].get<std::string>() + ": contact points in cutting order, " +
+                   s["strategy"].get<std::string>();
+    figure.captions = {fmt::format("{}, scallop height {:g} mm, {} points",
+                                   s["cutter"].get<std::string>(),
+                                   s["scallop_mm"].get<double>(),
+                                   s["ncl"].get<std::size_t>())};
+    return figure;
+}
+
+void warn_of_uncovered(const StrategyPlan& plan, const CommonOptions& options)
+{
+    if (plan.uncovered.empty())
+        return;
+    const UncoveredPlace& first = plan.uncovered.front();
+    warn(options, fmt::format("more than the scallop height may remain at {}, together "
+                              "{} mm2; the first is at {} of patch {}",
+                              counted(plan.uncovered.size(), "place"),
+                              shown(plan.uncovered_mm2), place_text(first.at, first.point),
+                              first.patch));
+}
+
+}  // namespace
+
+PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
+{
+    const auto& [surfaces, context, options] = task;
+    replace_earlier_plans(folder);
+    StrategyOptions strategy;
+    strategy.scallop_height = options.planning.scallop_height;
+    strategy.inner_tolerance = options.motion.inner;
+    strategy.link = options.planning.link;
+    strategy.most_points = options.planning.most_points;
+    strategy.most_samples = most_part_samples(options.common.limits.max_memory_gib);
+    ProgressLine progress{"planning", options.common, measuring_share};
+    strategy.progress = progress.shower();
+    StrategyPlan plan =
+        plan_iso_scallop(surfaces, BallCutter{context.cutter_diameter / 2}, strategy);
+    warn_of_uncovered(plan, options.common);
+    number_points(plan.path);
+    const DeviationLimits limits{options.motion.inner, strategy.scallop_height};
+    const Deviation deviation = measured(task, plan.path, limits, progress);
+    Json summary = summary_of(task, plan, deviation, limits);
+    add_path_totals(summary["path"], path_totals(plan.path));
+    summary["path"]["points"] = plan.path.points.size();
+    name_part(summary, {options.part}, folder.path());
+    const std::string table = tool_path_csv(plan.path);
+    identify_path(summary, plan.path.points.size(), content_sha256(table));
+    folder.write("toolpath.csv", table);
+    folder.write("toolpath.vtp", tool_path_vtp(plan.path));
+    folder.write("toolpath.svg",
+                 tool_path_svg(plan.path, strategy_figure(summary), surfaces));
+    folder.write("summary.json", summary.dump(2) + "\n");
+    PlanResult result{summary, report(summary, plan, limits), plan.uncovered.size(), {}};
+    result.is_undecided = verdict(deviation, limits) != Verdict::Clean;
+    return result;
+}
+
+}  // namespace endmill

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "cli/plan_files.h"
+
+namespace endmill {
+
+/// Plans by `options.strategy`, which is not the planner along parameter lines, measures the
+/// path and writes it with its picture and summary into `folder`.
+/// \throws LimitError and GeometryError as the strategy.
+PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder);
+
+}  // namespace endmill
