@@ -20,6 +20,9 @@ constexpr double pieces_per_radius = 2;
 // Halvings of a piece: 2^-40 of its size is far below any resolution that rounding
 // permits.
 constexpr int most_halvings = 80;
+// Halvings of a piece before the plane parallel to it is tried. Larger pieces of a curved
+// part are rarely settled by it, so that it would only cost time.
+constexpr int halvings_before_parallel = 4;
 
 // The search for points of the part that are nearer than `reach_` to the swept axis. A
 // branch-and-bound search in the tree of Bezier pieces:
@@ -214,7 +217,7 @@ private:
         }
         if (bound >= limit())
             return true;
-        if (stops_at_first_ &&
+        if (stops_at_first_ && halvings >= halvings_before_parallel &&
             parallel_bound(piece, whole.middle) >= reach_ + resolution_)
             return true;
         if (nearest - bound < resolution_ || halvings == most_halvings) {
