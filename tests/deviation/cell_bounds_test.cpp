@@ -138,7 +138,8 @@ TEST(HiddenGouge, IsNeverLessThanWhatTheCellHides)
                 const PartRay at = *charts.ray(0, middle);
                 const MeasuredCell measured{cell, at, cell.reach(at), *cut_ray(sweep, at),
                                             charts.curvature(0, middle)};
-                EXPECT_LE(measured.cut.thickness - hidden_gouge(measured, cutter),
+                EXPECT_LE(measured.cut.thickness -
+                              hidden_gouge(measured, cutter.corner_radius()),
                           cut_ray(sweep, ray)->thickness + 1e-6);
             }
         }

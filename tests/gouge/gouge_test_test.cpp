@@ -42,6 +42,38 @@ TEST(GougeTest, OfALoweredBallIsTheLowering)
     EXPECT_FALSE(gouge.deepest(above, 1e-9));
 }
 
+// The parallel plane is exact on a flat face. Pieces of the size at which the plane across
+// the distance decides, about 1e-4 mm, would be millions along these moves.
+TEST(GougeTest, OfALongMoveOnAFlatFaceNeedsFewPiecesAtATinyTolerance)
+{
+    constexpr double tolerance = 1e-9;
+    const Vec3 leaning = Vec3{0.1, -0.6, 0.8}.normalized();
+    const Eigen::Matrix3d tilt =
+        Eigen::AngleAxisd{0.5, Vec3{1, 2, 0}.normalized()}.toRotationMatrix();
+    const auto tilted = [&](double u, double v, double w) -> Vec3 {
+        return tilt * Vec3{u, v, w};
+    };
+    const std::vector<Surface> part{
+        test::parallelogram(tilted(200, 0, 0), tilted(60, 120, 0))};
+    for (const Vec3& axis : {up, leaning}) {
+        const GougeTest gouge = test_on(part, axis);
+        for (const double lowered : {0.0, 0.5, 0.99}) {
+            const double height = radius - lowered * tolerance;
+            FinerPieces finer;
+            EXPECT_EQ(gouge
+                          .test({tilted(20, 20, height), tilted(220, 70, height)},
+                                tolerance, finer)
+                          .gouges,
+                      Answer::No);
+            EXPECT_FALSE(finer.is_full());
+        }
+        const double below = radius - 1.01 * tolerance;
+        EXPECT_EQ(
+            gouges(gouge, {tilted(20, 20, below), tilted(220, 70, below)}, tolerance),
+            Answer::Yes);
+    }
+}
+
 // The centres move on a chord of a circle of radius rho + R, so that the depth is the
 // sagitta.
 TEST(GougeTest, OfAChordOverACylinderIsTheSagittaOfTheCentres)

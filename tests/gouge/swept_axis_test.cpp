@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/gouge/detail/swept_axis.h"
 
+#include <algorithm>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -44,6 +45,31 @@ TEST(SweptAxis, IsTheShanksOfAllBallsOfTheMove)
             (point - SweptAxis{move.from, move.to, axis}.nearest(point)).norm();
         EXPECT_LE(distance, expected + 1e-12);
         EXPECT_GT(distance, expected - (move.to - move.from).norm() / positions);
+    }
+}
+
+// A direction that does not rise along the axis has its greatest product at the centre of
+// a ball of the move.
+TEST(SweptAxis, ReachesAlongADirectionAsFarAsACentreOrWithoutEnd)
+{
+    test::Random random{8};
+    constexpr int positions = 100;
+    for (int k = 0; k < 200; ++k) {
+        const Vec3 axis = (Vec3{0, 0, 1.5} + random_vector(random, 1)).normalized();
+        const Vec3 from = random_vector(random, 9);
+        const Vec3 to = k % 4 == 0 ? Vec3{from + random.uniform(-9, 9) * axis}
+                                   : random_vector(random, 9);
+        const Vec3 direction = random_vector(random, 1).normalized();
+        const double farthest = SweptAxis{from, to, axis}.farthest_along(direction);
+        if (direction.dot(axis) > 0) {
+            EXPECT_EQ(farthest, std::numeric_limits<double>::infinity());
+            continue;
+        }
+        double expected = direction.dot(from);
+        for (int i = 0; i <= positions; ++i)
+            expected = std::max(
+                expected, direction.dot(from + i / double(positions) * (to - from)));
+        EXPECT_NEAR(farthest, expected, 1e-13);
     }
 }
 

@@ -60,7 +60,8 @@ void write_feed_csv(std::span<const SegmentCut> cuts, std::span<const SegmentFee
 
 /// The rows of `feed_csv` without its header, made by the calling thread alone.
 /// Parameters and errors are those of `feed_csv`.
-std::string feed_rows(std::span<const SegmentCut> cuts, std::span<const SegmentFeed> rows);
+std::string feed_rows(std::span<const SegmentCut> cuts,
+                      std::span<const SegmentFeed> rows);
 
 /// The rows of `feed_csv` without its header, to continue a file that `write_feed_csv` began.
 /// Parameters and errors are those of `write_feed_csv`.

@@ -20,6 +20,9 @@ constexpr double pieces_per_radius = 2;
 // Halvings of a piece: 2^-40 of its size is far below any resolution that rounding
 // permits.
 constexpr int most_halvings = 80;
+// Halvings of a piece before the plane parallel to it is tried. Larger pieces of a curved
+// part are rarely settled by it, so that it would only cost time.
+constexpr int halvings_before_parallel = 4;
 
 // The search for points of the part that are nearer than `reach_` to the swept axis. A
 // branch-and-bound search in the tree of Bezier pieces:
@@ -32,6 +35,9 @@ constexpr int most_halvings = 80;
 //    error of this bound is of second order in the piece's size.
 // 3. The corners of a piece are points of the part and give upper bounds of the distance.
 //    A piece that both bounds do not settle is halved.
+// 4. A test with a tolerance also uses the plane parallel to the piece, which has no error
+//    on a flat face. Without it, a ball that touches a flat face along a long move would
+//    need pieces about as small as the square root of R times the tolerance.
 class NearSearch {
 public:
     NearSearch(const PieceTree& tree, const SweptAxis& swept_axis, double radius,
@@ -143,6 +149,20 @@ private:
         return piece.least_height(away / distance, nearest);
     }
 
+    // The same by the plane that is parallel to the piece. Where it exceeds the reach by
+    // the resolution, no half of the piece would be found or undecided: it saves halvings
+    // and changes no answer.
+    double parallel_bound(const BezierPiece& piece, const Vec3& middle) const
+    {
+        const Vec3 across = piece.corner(1, 1) - piece.corner(0, 0);
+        const Vec3 other = piece.corner(0, 1) - piece.corner(1, 0);
+        const Vec3 normal = across.cross(other).stableNormalized();
+        const Vec3 nearest = swept_axis_.nearest(middle);
+        const Vec3 away = normal.dot(middle - nearest) < 0 ? Vec3{-normal} : normal;
+        return piece.least_height(away, nearest) -
+               (swept_axis_.farthest_along(away) - away.dot(nearest));
+    }
+
     void search_finer(std::int32_t leaf)
     {
         if (is_settled(tree_.pieces()[leaf], 0))
@@ -196,6 +216,9 @@ private:
             reach_ = nearest;
         }
         if (bound >= limit())
+            return true;
+        if (stops_at_first_ && halvings >= halvings_before_parallel &&
+            parallel_bound(piece, whole.middle) >= reach_ + resolution_)
             return true;
         if (nearest - bound < resolution_ || halvings == most_halvings) {
             if (stops_at_first_ && !undecided_)

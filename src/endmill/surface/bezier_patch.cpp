@@ -124,48 +124,87 @@ private:
     }
 };
 
+// One coordinate to be evaluated on a grid: at all places along u, and at up to `lanes`
+// places along v.
+struct GridSum {
+    const double* net;       // control net, u varying fastest
+    const double* values_u;  // as in BasisRows
+    const double* slopes_u;
+    const double* values_v;  // as in BasisRows, from the first of the places along v
+    const double* slopes_v;
+    std::size_t points_u;
+    std::size_t points_v;
+    std::size_t count_u;   // multiple of `lanes`
+    std::size_t stride_v;  // count of the BasisRows along v
+    std::size_t rows;      // places along v
+};
+
+// Evaluates the coordinate on the grid, then its partial derivatives in u and in v. The
+// sum over the control points along v comes first, for all places along v at a time.
+// Place (i, j) is at [j * count_u + i].
+// \tparam points control points along u and along v, if both are known; else 0.
+template <std::size_t points>
+[[gnu::always_inline]] inline void sum_up_grid(const GridSum& grid,
+                                               double* __restrict sums)
+{
+    const std::size_t points_u = points > 0 ? points : grid.points_u;
+    const std::size_t points_v = points > 0 ? points : grid.points_v;
+    constexpr std::size_t most_points = points > 0 ? points : most_degree + 1;
+    std::array<double, most_points * lanes> across;
+    std::array<double, most_points * lanes> across_dv;
+    for (std::size_t a = 0; a < points_u; ++a)
+        for (std::size_t j = 0; j < lanes; ++j) {
+            double value = 0;
+            double slope = 0;
+            for (std::size_t b = 0; b < points_v; ++b) {
+                const double point = grid.net[b * points_u + a];
+                value += point * grid.values_v[b * grid.stride_v + j];
+                slope += point * grid.slopes_v[b * grid.stride_v + j];
+            }
+            across[a * lanes + j] = value;
+            across_dv[a * lanes + j] = slope;
+        }
+    const std::size_t count = grid.count_u;
+    const std::size_t size = grid.rows * count;
+    for (std::size_t j = 0; j < grid.rows; ++j)
+        for (std::size_t i = 0; i < count; ++i) {
+            double value = 0;
+            double along_u = 0;
+            double along_v = 0;
+            for (std::size_t a = 0; a < points_u; ++a) {
+                const double value_u = grid.values_u[a * count + i];
+                value += across[a * lanes + j] * value_u;
+                along_u += across[a * lanes + j] * grid.slopes_u[a * count + i];
+                along_v += across_dv[a * lanes + j] * value_u;
+            }
+            sums[j * count + i] = value;
+            sums[size + j * count + i] = along_u;
+            sums[2 * size + j * count + i] = along_v;
+        }
+}
+
+ENDMILL_WIDEST_REGISTERS
+void sum_up_bicubic(const GridSum grid, double* __restrict sums)
+{
+    sum_up_grid<4>(grid, sums);
+}
+
+ENDMILL_WIDEST_REGISTERS
+void sum_up_general(const GridSum grid, double* __restrict sums)
+{
+    sum_up_grid<0>(grid, sums);
+}
+
 // One coordinate to be evaluated at several places along u and one place in v.
 struct RowSum {
     const double* net;       // control net, u varying fastest
     const double* values_u;  // as in BasisRows
-    const double* slopes_u;
     const double* values_v;  // at one place
-    const double* slopes_v;
     std::size_t points_u;
     std::size_t points_v;
     std::size_t stride_v;
     std::size_t count;  // multiple of `lanes`
 };
-
-// Evaluates the coordinate at all places along u, then its partial derivatives in u and
-// in v.
-ENDMILL_WIDEST_REGISTERS
-void sum_up(const RowSum row, double* __restrict sums)
-{
-    const std::size_t count = row.count;
-    for (std::size_t i = 0; i < 3 * count; ++i)
-        sums[i] = 0;
-    for (std::size_t a = 0; a < row.points_u; ++a) {
-        double across = 0;
-        double across_dv = 0;
-        for (std::size_t b = 0; b < row.points_v; ++b) {
-            const double point = row.net[b * row.points_u + a];
-            across += point * row.values_v[b * row.stride_v];
-            across_dv += point * row.slopes_v[b * row.stride_v];
-        }
-        const double* __restrict values = row.values_u + a * count;
-        const double* __restrict slopes = row.slopes_u + a * count;
-        for (std::size_t first = 0; first < count; first += lanes) {
-            ENDMILL_NOT_UNROLLED
-            for (std::size_t lane = 0; lane < lanes; ++lane) {
-                const std::size_t i = first + lane;
-                sums[i] += across * values[i];
-                sums[count + i] += across * slopes[i];
-                sums[2 * count + i] += across_dv * values[i];
-            }
-        }
-    }
-}
 
 // Converts the sums of w r and w at all places to those of r, as `projected` does.
 ENDMILL_WIDEST_REGISTERS
@@ -301,27 +340,40 @@ std::vector<SurfaceTangents> BezierPatch::tangents(std::span<const double> u,
     all.reserve(u.size() * v.size());
     const BasisRows basis_u{degree_u_, u};
     const BasisRows basis_v{degree_v_, v};
-    const auto size = static_cast<std::size_t>(points());
+    const bool is_bicubic = degree_u_ == 3 && degree_v_ == 3;
     const std::size_t count = basis_u.count;
-    std::vector<double> sums(4 * 3 * count);
-    for (std::size_t j = 0; j < v.size(); ++j) {
-        for (std::size_t c = 0; c < (is_rational_ ? 4U : 3U); ++c)
-            sum_up({nets_.data() + c * size, basis_u.values.data(), basis_u.slopes.data(),
-                    &basis_v.values[j], &basis_v.slopes[j],
-                    static_cast<std::size_t>(degree_u_) + 1,
-                    static_cast<std::size_t>(degree_v_) + 1, basis_v.count, count},
-                   &sums[c * 3 * count]);
-        if (is_rational_)
-            project(count, sums.data());
-        for (std::size_t i = 0; i < u.size(); ++i) {
-            const auto sum = [&](std::size_t c, std::size_t kind) {
-                return sums[(c * 3 + kind) * count + i];
-            };
-            const auto vector = [&](std::size_t kind) -> Vec3 {
-                return {sum(0, kind), sum(1, kind), sum(2, kind)};
-            };
-            all.push_back({vector(0), vector(1), vector(2)});
+    std::vector<double> sums(4 * 3 * std::min(lanes, v.size()) * count);
+    for (std::size_t first = 0; first < v.size(); first += lanes) {
+        const std::size_t rows = std::min(lanes, v.size() - first);
+        const std::size_t size = rows * count;
+        for (std::size_t c = 0; c < (is_rational_ ? 4U : 3U); ++c) {
+            const GridSum grid{
+                .net = nets_.data() + c * static_cast<std::size_t>(points()),
+                .values_u = basis_u.values.data(),
+                .slopes_u = basis_u.slopes.data(),
+                .values_v = &basis_v.values[first],
+                .slopes_v = &basis_v.slopes[first],
+                .points_u = static_cast<std::size_t>(degree_u_) + 1,
+                .points_v = static_cast<std::size_t>(degree_v_) + 1,
+                .count_u = count,
+                .stride_v = basis_v.count,
+                .rows = rows};
+            if (is_bicubic)
+                sum_up_bicubic(grid, &sums[3 * c * size]);
+            else
+                sum_up_general(grid, &sums[3 * c * size]);
         }
+        if (is_rational_)
+            project(size, sums.data());
+        for (std::size_t j = 0; j < rows; ++j)
+            for (std::size_t i = 0; i < u.size(); ++i) {
+                const double* const at = &sums[j * count + i];
+                const auto vector = [&](std::size_t kind) -> Vec3 {
+                    return {at[kind * size], at[(3 + kind) * size],
+                            at[(6 + kind) * size]};
+                };
+                all.push_back({vector(0), vector(1), vector(2)});
+            }
     }
     return all;
 }
@@ -339,8 +391,7 @@ std::vector<Vec3> BezierPatch::places(std::span<const double> u,
     for (std::size_t j = 0; j < v.size(); ++j) {
         for (std::size_t c = 0; c < (is_rational_ ? 4U : 3U); ++c)
             sum_up_values({nets_.data() + c * size, basis_u.values.data(),
-                           basis_u.slopes.data(), &basis_v.values[j], &basis_v.slopes[j],
-                           static_cast<std::size_t>(degree_u_) + 1,
+                           &basis_v.values[j], static_cast<std::size_t>(degree_u_) + 1,
                            static_cast<std::size_t>(degree_v_) + 1, basis_v.count, count},
                           &sums[c * count]);
         for (std::size_t i = 0; i < u.size(); ++i)

@@ -52,11 +52,9 @@ void pick(const RayRows& rows, const Row& short_by, RayRows& few,
 
 // A move of a ball.
 struct BallMove {
-    double radius;
-    double x;  // mm, centre at the start
-    // mm, centre at the start
+    double radius;  // mm
+    double x;       // mm, centre at the start
     double y;
-    // mm, centre at the start
     double z;
     double dx;  // mm, the whole move
     double dy;

@@ -142,14 +142,6 @@ double least_by_planes(const MeasuredCell& cell, const StraightSweep& sweep)
 
 }  // namespace
 
-double hidden_gouge(const MeasuredCell& cell, const Cutter& cutter)
-{
-    const double d = cell.reach;
-    const double k = 1 / cutter.corner_radius() + cell.curvature.convex;
-    const double share = std::min(1.0, d * k);
-    return d * share / (1 + std::sqrt((1 - share) * (1 + share)));
-}
-
 double least_left_by_planes(const MeasuredCell& cell, std::span<const StraightSweep> all,
                             std::span<const std::int32_t> sweeps)
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -47,10 +48,17 @@ struct MeasuredCell {
 /// Returns how much deeper than at the middle a gouge can be anywhere on the cell, in mm:
 /// the height, over the cell's reach, of a circle whose curvature is the sum of those of
 /// the corner and the part, above its tangent.
+/// \param corner_radius in mm, above 0.
 /// Source: paper/notes/deviation-bounds.md, eq. (a).
 /// \pre the corner is round, and the part continues smoothly beyond the cell, so that the
 ///         depth of a sweep is stationary at its deepest place.
-double hidden_gouge(const MeasuredCell& cell, const Cutter& cutter);
+inline double hidden_gouge(const MeasuredCell& cell, double corner_radius)
+{
+    const double d = cell.reach;
+    const double k = 1 / corner_radius + cell.curvature.convex;
+    const double share = std::min(1.0, d * k);
+    return d * share / (1 + std::sqrt((1 - share) * (1 + share)));
+}
 
 /// Returns a lower bound of the thickness on the whole cell in mm, at most 0, for any
 /// cutter and at creases too. Separating planes bound the depth of each sweep. The bound

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
@@ -104,16 +105,35 @@ struct Middles {
     std::vector<double> v;
 };
 
-Middles middles_of(const PartTile& tile)
+// \param cells of the tile, in order.
+Middles middles_of(const PartTile& tile, std::span<const PartCell> cells)
 {
+    const auto columns = static_cast<std::size_t>(tile.columns);
     Middles middles;
     middles.u.reserve(most_across);
     middles.v.reserve(most_across);
-    for (int i = 0; i < tile.columns; ++i)
-        middles.u.push_back(tile.cell(i).centre().x());
-    for (int j = 0; j < tile.rows; ++j)
-        middles.v.push_back(tile.cell(j * tile.columns).centre().y());
+    for (std::size_t i = 0; i < columns; ++i)
+        middles.u.push_back(cells[i].centre().x());
+    for (std::size_t first = 0; first < cells.size(); first += columns)
+        middles.v.push_back(cells[first].centre().y());
     return middles;
+}
+
+// Returns the tiles of all charts, in order. Those of a single chart are not copied.
+std::vector<PartTile> joined(std::vector<std::vector<PartTile>> of_chart)
+{
+    if (of_chart.size() == 1)
+        return std::move(of_chart.front());
+    std::size_t count = 0;
+    for (const std::vector<PartTile>& some : of_chart)
+        count += some.size();
+    std::vector<PartTile> tiles;
+    tiles.reserve(count);
+    for (std::vector<PartTile>& some : of_chart) {
+        tiles.insert(tiles.end(), some.begin(), some.end());
+        some = {};
+    }
+    return tiles;
 }
 
 // Cuts one chart after the other into tiles.
@@ -214,27 +234,33 @@ std::vector<PartCell> tile_cells(const PartTile& tile)
 
 std::vector<PartRay> tile_rays(const PartCharts& charts, const PartTile& tile)
 {
+    return tile_rays(charts, tile, tile_cells(tile));
+}
+
+std::vector<PartRay> tile_rays(const PartCharts& charts, const PartTile& tile,
+                               std::span<const PartCell> cells)
+{
     if (!charts.mesh()) {
-        const Middles middles = middles_of(tile);
+        const Middles middles = middles_of(tile, cells);
         return charts.rays(tile.whole.chart, middles.u, middles.v);
     }
     std::vector<PartRay> rays;
-    rays.reserve(static_cast<std::size_t>(tile.cells()));
-    for (int k = 0; k < tile.cells(); ++k)
-        rays.push_back(
-            charts.ray(tile.whole.chart, tile.cell(k).centre()).value_or(PartRay{}));
+    rays.reserve(cells.size());
+    for (const PartCell& cell : cells)
+        rays.push_back(charts.ray(cell.chart, cell.centre()).value_or(PartRay{}));
     return rays;
 }
 
 std::vector<Vec3> tile_points(const PartCharts& charts, const PartTile& tile)
 {
+    const std::vector<PartCell> cells = tile_cells(tile);
     if (!charts.mesh()) {
-        const Middles middles = middles_of(tile);
+        const Middles middles = middles_of(tile, cells);
         return charts.points(tile.whole.chart, middles.u, middles.v);
     }
     std::vector<Vec3> points;
     points.reserve(static_cast<std::size_t>(tile.cells()));
-    for (const PartRay& ray : tile_rays(charts, tile))
+    for (const PartRay& ray : tile_rays(charts, tile, cells))
         points.push_back(ray.point);
     return points;
 }
@@ -249,19 +275,11 @@ std::vector<PartTile> part_tiles(const PartCharts& charts, double pitch,
         for (std::size_t i = begin; i < end; ++i)
             of_chart[i] = tiling.tiles_of(static_cast<std::uint32_t>(i));
     });
-    std::vector<PartTile> tiles;
-    std::size_t count = 0;
-    for (const std::vector<PartTile>& some : of_chart)
-        count += some.size();
-    tiles.reserve(count);
+    std::vector<PartTile> tiles = joined(std::move(of_chart));
     std::size_t cells = 0;
-    for (std::vector<PartTile>& some : of_chart) {
-        for (PartTile& tile : some) {
-            tile.first = cells;
-            cells += static_cast<std::size_t>(tile.cells());
-            tiles.push_back(tile);
-        }
-        some = {};
+    for (PartTile& tile : tiles) {
+        tile.first = cells;
+        cells += static_cast<std::size_t>(tile.cells());
     }
     if (cells > most_cells)
         throw LimitError{"a pitch of " + to_text(pitch) + " mm cuts the part into " +

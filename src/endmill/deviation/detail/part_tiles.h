@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "endmill/deviation/part_charts.h"
@@ -15,6 +15,9 @@ std::vector<PartCell> tile_cells(const PartTile& tile);
 /// Returns the rays at the middles of a tile's cells, in the order of the cells. Where
 /// the surface has no normal, the normal is zero.
 std::vector<PartRay> tile_rays(const PartCharts& charts, const PartTile& tile);
+/// The same for known `cells` of the tile, from `tile_cells`; faster.
+std::vector<PartRay> tile_rays(const PartCharts& charts, const PartTile& tile,
+                               std::span<const PartCell> cells);
 
 /// Returns only the points of these rays, faster; mm.
 std::vector<Vec3> tile_points(const PartCharts& charts, const PartTile& tile);

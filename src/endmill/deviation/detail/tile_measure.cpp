@@ -48,6 +48,47 @@ double threshold(double found, double limit, double sharpness)
 
 }  // namespace
 
+// The curvatures at the corners of a group of tiles. Neighbours share corners, so each is
+// computed once.
+class TileMeasure::Curvatures {
+public:
+    explicit Curvatures(const PartCharts& charts) : charts_{charts} {}
+
+    // Returns the greatest curvatures at the middle and the corners of the tile.
+    PartCharts::CurvatureBounds of(const PartTile& tile)
+    {
+        const PartCell& whole = tile.whole;
+        PartCharts::CurvatureBounds most = charts_.curvature(whole.chart, whole.centre());
+        for (std::size_t k = 0; k < static_cast<std::size_t>(whole.corners); ++k) {
+            const PartCharts::CurvatureBounds at = at_corner(whole.chart, whole.at[k]);
+            most.convex = std::max(most.convex, at.convex);
+            most.absolute = std::max(most.absolute, at.absolute);
+        }
+        return most;
+    }
+
+private:
+    struct Corner {
+        std::uint32_t chart;
+        Eigen::Vector2d at;
+        PartCharts::CurvatureBounds curvature;
+    };
+
+    PartCharts::CurvatureBounds at_corner(std::uint32_t chart, const Eigen::Vector2d& at)
+    {
+        const auto found = std::ranges::find_if(known_, [&](const Corner& corner) {
+            return corner.at == at && corner.chart == chart;
+        });
+        if (found != known_.end())
+            return found->curvature;
+        known_.push_back({chart, at, charts_.curvature(chart, at)});
+        return known_.back().curvature;
+    }
+
+    const PartCharts& charts_;
+    std::vector<Corner> known_;
+};
+
 RefinementThresholds refinement_thresholds(double rest, double gouge,
                                            const DeviationLimits& limits)
 {
@@ -69,7 +110,7 @@ double limited_thickness(double left, const PartRay& ray, const PartDistance& di
 }
 
 TileMeasure::TileMeasure(const Measured& measured, const PartTile& tile)
-    : TileMeasure{measured, tile, NotYetCut{}}
+    : TileMeasure{measured, tile, Curvatures{measured.charts}.of(tile)}
 {
     if (rays_)
         rays_->cut(measured_.tree);
@@ -81,8 +122,9 @@ std::vector<TileMeasure> TileMeasure::measured_together(const Measured& measured
 {
     std::vector<TileMeasure> measures;
     measures.reserve(tiles.size());
+    Curvatures curvatures{measured.charts};
     for (const PartTile& tile : tiles)
-        measures.push_back(TileMeasure{measured, tile, NotYetCut{}});
+        measures.push_back(TileMeasure{measured, tile, curvatures.of(tile)});
     // Tiles that are far apart have no sweeps in common.
     std::vector<CutRays*> near;
     for (TileMeasure& measure : measures) {
@@ -100,19 +142,14 @@ std::vector<TileMeasure> TileMeasure::measured_together(const Measured& measured
     return measures;
 }
 
-TileMeasure::TileMeasure(const Measured& measured, const PartTile& tile, NotYetCut)
+// Lays out the rays without cutting them.
+TileMeasure::TileMeasure(const Measured& measured, const PartTile& tile,
+                         const PartCharts::CurvatureBounds& curvature)
     : measured_{measured},
       tile_{tile},
+      curvature_{curvature},
       touches_side_{measured.charts.touches_side(tile.whole)}
 {
-    const auto corners = static_cast<std::size_t>(tile.whole.corners);
-    curvature_ = measured_.charts.curvature(tile.whole.chart, tile.whole.centre());
-    for (std::size_t k = 0; k < corners; ++k) {
-        const PartCharts::CurvatureBounds curvature =
-            measured_.charts.curvature(tile.whole.chart, tile.whole.at[k]);
-        curvature_.convex = std::max(curvature_.convex, curvature.convex);
-        curvature_.absolute = std::max(curvature_.absolute, curvature.absolute);
-    }
     lay_out_rays();
 }
 
@@ -167,25 +204,24 @@ std::span<const std::int32_t> TileMeasure::gouging()
 // Makes the cells with a normal and their rays, with the material before any move.
 void TileMeasure::lay_out_rays()
 {
-    std::array<PartRay, most_tile_cells> rays;
+    const std::vector<PartCell> all = tile_cells(tile_);
+    std::vector<PartRay> rays = tile_rays(measured_.charts, tile_, all);
     std::array<double, most_tile_cells> lengths;
     std::size_t count = 0;
-    const std::vector<PartRay> at_middles = tile_rays(measured_.charts, tile_);
-    const std::vector<PartCell> all = tile_cells(tile_);
-    cells_.reserve(at_middles.size());
-    numbers_.reserve(at_middles.size());
-    for (int k = 0; k < tile_.cells(); ++k) {
-        const PartRay& ray = at_middles[static_cast<std::size_t>(k)];
+    cells_.reserve(rays.size());
+    numbers_.reserve(rays.size());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const PartRay& ray = rays[k];
         if (!has_normal(ray))
             continue;
-        const PartCell& cell = all[static_cast<std::size_t>(k)];
-        rays[count] = ray;
         const CutRay in_stock = stock(ray);
         lengths[count] = in_stock.thickness;
-        cells_.push_back({cell, ray, cell.reach(ray), in_stock, curvature_});
+        cells_.push_back({all[k], ray, all[k].reach(ray), in_stock, curvature_});
         cells_.back().in_stock = in_stock;
-        cells_.back().area = cell.area(ray);
-        numbers_.push_back(k);
+        cells_.back().area = all[k].area(ray);
+        numbers_.push_back(static_cast<int>(k));
+        if (count != k)
+            rays[count] = ray;
         ++count;
     }
     if (count == 0)
@@ -251,9 +287,8 @@ double TileMeasure::least_left(const MeasuredCell& cell)
 // The lower bound where the part is smooth and the corner round.
 double TileMeasure::smooth_least(const MeasuredCell& cell)
 {
-    return sweeps().empty()
-               ? cell.cut.thickness
-               : cell.cut.thickness - hidden_gouge(cell, Cutter::ball(corner_radius()));
+    return sweeps().empty() ? cell.cut.thickness
+                            : cell.cut.thickness - hidden_gouge(cell, corner_radius());
 }
 
 // Smallest corner radius in mm of the sweeps that may gouge the tile; of all sweeps if

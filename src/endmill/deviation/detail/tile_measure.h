@@ -183,8 +183,9 @@ private:
         std::span<const std::int32_t> gouging;  // those that may clear the part
     };
 
-    struct NotYetCut {};
-    TileMeasure(const Measured& measured, const PartTile& tile, NotYetCut);
+    class Curvatures;
+    TileMeasure(const Measured& measured, const PartTile& tile,
+                const PartCharts::CurvatureBounds& curvature);
     void lay_out_rays();
     void take_rays();
     bool is_exhausted() const;

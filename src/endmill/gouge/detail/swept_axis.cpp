@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include <Eigen/Geometry>
 
@@ -55,6 +56,14 @@ Vec3 SweptAxis::nearest(const Vec3& point) const
                 best = end;
     }
     return base_ + best[0] * feed_ + best[1] * axis_;
+}
+
+double SweptAxis::farthest_along(const Vec3& direction) const
+{
+    if (direction.dot(axis_) > 0)
+        return std::numeric_limits<double>::infinity();
+    const double along_move = direction.dot(length_ * feed_ + rise_ * axis_);
+    return direction.dot(base_) + std::max(along_move, 0.0);
 }
 
 }  // namespace endmill

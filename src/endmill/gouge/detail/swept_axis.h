@@ -20,6 +20,11 @@ public:
     /// The point of the region that is nearest to `point`, accurate to a few roundings.
     Vec3 nearest(const Vec3& point) const;
 
+    /// The greatest `direction` . p over the points p of the region, accurate to a few
+    /// roundings: everything beyond it along `direction` lies outside the region.
+    /// Infinite if the direction rises along the axis.
+    double farthest_along(const Vec3& direction) const;
+
 private:
     Vec3 base_;      // start of the move
     Vec3 axis_;      // unit

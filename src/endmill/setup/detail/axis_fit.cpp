@@ -239,6 +239,23 @@ std::optional<AxisFit> AxisFitter::best(const Vec3& axis, const FitRequest& requ
     return found_;
 }
 
+ConeFitting arc_fitting(const ConeFitting& fitting, double reach)
+{
+    ConeFitting arcs = fitting;
+    arcs.measure.family = RotaryFamily::AB;
+    arcs.limits = RangeLimits{RotaryFamily::AB, {}};
+    arcs.limits.far = arcs.limits.near = reach;
+    return arcs;
+}
+
+Vec3 axis_on_arc(const AxisFit& arc, const ConeFitting& fitting)
+{
+    const double length = arc.ranges.width;
+    const double middle = arc.window.begin + std::min(length / 2, fitting.limits.near);
+    const bool is_ca = fitting.measure.family == RotaryFamily::CA;
+    return at_azimuth(arc.axis, is_ca ? middle : middle + pi / 2);
+}
+
 AxisFit descend(AxisFitter& fitter, const AxisFit& fit, const Descent& descent)
 {
     auto best = [&fitter](const Vec3& axis, const FitRequest& request) {

@@ -108,6 +108,16 @@ private:
     std::optional<AxisFit> found_;
 };
 
+/// The problem of arcs of great circles that meet all cones, as one of ranges in A,B: R1
+/// is the normal of the circle, the window is the arc, and `reach` (rad) limits the
+/// latitudes. The length of the arc is not limited.
+ConeFitting arc_fitting(const ConeFitting& fitting, double reach);
+
+/// The axis on the circle of an arc about which the arc is a window of width 0, and its
+/// levels suit the limits best: they are as equal as the limits allow.
+/// \param arc found for `arc_fitting`. \param fitting the problem of ranges.
+Vec3 axis_on_arc(const AxisFit& arc, const ConeFitting& fitting);
+
 /// Step lengths of a descent.
 struct Descent {
     double from;       ///< first length, rad

@@ -12,6 +12,7 @@
 #include "endmill/setup/detail/adaptive_fit.h"
 #include "endmill/setup/detail/axis_fit.h"
 #include "endmill/setup/detail/axis_node.h"
+#include "endmill/setup/detail/cell_circles.h"
 #include "endmill/setup/detail/first_fits.h"
 #include "endmill/setup/detail/range_limits.h"
 
@@ -62,6 +63,9 @@ constexpr Descent last_descent{.from = 2 * degree, .directions = 36};
 /// rad: nodes of this radius or less also try the cells in them as axes. About half a
 /// cell.
 constexpr double cell_sized = 3 * degree;
+
+/// Most circles through two cells that a node tries. If there are more, its parts do.
+constexpr std::size_t most_circles = 16;
 
 /// Relative, if only some cones are in use: the search for better ranges about the centres
 /// of nodes may miss those that are better by less. The final descent finds them.
@@ -279,26 +283,35 @@ private:
                               set.end());
     }
 
-    /// Fits ranges about the node's centre, and about the cells in a small node. A cell
-    /// has no azimuth about itself, so that the range about it may be better than those
-    /// about all axes nearby. Without these fits the bounds of such nodes would never be
-    /// reached.
+    /// Fits ranges about axes in the node that may have better ranges than all axes nearby.
+    /// Without these fits the bounds of such nodes would never be reached.
     void fit_about_axes(AdaptiveFitter& fitter, BoundedNode& one) const
     {
-        const AxisNode& node = one.node.axes;
-        if (node.boxes.empty() || node.kind == NodeKind::Arc)
+        if (one.node.axes.boxes.empty())
             return;
-        const Vec3 middle = centre(node);
-        const double size = radius(node);
-        double least = below();
+        if (one.node.axes.kind == NodeKind::Arc) {
+            fit_along_circles(fitter, one);
+            return;
+        }
+        fit_about(fitter, one, centre(one.node.axes));
+        fit_about_circles(fitter, one);
+        fit_about_cells(fitter, one);
+    }
+
+    /// Fits a range about an axis, and improves it if it is better than the best one.
+    void fit_about(AdaptiveFitter& fitter, BoundedNode& one, const Vec3& axis) const
+    {
+        const double least = one.fit ? one.fit->objective : below();
         const double slack = is_complete() ? 0 : small_gain;
-        auto attempt = [&](const Vec3& axis) {
-            if (auto fit = fitter.best(axis, {least, slack})) {
-                one.fit = descended(fitter, *fit, {first_step * size});
-                least = one.fit->objective;
-            }
-        };
-        attempt(middle);
+        if (auto fit = fitter.best(axis, {least, slack}))
+            one.fit = descended(fitter, *fit, {first_step * radius(one.node.axes)});
+    }
+
+    /// Fits ranges about the cells in a small node. A cell has no azimuth about itself.
+    void fit_about_cells(AdaptiveFitter& fitter, BoundedNode& one) const
+    {
+        const Vec3 middle = centre(one.node.axes);
+        const double size = radius(one.node.axes);
         if (size > cell_sized)
             return;
         const double chord2 = size * size;  // a chord is shorter than its arc
@@ -307,7 +320,47 @@ private:
                 (fitting_.centres[cell] - middle).squaredNorm() > chord2)
                 continue;
             one.tried.push_back(cell);
-            attempt(fitting_.centres[cell]);
+            fit_about(fitter, one, fitting_.centres[cell]);
+        }
+    }
+
+    /// Normals in the node of circles through two cells.
+    std::vector<Vec3> circles(const AxisNode& node) const
+    {
+        return cell_circles(fitting_.centres, centre(node), radius(node), most_circles);
+    }
+
+    /// A,B: if the limits of the latitudes are narrower than the node, fits ranges about
+    /// the normals of circles through two cells. With limits of zero width no other axis
+    /// has a range.
+    void fit_about_circles(AdaptiveFitter& fitter, BoundedNode& one) const
+    {
+        const AxisNode& node = one.node.axes;
+        if (fitting_.measure.family == RotaryFamily::AB &&
+            fitting_.limits.highest() < radius(node))
+            for (const Vec3& normal : circles(node))
+                fit_about(fitter, one, normal);
+    }
+
+    /// If the limit of the window is narrower than the node of arcs, fits ranges about
+    /// axes on circles through two cells. With a limit of zero width no other axis has a
+    /// range, unless the range is a single direction.
+    void fit_along_circles(AdaptiveFitter& fitter, BoundedNode& one) const
+    {
+        const AxisNode& node = one.node.axes;
+        if (fitting_.limits.widest() >= radius(node))
+            return;
+        ConeFitting arcs = arc_fitting(fitter.fitting(), fitting_.limits.width / 2);
+        arcs.limits.width = std::min(fitting_.limits.highest(), arcs.limits.width);
+        AxisFitter arc_fitter{arcs};
+        for (const Vec3& normal : circles(node)) {
+            std::size_t cones = 0;
+            do {  // until the shortest arc is one for all cones
+                cones = fitter.set().size();
+                const double least = one.fit ? one.fit->objective : below();
+                if (const auto arc = arc_fitter.best(normal, {least}))
+                    fit_about(fitter, one, axis_on_arc(*arc, fitting_));
+            } while (fitter.set().size() > cones);
         }
     }
 

@@ -51,17 +51,6 @@ bool is_better(const AxisFit& a, const AxisFit& b)
     return a.objective < b.objective;
 }
 
-/// The problem of short arcs as one of ranges in A,B: R1 is the normal of the circle, the
-/// arc is the window, and latitudes are limited to a narrow band.
-ConeFitting along_arcs(const ConeFitting& fitting)
-{
-    ConeFitting arcs = fitting;
-    arcs.measure.family = RotaryFamily::AB;
-    arcs.limits = RangeLimits{RotaryFamily::AB, {}};
-    arcs.limits.far = arcs.limits.near = arc_reach;
-    return arcs;
-}
-
 /// Finds the circles through a cell whose bands meet all cones. Circles through the cell
 /// are binned by their azimuth there; a bin holds the AND of the columns of the cells
 /// that its band may meet.
@@ -264,7 +253,7 @@ std::vector<AxisFit> fits_about(const ConeFitting& fitting, std::span<const Vec3
 
 std::vector<Vec3> short_arcs(const ConeFitting& fitting)
 {
-    const ConeFitting arcs = along_arcs(fitting);
+    const ConeFitting arcs = arc_fitting(fitting, arc_reach);
     const auto fits = improved(fits_about(arcs, scanned_circles(fitting), infinity),
                                arcs_improved, arcs, {arc_band / 4});
     std::vector<Vec3> normals;
