@@ -11,10 +11,11 @@
 namespace endmill {
 namespace {
 
-// Change of r^2, as a share of it, at which a root is accepted. Newton's error is then
-// about the square of it.
-constexpr double root_accuracy = 1e-5;
-// Steps after which a ray is given up. Newton's method takes about three.
+// Change of r^2, as a share of it, at which a root is accepted. The change is applied, so
+// that its error is about the square. The flow is taken where the change was computed: r
+// divided by the slope hardly depends on r, so that the flow is accurate to about 1e-4.
+constexpr double root_accuracy = 2e-3;
+// Steps after which a ray is given up. Newton's method takes one or two.
 constexpr int most_steps = 60;
 // Halvings of the angle between a ray that ends at the boundary of D(x) and one that ends at
 // the border.
@@ -47,19 +48,26 @@ CoverRays::CoverRays(const BoundedPart& part, const BoundProblem& problem,
                       frame.along_1.b * frame.along_2.a)}
 {
     ends_.resize(static_cast<std::size_t>(rays));
-    double guess = 1;
-    double last = 1;
     for (std::size_t k = 0; k < ends_.size(); ++k) {
-        ends_[k] = end_of(ray_at(angle_of(static_cast<double>(k))), guess);
+        ends_[k] = end_of(ray_at(angle_of(static_cast<double>(k))), guess_at(k));
         if (!is_complete_)
             return;
-        const double found = ends_[k].is_inside ? ends_[k].probe.r : 1;
-        guess = std::max(2 * found - last, found / 2);
-        last = found;
-        if (k == 0)
-            guess = found;
     }
     add_boundary();
+}
+
+// The parabola through the ends of the last three rays, if they are at the boundary.
+double CoverRays::guess_at(std::size_t number) const
+{
+    const auto is_inside = [&](std::size_t back) {
+        return number >= back && ends_[number - back].is_inside;
+    };
+    if (!is_inside(1))
+        return 1;
+    const double last = ends_[number - 1].r;
+    if (!is_inside(2) || !is_inside(3))
+        return last;
+    return std::max(last / 2, 3 * (last - ends_[number - 2].r) + ends_[number - 3].r);
 }
 
 double CoverRays::angle_of(double number) const
@@ -108,7 +116,7 @@ CoverRays::End CoverRays::end_of(const Ray& ray, double guess)
 {
     const double last = border(ray);
     if (last < shortest_ray)
-        return {probe(ray, 0), false};
+        return {probe(ray, 0), 0, false};
     double inside = 0;
     double outside = std::min(last * last, farthest);
     bool is_outside_known = false;
@@ -118,7 +126,7 @@ CoverRays::End CoverRays::end_of(const Ray& ray, double guess)
             const Probe end = probe(ray, std::sqrt(outside));
             if (end.excess <= 0) {
                 is_complete_ = outside < farthest && end.area > 0;
-                return {end, false};
+                return {end, end.r, false};
             }
             is_outside_known = true;
         }
@@ -132,7 +140,7 @@ CoverRays::End CoverRays::end_of(const Ray& ray, double guess)
         const double change =
             here.slope > 0 ? -here.excess * 2 * here.r / here.slope : square;
         if (std::abs(change) <= root_accuracy * square)
-            return {here, true};
+            return {here, std::sqrt(square + change), true};
         square += std::min(change, 3 * square);
     }
     is_complete_ = false;
@@ -183,9 +191,21 @@ void CoverRays::add_last(std::size_t inside, bool is_ahead)
     const double half_step = share * angle_of(1) / 2;
     add(ends_[inside].probe, half_step);
     const Ray ray = ray_at(from + share * step);
-    const End end = end_of(ray, std::min(ends_[inside].probe.r, border(ray)));
+    const End end = end_of(ray, std::min(ends_[inside].r, border(ray)));
     if (end.is_inside)
         add(end.probe, half_step);
+}
+
+double CoverRays::elongation() const
+{
+    double greatest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (const End& end : ends_)
+        if (end.is_inside) {
+            greatest = std::max(greatest, end.r);
+            least = std::min(least, end.r);
+        }
+    return greatest > 0 ? greatest / least : 1;
 }
 
 bool CoverRays::contains(const SurfacePoint& at) const
@@ -201,7 +221,7 @@ bool CoverRays::contains(const SurfacePoint& at) const
     const double place = (turn < 0 ? turn + 1 : turn) * static_cast<double>(count);
     const auto before = static_cast<std::size_t>(place) % count;
     const double r =
-        std::max(ends_[before].probe.r, ends_[(before + 1) % count].probe.r);
+        std::max(ends_[before].r, ends_[(before + 1) % count].r);
     return x * x + y * y <= component_margin * r * r;
 }
 
@@ -211,7 +231,7 @@ std::vector<CoveredPiece> CoverRays::covered() const
     constexpr double gauss = 0.21132486540518713;
     std::vector<CoveredPiece> pieces;
     for (std::size_t k = 0; k < ends_.size(); ++k) {
-        const double r = ends_[k].probe.r;
+        const double r = ends_[k].r;
         const Ray ray = ray_at(angle_of(static_cast<double>(k)));
         for (const double share : {gauss, 1 - gauss}) {
             const double at_r = r * std::sqrt(share);

@@ -58,6 +58,10 @@ public:
     /// Whether every ray met the boundary of D(x) or the border of the surface.
     bool is_complete() const { return is_complete_; }
 
+    /// The greatest length of a ray to the boundary divided by the least one, both in half
+    /// axes; 1 if no ray ends at the boundary. It is large where the flank covers a wall.
+    double elongation() const;
+
     /// The boundary inside the surface.
     const std::vector<BoundaryFlow>& boundary() const { return boundary_; }
 
@@ -87,10 +91,12 @@ private:
 
     // The end of a ray.
     struct End {
-        Probe probe;
+        Probe probe;     // at the end, up to the accuracy of the root
+        double r;        // after the last step of Newton's method
         bool is_inside;  // whether it is the boundary of D(x), not the border
     };
 
+    double guess_at(std::size_t number) const;
     double angle_of(double number) const;
     Ray ray_at(double angle) const;
     double border(const Ray& ray) const;

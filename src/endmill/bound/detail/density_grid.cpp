@@ -85,6 +85,19 @@ DensityGrid::Lines DensityGrid::lines(const Surface& surface, Parameter along,
     return lines;
 }
 
+void DensityGrid::measure(GridCell& cell) const
+{
+    const auto point = [&](double u, double v) -> Vec3 {
+        return part_.surfaces[cell.surface].tangents(u, v).point;
+    };
+    const Vec3 a = point(cell.u.low, cell.v.low);
+    const Vec3 b = point(cell.u.high, cell.v.low);
+    const Vec3 c = point(cell.u.low, cell.v.high);
+    const Vec3 d = point(cell.u.high, cell.v.high);
+    cell.length_u = std::max((b - a).norm(), (d - c).norm());
+    cell.length_v = std::max((c - a).norm(), (d - b).norm());
+}
+
 // The integrals of the area element and of the four hat functions, by a rule of Gauss.
 void DensityGrid::add_cells(std::size_t surface, std::uint32_t first_node)
 {
@@ -104,7 +117,10 @@ void DensityGrid::add_cells(std::size_t surface, std::uint32_t first_node)
                           {v.places[row], v.places[row + 1]},
                           static_cast<std::uint32_t>(first_node + row * u.places.size() +
                                                      column),
+                          0,
+                          0,
                           0};
+            measure(cell);
             const auto corner = corners(cell.node);
             for (std::size_t a = 0; a < 3; ++a)
                 for (std::size_t b = 0; b < 3; ++b) {

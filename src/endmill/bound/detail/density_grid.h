@@ -27,6 +27,8 @@ struct GridCell {
     Interval v;           ///< parameters
     std::uint32_t node;   ///< number of the node at the low ends
     double area;          ///< mm^2
+    double length_u;      ///< mm, of the longer chord along u
+    double length_v;      ///< mm, along v
 };
 
 /// A grid of nodes over the surfaces of a part, for densities that are bilinear in each
@@ -72,6 +74,7 @@ private:
     };
 
     Lines lines(const Surface& surface, Parameter along, double spacing) const;
+    void measure(GridCell& cell) const;
     void add_cells(std::size_t surface, std::uint32_t first_node);
 
     BoundedPart part_;

@@ -20,8 +20,8 @@ constexpr int second_updates = 20;
 constexpr int later_updates = 12;
 // Tests at random places whose places join the others.
 constexpr int joining_tests = 3;
-// Divisions of a cell in which a random place exceeded 1.
-constexpr int joining_divisions = 6;
+// Step in the cells in which a random place exceeded 1, as a share of the spacing of nodes.
+constexpr double joining_step = 1.0 / 16;
 // Places of a test join the others if their inflow exceeds 1 by this.
 constexpr double accepted_excess = 5e-4;
 // Places that are tested at once, so that memory does not grow with their number.
@@ -47,28 +47,32 @@ DensitySearch::DensitySearch(const BoundedPart& part, const BoundProblem& proble
 {
 }
 
-// The places at multiples of 1 / divisions of each cell. Those at the high border of a
-// patch are taken in this patch; the next cell has them in its own.
+// The places on a lattice in each cell, from its low corner on, about `step` mm apart
+// along the surface. Those at the high border of a patch are taken in this patch; the next
+// cell has them in its own.
 std::vector<ContactPlace> DensitySearch::lattice_places(std::span<const GridCell> cells,
-                                                        int divisions,
-                                                        bool odd_only) const
+                                                        double step) const
 {
+    struct Steps {
+        int number;
+        int last;
+    };
     std::vector<ContactPlace> places;
     for (const GridCell& cell : cells) {
         const Surface& surface = part_.surfaces[cell.surface];
-        const auto last = [&](Parameter along, int patch, const Interval& range) {
+        const auto steps = [&](Parameter along, int patch, const Interval& range,
+                               double length) -> Steps {
+            const int number = std::max(1, static_cast<int>(std::lround(length / step)));
             const bool is_border = range.high == surface.breaks(along)[patch + 1];
-            return is_border ? divisions : divisions - 1;
+            return {number, is_border ? number : number - 1};
         };
-        const int last_u = last(Parameter::U, cell.i, cell.u);
-        const int last_v = last(Parameter::V, cell.j, cell.v);
-        for (int b = 0; b <= last_v; ++b)
-            for (int a = 0; a <= last_u; ++a) {
-                if (odd_only && a % 2 == 0 && b % 2 == 0)
-                    continue;
+        const Steps u = steps(Parameter::U, cell.i, cell.u, cell.length_u);
+        const Steps v = steps(Parameter::V, cell.j, cell.v, cell.length_v);
+        for (int b = 0; b <= v.last; ++b)
+            for (int a = 0; a <= u.last; ++a) {
                 const SurfacePoint at{
-                    std::lerp(cell.u.low, cell.u.high, a / double(divisions)),
-                    std::lerp(cell.v.low, cell.v.high, b / double(divisions))};
+                    std::lerp(cell.u.low, cell.u.high, a / double(u.number)),
+                    std::lerp(cell.v.low, cell.v.high, b / double(v.number))};
                 places.push_back({cell.surface, cell.i, cell.j, at});
             }
     }
@@ -221,7 +225,7 @@ void DensitySearch::test_at_random(std::uint64_t seed)
                          [&](const GridCell& cell) {
                              return std::ranges::binary_search(nodes, cell.node);
                          });
-    test(lattice_places(cells, joining_divisions, false));
+    test(lattice_places(cells, options_.node_spacing * joining_step));
 }
 
 void DensitySearch::report(double share) const
@@ -246,11 +250,11 @@ std::vector<double> DensitySearch::inflows_at_random(std::span<const double> den
 FoundDensity DensitySearch::run()
 {
     report(0);
-    start_from(lattice_places(grid_.cells(), 2, false));
+    start_from(lattice_places(grid_.cells(), options_.node_spacing / 2));
     report(0.1);
     improve(first_updates);
     report(0.2);
-    test(lattice_places(grid_.cells(), 4, true));
+    test(lattice_places(grid_.cells(), options_.node_spacing / 4));
     improve(second_updates);
     for (int k = 0; k < joining_tests; ++k) {
         report(0.5 + 0.1 * k);

@@ -34,7 +34,8 @@ struct FoundDensity {
 /// Maximises the integral of a density g >= 0 under the condition that at no contact and
 /// in no direction the inflow exceeds 1, by multiplicative updates.
 ///
-/// 1. Places at half the spacing of the nodes, on both sides of the borders of patches.
+/// 1. Places at half the spacing of the nodes along the surface, on both sides of the
+///    borders of patches.
 /// 2. g starts at one over the widest strip. Each update multiplies g at a node by m^(-1/2)
 ///    if m > 1 and else by m^(-1/4), where m is the greatest inflow of all places whose
 ///    boundary meets the four cells about the node. The best g is kept.
@@ -72,7 +73,7 @@ private:
     Tested tested(const ContactPlace& place, std::span<const double> density,
                   CoveredSets::Want want) const;
     std::vector<ContactPlace> lattice_places(std::span<const GridCell> cells,
-                                             int divisions, bool odd_only) const;
+                                             double step) const;
     std::vector<ContactPlace> random_places(std::size_t count, std::uint64_t seed) const;
     void start_from(const std::vector<ContactPlace>& places);
     std::vector<std::size_t> test(const std::vector<ContactPlace>& places);
