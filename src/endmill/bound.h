@@ -5,6 +5,4 @@
 /// All public headers of the module `bound`.
 
 #include "endmill/bound/bound_problem.h"
-#include "endmill/bound/closed_bound.h"
 #include "endmill/bound/path_bound.h"
-#include "endmill/bound/simple_shape.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "endmill/bound/closed_bound.h"
+#include "endmill/bound/detail/closed_bound.h"
 #include "endmill/bound/detail/density_search.h"
 #include "endmill/core/error.h"
 #include "endmill/surface/continuity.h"
@@ -59,8 +59,8 @@ double stray_factor(std::span<const Surface> surfaces, std::span<const double> s
     const double R = problem.cutter.radius();
     double greatest = 0;
     for (const double k : {range ? range->least : 0, range ? range->greatest : 0})
-        greatest = std::max(greatest, 1 + k * R > 0 ? std::abs(k) / (1 + k * R)
-                                                    : 1 / problem.stray);
+        greatest = std::max(
+            greatest, 1 + k * R > 0 ? std::abs(k) / (1 + k * R) : 1 / problem.stray);
     return std::max(0.0, 1 - problem.stray * greatest);
 }
 
@@ -94,11 +94,9 @@ PathBound estimated_bound(std::span<const Surface> surfaces,
     require(std::isfinite(wanted) && wanted > 0,
             "path_bound: the spacing of nodes must be positive");
     require_smooth(surfaces);
-    const double spacing =
-        std::max(wanted, std::sqrt(area(surfaces) / most_nodes));
-    DensitySearch search{{surfaces, sides},
-                         problem,
-                         {spacing, options.random_places, options.progress}};
+    const double spacing = std::max(wanted, std::sqrt(area(surfaces) / most_nodes));
+    DensitySearch search{
+        {surfaces, sides}, problem, {spacing, options.random_places, options.progress}};
     const FoundDensity found = search.run();
     const double factor = stray_factor(surfaces, sides, problem);
     const double density = factor * found.integral;

@@ -52,8 +52,9 @@ struct EstimateOptions {
     std::function<void(double share)> progress = {};
 };
 
-/// The bound for a part: in closed form if the part is one surface that
-/// `closed_density` accepts, else estimated.
+/// The bound for a part: in closed form if the part is one plane, sphere or circular
+/// cylinder, recognised to 1e-9 of its size, on which the flank of the tool plays no role
+/// or whose slope is constant; else estimated.
 ///
 /// The bound holds for paths with these properties:
 /// - Each of at most m pieces keeps the ball in contact with the part, its centre within

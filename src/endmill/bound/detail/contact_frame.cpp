@@ -29,8 +29,8 @@ PrincipalFrame principal_frame(const SurfaceJet& jet, const FundamentalForms& fo
     const TangentVector b = tangent_components(forms, jet, y);
     const double xx = normal_curvature(forms, a);
     const double yy = normal_curvature(forms, b);
-    const double xy = -(forms.e * a.a * b.a + forms.f * (a.a * b.b + a.b * b.a) +
-                        forms.g * a.b * b.b);
+    const double xy =
+        -(forms.e * a.a * b.a + forms.f * (a.a * b.b + a.b * b.a) + forms.g * a.b * b.b);
     const double angle = std::atan2(2 * xy, xx - yy) / 2;
     const double mean = (xx + yy) / 2;
     const double spread = std::hypot((xx - yy) / 2, xy);

@@ -32,14 +32,14 @@ ContactPlace contact_place(const BoundedPart& part, std::size_t surface,
 
 /// A contact with the frame of its principal directions.
 struct ContactFrame {
-    std::size_t surface;   ///< number of the surface
-    SurfacePoint at;       ///< parameters of the contact
-    Vec3 centre;           ///< of the ball, mm
-    Vec3 e1;               ///< unit, principal direction of the least curvature
-    Vec3 e2;               ///< unit, principal direction of the greatest curvature
+    std::size_t surface;    ///< number of the surface
+    SurfacePoint at;        ///< parameters of the contact
+    Vec3 centre;            ///< of the ball, mm
+    Vec3 e1;                ///< unit, principal direction of the least curvature
+    Vec3 e2;                ///< unit, principal direction of the greatest curvature
     PrincipalCurvatures k;  ///< 1/mm
-    double half_axis_1;    ///< mm, of the covered disc along e1, to second order
-    double half_axis_2;    ///< mm, along e2
+    double half_axis_1;     ///< mm, of the covered disc along e1, to second order
+    double half_axis_2;     ///< mm, along e2
     TangentVector along_1;  ///< parameters of half_axis_1 e1
     TangentVector along_2;  ///< parameters of half_axis_2 e2
 };

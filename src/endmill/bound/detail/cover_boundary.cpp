@@ -33,7 +33,8 @@ constexpr double component_margin = 1.5;
 Eigen::Vector2d boundary_flow(const ContactFrame& frame, const BoundProblem& problem,
                               const Vec3& away, double rate)
 {
-    const double R = problem.length == BoundedLength::Contact ? problem.cutter.radius() : 0;
+    const double R =
+        problem.length == BoundedLength::Contact ? problem.cutter.radius() : 0;
     return {rate * (1 + R * frame.k.least) * away.dot(frame.e1),
             rate * (1 + R * frame.k.greatest) * away.dot(frame.e2)};
 }
@@ -44,8 +45,8 @@ CoverRays::CoverRays(const BoundedPart& part, const BoundProblem& problem,
       problem_{problem},
       frame_{frame},
       tool_{problem, frame.centre},
-      scale_{std::abs(frame.along_1.a * frame.along_2.b -
-                      frame.along_1.b * frame.along_2.a)}
+      scale_{
+          std::abs(frame.along_1.a * frame.along_2.b - frame.along_1.b * frame.along_2.a)}
 {
     ends_.resize(static_cast<std::size_t>(rays));
     for (std::size_t k = 0; k < ends_.size(); ++k) {
@@ -220,8 +221,7 @@ bool CoverRays::contains(const SurfacePoint& at) const
     const double turn = std::atan2(y, x) / (2 * std::numbers::pi);
     const double place = (turn < 0 ? turn + 1 : turn) * static_cast<double>(count);
     const auto before = static_cast<std::size_t>(place) % count;
-    const double r =
-        std::max(ends_[before].r, ends_[(before + 1) % count].r);
+    const double r = std::max(ends_[before].r, ends_[(before + 1) % count].r);
     return x * x + y * y <= component_margin * r * r;
 }
 

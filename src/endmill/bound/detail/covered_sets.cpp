@@ -32,8 +32,7 @@ CoverRays rays_of(const BoundedPart& part, const BoundProblem& problem,
     if (!rays.is_complete())
         return rays;
     const double elongation = rays.elongation();
-    const double factor =
-        std::min(most_ray_factor, std::round(elongation * elongation));
+    const double factor = std::min(most_ray_factor, std::round(elongation * elongation));
     if (factor <= 1)
         return rays;
     return {part, problem, frame, static_cast<int>(factor) * least_rays};

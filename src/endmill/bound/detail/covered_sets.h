@@ -12,7 +12,8 @@ namespace endmill {
 /// one component on one surface, and by marching triangles elsewhere.
 class CoveredSets {
 public:
-    /// \param part its surfaces must outlive this. \param problem must outlive this.
+    /// \param part its surfaces must outlive this.
+    /// \param problem must outlive this.
     CoveredSets(const BoundedPart& part, const BoundProblem& problem);
 
     /// The covered set of one contact.

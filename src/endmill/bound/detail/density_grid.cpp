@@ -74,7 +74,8 @@ DensityGrid::Lines DensityGrid::lines(const Surface& surface, Parameter along,
     const std::span<const double> breaks = surface.breaks(along);
     for (int patch = 0; patch < surface.patches(along); ++patch) {
         const int steps = std::max(
-            1, static_cast<int>(std::lround(mean_length(surface, along, patch) / spacing)));
+            1,
+            static_cast<int>(std::lround(mean_length(surface, along, patch) / spacing)));
         lines.first.push_back(static_cast<int>(lines.places.size()));
         for (int k = 0; k < steps; ++k)
             lines.places.push_back(
@@ -85,7 +86,7 @@ DensityGrid::Lines DensityGrid::lines(const Surface& surface, Parameter along,
     return lines;
 }
 
-void DensityGrid::measure(GridCell& cell) const
+void DensityGrid::measure(DensityCell& cell) const
 {
     const auto point = [&](double u, double v) -> Vec3 {
         return part_.surfaces[cell.surface].tangents(u, v).point;
@@ -103,23 +104,23 @@ void DensityGrid::add_cells(std::size_t surface, std::uint32_t first_node)
 {
     const auto& [u, v] = lines_[surface];
     const auto patch_of = [](const Lines& lines, std::size_t line) {
-        return static_cast<int>(std::ranges::upper_bound(lines.first,
-                                                         static_cast<int>(line)) -
-                                lines.first.begin()) -
+        return static_cast<int>(
+                   std::ranges::upper_bound(lines.first, static_cast<int>(line)) -
+                   lines.first.begin()) -
                1;
     };
     for (std::size_t row = 0; row + 1 < v.places.size(); ++row)
         for (std::size_t column = 0; column + 1 < u.places.size(); ++column) {
-            GridCell cell{surface,
-                          patch_of(u, column),
-                          patch_of(v, row),
-                          {u.places[column], u.places[column + 1]},
-                          {v.places[row], v.places[row + 1]},
-                          static_cast<std::uint32_t>(first_node + row * u.places.size() +
-                                                     column),
-                          0,
-                          0,
-                          0};
+            DensityCell cell{
+                surface,
+                patch_of(u, column),
+                patch_of(v, row),
+                {u.places[column], u.places[column + 1]},
+                {v.places[row], v.places[row + 1]},
+                static_cast<std::uint32_t>(first_node + row * u.places.size() + column),
+                0,
+                0,
+                0};
             measure(cell);
             const auto corner = corners(cell.node);
             for (std::size_t a = 0; a < 3; ++a)
@@ -153,8 +154,8 @@ GridPlace DensityGrid::place(std::size_t surface, const SurfacePoint& at) const
         const std::span<const double> breaks = part_.surfaces[surface].breaks(along);
         const int patch = part_.surfaces[surface].patch_number(along, parameter);
         const int steps = lines.first[patch + 1] - lines.first[patch];
-        const double place = (parameter - breaks[patch]) /
-                             (breaks[patch + 1] - breaks[patch]) * steps;
+        const double place =
+            (parameter - breaks[patch]) / (breaks[patch + 1] - breaks[patch]) * steps;
         const int step = std::clamp(static_cast<int>(place), 0, steps - 1);
         return {lines.first[patch] + step,
                 static_cast<float>(std::clamp(place - step, 0.0, 1.0))};

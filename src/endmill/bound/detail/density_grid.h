@@ -19,7 +19,7 @@ struct GridPlace {
 };
 
 /// A cell of the grid: a rectangle of the parameters inside one patch.
-struct GridCell {
+struct DensityCell {
     std::size_t surface;  ///< number of the surface
     int i;                ///< patch in u
     int j;                ///< patch in v
@@ -40,8 +40,8 @@ public:
     /// \param spacing of nodes in mm, positive.
     DensityGrid(const BoundedPart& part, double spacing);
 
-    std::size_t nodes() const { return weights_.size(); }  ///< number of nodes
-    const std::vector<GridCell>& cells() const { return cells_; }  ///< all cells
+    std::size_t nodes() const { return weights_.size(); }             ///< number of nodes
+    const std::vector<DensityCell>& cells() const { return cells_; }  ///< all cells
 
     /// The integral of each node's bilinear hat function, mm^2.
     const std::vector<double>& weights() const { return weights_; }
@@ -74,14 +74,14 @@ private:
     };
 
     Lines lines(const Surface& surface, Parameter along, double spacing) const;
-    void measure(GridCell& cell) const;
+    void measure(DensityCell& cell) const;
     void add_cells(std::size_t surface, std::uint32_t first_node);
 
     BoundedPart part_;
     std::vector<std::array<Lines, 2>> lines_;  // of each surface, along u and v
     std::vector<std::uint32_t> first_nodes_;   // of each surface
-    std::vector<std::uint32_t> rows_;          // of each node: nodes in a row of its surface
-    std::vector<GridCell> cells_;
+    std::vector<std::uint32_t> rows_;  // of each node: nodes in a row of its surface
+    std::vector<DensityCell> cells_;
     std::vector<double> weights_;
 };
 

@@ -50,15 +50,15 @@ DensitySearch::DensitySearch(const BoundedPart& part, const BoundProblem& proble
 // The places on a lattice in each cell, from its low corner on, about `step` mm apart
 // along the surface. Those at the high border of a patch are taken in this patch; the next
 // cell has them in its own.
-std::vector<ContactPlace> DensitySearch::lattice_places(std::span<const GridCell> cells,
-                                                        double step) const
+std::vector<ContactPlace> DensitySearch::lattice_places(
+    std::span<const DensityCell> cells, double step) const
 {
     struct Steps {
         int number;
         int last;
     };
     std::vector<ContactPlace> places;
-    for (const GridCell& cell : cells) {
+    for (const DensityCell& cell : cells) {
         const Surface& surface = part_.surfaces[cell.surface];
         const auto steps = [&](Parameter along, int patch, const Interval& range,
                                double length) -> Steps {
@@ -84,7 +84,7 @@ std::vector<ContactPlace> DensitySearch::random_places(std::size_t count,
 {
     std::vector<double> sums;
     double sum = 0;
-    for (const GridCell& cell : grid_.cells())
+    for (const DensityCell& cell : grid_.cells())
         sums.push_back(sum += cell.area);
     std::mt19937_64 engine{seed};
     std::vector<ContactPlace> places;
@@ -93,7 +93,7 @@ std::vector<ContactPlace> DensitySearch::random_places(std::size_t count,
         const auto found = std::ranges::upper_bound(sums, wanted) - sums.begin();
         const std::size_t number =
             std::min(static_cast<std::size_t>(found), sums.size() - 1);
-        const GridCell& cell = grid_.cells()[number];
+        const DensityCell& cell = grid_.cells()[number];
         const double u = std::lerp(cell.u.low, cell.u.high, uniform(engine));
         const double v = std::lerp(cell.v.low, cell.v.high, uniform(engine));
         places.push_back({cell.surface, cell.i, cell.j, {u, v}});
@@ -157,12 +157,14 @@ double DensitySearch::update()
             greatest = std::max(greatest, inflow[k]);
         }
     std::vector<double> of_node(grid_.nodes());
-    for (const GridCell& cell : grid_.cells())
+    for (const DensityCell& cell : grid_.cells())
         for (const std::uint32_t corner : grid_.corners(cell.node))
             of_node[corner] = std::max(of_node[corner], of_cell[cell.node]);
     for (std::size_t node = 0; node < grid_.nodes(); ++node) {
         const double m = of_node[node];
-        density_[node] *= m == 0 ? 0 : m > 1 ? 1 / std::sqrt(m) : 1 / std::sqrt(std::sqrt(m));
+        density_[node] *= m == 0  ? 0
+                          : m > 1 ? 1 / std::sqrt(m)
+                                  : 1 / std::sqrt(std::sqrt(m));
     }
     return *std::ranges::max_element(inflow);
 }
@@ -177,9 +179,9 @@ void DensitySearch::improve(int updates)
         const double greatest = update();
         if (greatest == 0)
             break;
-        const double integral =
-            std::inner_product(before.begin(), before.end(), grid_.weights().begin(), 0.0) /
-            greatest;
+        const double integral = std::inner_product(before.begin(), before.end(),
+                                                   grid_.weights().begin(), 0.0) /
+                                greatest;
         if (integral <= best_integral)
             continue;
         best_integral = integral;
@@ -214,15 +216,14 @@ std::vector<std::size_t> DensitySearch::test(const std::vector<ContactPlace>& pl
 // Tests random places, and then the cells of those that exceed 1 more closely.
 void DensitySearch::test_at_random(std::uint64_t seed)
 {
-    const std::vector<ContactPlace> places =
-        random_places(options_.random_places, seed);
+    const std::vector<ContactPlace> places = random_places(options_.random_places, seed);
     std::vector<std::uint32_t> nodes;
     for (const std::size_t k : test(places))
         nodes.push_back(grid_.place(places[k].surface, places[k].at).node);
     std::ranges::sort(nodes);
-    std::vector<GridCell> cells;
+    std::vector<DensityCell> cells;
     std::ranges::copy_if(grid_.cells(), std::back_inserter(cells),
-                         [&](const GridCell& cell) {
+                         [&](const DensityCell& cell) {
                              return std::ranges::binary_search(nodes, cell.node);
                          });
     test(lattice_places(cells, options_.node_spacing * joining_step));
@@ -283,8 +284,8 @@ FoundDensity DensitySearch::run()
     for (double& density : density_)
         density /= divisor;
     found.at_nodes = density_;
-    found.integral =
-        std::inner_product(density_.begin(), density_.end(), grid_.weights().begin(), 0.0);
+    found.integral = std::inner_product(density_.begin(), density_.end(),
+                                        grid_.weights().begin(), 0.0);
     found.greatest_disc = *std::ranges::max_element(discs) / divisor;
     report(1);
     return found;

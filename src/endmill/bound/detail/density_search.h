@@ -14,8 +14,8 @@ namespace endmill {
 
 /// How a density is searched for.
 struct DensitySearchOptions {
-    double node_spacing;        ///< mm, along the surface
-    std::size_t random_places;  ///< places of the last test
+    double node_spacing;                              ///< mm, along the surface
+    std::size_t random_places;                        ///< places of the last test
     std::function<void(double share)> progress = {};  ///< called with 0 to 1
 };
 
@@ -48,7 +48,9 @@ struct FoundDensity {
 /// Source: docs/methods/path-length-bound.md, section 6.
 class DensitySearch {
 public:
-    /// \param part its surfaces must outlive this. \param problem must outlive this.
+    /// \param part its surfaces must outlive this.
+    /// \param problem must outlive this.
+    /// \param options spacing, tests and progress.
     DensitySearch(const BoundedPart& part, const BoundProblem& problem,
                   DensitySearchOptions options);
 
@@ -57,6 +59,8 @@ public:
 
     /// The greatest inflow of a density at each of `count` random places, uniform over the
     /// area; 0 where the ball cannot touch.
+    /// \param density g at the nodes, 1/mm.
+    /// \param count number of places.
     /// \param seed of the places.
     std::vector<double> inflows_at_random(std::span<const double> density,
                                           std::size_t count, std::uint64_t seed) const;
@@ -72,7 +76,7 @@ private:
 
     Tested tested(const ContactPlace& place, std::span<const double> density,
                   CoveredSets::Want want) const;
-    std::vector<ContactPlace> lattice_places(std::span<const GridCell> cells,
+    std::vector<ContactPlace> lattice_places(std::span<const DensityCell> cells,
                                              double step) const;
     std::vector<ContactPlace> random_places(std::size_t count, std::uint64_t seed) const;
     void start_from(const std::vector<ContactPlace>& places);

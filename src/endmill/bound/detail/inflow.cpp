@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace endmill {
 namespace {
@@ -11,8 +12,7 @@ namespace {
 // A number that rises with the angle of (x, y) from -pi to pi.
 float angle_order(const StoredFlow& flow)
 {
-    const float size = std::abs(flow.x) + std::abs(flow.y);
-    const float share = size > 0 ? flow.x / size : 0;
+    const float share = flow.x / (std::abs(flow.x) + std::abs(flow.y));
     return std::copysign(1 - share, flow.y);
 }
 
@@ -23,10 +23,12 @@ std::vector<StoredFlow> stored_flows(std::span<const BoundaryFlow> boundary,
 {
     std::vector<StoredFlow> flows;
     flows.reserve(boundary.size());
-    for (const BoundaryFlow& piece : boundary)
-        flows.push_back({grid.place(piece.surface, piece.at),
-                         static_cast<float>(piece.flow.x()),
-                         static_cast<float>(piece.flow.y())});
+    for (const BoundaryFlow& piece : boundary) {
+        const auto x = static_cast<float>(piece.flow.x());
+        const auto y = static_cast<float>(piece.flow.y());
+        if (x != 0 || y != 0)  // a flow of zero has no angle
+            flows.push_back({grid.place(piece.surface, piece.at), x, y});
+    }
     std::ranges::sort(flows, {}, [](const StoredFlow& flow) {
         return std::pair{angle_order(flow), std::pair{flow.x, flow.place.node}};
     });
@@ -39,8 +41,8 @@ double greatest_inflow(std::span<const StoredFlow> flows, const DensityGrid& gri
     const std::size_t count = flows.size();
     std::vector<Eigen::Vector2d> part(count);
     for (std::size_t k = 0; k < count; ++k)
-        part[k] = grid.value(density, flows[k].place) *
-                  Eigen::Vector2d{flows[k].x, flows[k].y};
+        part[k] =
+            grid.value(density, flows[k].place) * Eigen::Vector2d{flows[k].x, flows[k].y};
     // The sum over the flows from `first` that are less than half a turn ahead of it.
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
     std::size_t end = 0;
@@ -52,7 +54,8 @@ double greatest_inflow(std::span<const StoredFlow> flows, const DensityGrid& gri
         while (end < first + count) {
             const std::size_t k = end < count ? end : end - count;
             const double turn = double{from.x} * flows[k].y - double{from.y} * flows[k].x;
-            const double along = double{from.x} * flows[k].x + double{from.y} * flows[k].y;
+            const double along =
+                double{from.x} * flows[k].x + double{from.y} * flows[k].y;
             if (turn < 0 || (turn == 0 && along < 0))
                 break;
             sum += part[k];

@@ -23,8 +23,10 @@ std::vector<StoredFlow> stored_flows(std::span<const BoundaryFlow> boundary,
 /// The greatest inflow over all directions t of travel: the maximum of
 /// sum g max(0, flow . t). It is the length of the longest sum of flows within half a
 /// turn, which n sums give exactly.
-/// \param flows from `stored_flows`. \param density g at the nodes of `grid`, 1/mm^2 times mm.
-/// \return a number; at most 1 if the density keeps the condition of the bound here.
+/// \param flows from `stored_flows`.
+/// \param grid of the density.
+/// \param density g at the nodes, 1/mm.
+/// \return at most 1 if the density keeps the condition of the bound here.
 double greatest_inflow(std::span<const StoredFlow> flows, const DensityGrid& grid,
                        std::span<const double> density);
 

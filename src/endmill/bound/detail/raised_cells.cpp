@@ -49,7 +49,7 @@ struct March {
     }
 };
 
-Lattice divided(const March& march, const GridCell& cell)
+Lattice divided(const March& march, const DensityCell& cell)
 {
     Lattice vertices;
     for (int b = 0; b < lattice; ++b)
@@ -68,7 +68,8 @@ void for_each_triangle(const Lattice& vertices, const Visit& visit)
         for (std::size_t a = 0; a < divisions; ++a) {
             const std::size_t k = b * lattice + a;
             visit(Triangle{vertices[k], vertices[k + 1], vertices[k + lattice + 1]});
-            visit(Triangle{vertices[k], vertices[k + lattice + 1], vertices[k + lattice]});
+            visit(
+                Triangle{vertices[k], vertices[k + lattice + 1], vertices[k + lattice]});
         }
 }
 
@@ -85,8 +86,7 @@ SurfacePoint crossing(const March& march, std::size_t surface, const Vertex& fro
     const double t = from.excess / (from.excess - to.excess);
     const SurfacePoint guess = between(from.at, to.at, t);
     const double value = march.vertex(surface, guess).excess;
-    const double curve =
-        (value - std::lerp(from.excess, to.excess, t)) / (t * (t - 1));
+    const double curve = (value - std::lerp(from.excess, to.excess, t)) / (t * (t - 1));
     const double slope = to.excess - from.excess + curve * (2 * t - 1);
     const double moved = t - value / slope;
     return between(from.at, to.at, 0 <= moved && moved <= 1 ? moved : t);
@@ -142,7 +142,7 @@ RaisedCells::RaisedCells(const BoundedPart& part, const BoundProblem& problem,
 {
     const double h = problem.scallop_height;
     for (std::uint32_t k = 0; k < grid_.cells().size(); ++k) {
-        const GridCell& cell = grid_.cells()[k];
+        const DensityCell& cell = grid_.cells()[k];
         const auto corner = [&](double u, double v) -> Vec3 {
             return raised_place(part, cell.surface, {u, v}, h).point;
         };
@@ -191,12 +191,11 @@ int RaisedCells::row(double y) const
     return std::clamp(static_cast<int>((y - low_.y()) / bin_), 0, rows_ - 1);
 }
 
-// Calls visit(entry, excess) for the cells whose lowest corner may be within the reach of
-// the tool and a cell's size.
+// Calls visit(entry, from_nearest) for the cells whose lowest corner is within `far` of the
+// tool, until it returns false.
 template <typename Visit>
-void RaisedCells::visit_near(const ToolReach& tool, const Visit& visit) const
+void RaisedCells::visit_near(const ToolReach& tool, double far, const Visit& visit) const
 {
-    const double far = tool.reach() + size_margin * greatest_size_;
     const Vec3& c = tool.centre();
     for (int row_at = row(c.y() - far); row_at <= row(c.y() + far); ++row_at) {
         const std::size_t first = static_cast<std::size_t>(row_at) * columns_;
@@ -210,15 +209,20 @@ void RaisedCells::visit_near(const ToolReach& tool, const Visit& visit) const
     }
 }
 
+// The distance from the tool within which a cell that meets D(x) has its lowest corner.
+double RaisedCells::far_from(const ToolReach& tool) const
+{
+    return tool.reach() + size_margin * greatest_size_;
+}
+
 bool RaisedCells::has_only(const ContactFrame& frame, const CoverRays& rays) const
 {
     const ToolReach tool{problem_, frame.centre};
     bool has_other = false;
-    visit_near(tool, [&](const Entry& entry, const Vec3& away) {
-        const GridCell& cell = grid_.cells()[entry.cell];
-        if (away.squaredNorm() < tool.reach() * tool.reach())
-            has_other = cell.surface != frame.surface ||
-                        !rays.contains({cell.u.low, cell.v.low});
+    visit_near(tool, tool.reach(), [&](const Entry& entry, const Vec3&) {
+        const DensityCell& cell = grid_.cells()[entry.cell];
+        has_other =
+            cell.surface != frame.surface || !rays.contains({cell.u.low, cell.v.low});
         return !has_other;
     });
     return !has_other;
@@ -228,28 +232,29 @@ std::vector<BoundaryFlow> RaisedCells::boundary(const ContactFrame& frame) const
 {
     const March march{part_, problem_, frame, ToolReach{problem_, frame.centre}};
     std::vector<BoundaryFlow> pieces;
-    visit_near(march.tool, [&](const Entry& entry, const Vec3& away) {
-        if (std::abs(away.norm() - march.tool.reach()) > size_margin * entry.size)
+    visit_near(
+        march.tool, far_from(march.tool), [&](const Entry& entry, const Vec3& away) {
+            if (std::abs(away.norm() - march.tool.reach()) > size_margin * entry.size)
+                return true;
+            const DensityCell& cell = grid_.cells()[entry.cell];
+            for_each_triangle(divided(march, cell), [&](const Triangle& triangle) {
+                std::array<SurfacePoint, 2> ends;
+                std::size_t found = 0;
+                for (std::size_t k = 0; k < 3; ++k) {
+                    const Vertex& from = triangle[k];
+                    const Vertex& to = triangle[(k + 1) % 3];
+                    if ((from.excess > 0) != (to.excess > 0) && found < 2)
+                        ends[found++] = crossing(march, cell.surface, from, to);
+                }
+                if (found == 2) {
+                    const BoundaryFlow piece =
+                        flow_through(march, cell.surface, ends[0], ends[1]);
+                    if (piece.flow.allFinite())
+                        pieces.push_back(piece);
+                }
+            });
             return true;
-        const GridCell& cell = grid_.cells()[entry.cell];
-        for_each_triangle(divided(march, cell), [&](const Triangle& triangle) {
-            std::array<SurfacePoint, 2> ends;
-            std::size_t found = 0;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const Vertex& from = triangle[k];
-                const Vertex& to = triangle[(k + 1) % 3];
-                if ((from.excess > 0) != (to.excess > 0) && found < 2)
-                    ends[found++] = crossing(march, cell.surface, from, to);
-            }
-            if (found == 2) {
-                const BoundaryFlow piece =
-                    flow_through(march, cell.surface, ends[0], ends[1]);
-                if (piece.flow.allFinite())
-                    pieces.push_back(piece);
-            }
         });
-        return true;
-    });
     return pieces;
 }
 
@@ -257,27 +262,28 @@ std::vector<CoveredPiece> RaisedCells::covered(const ContactFrame& frame) const
 {
     const March march{part_, problem_, frame, ToolReach{problem_, frame.centre}};
     std::vector<CoveredPiece> pieces;
-    visit_near(march.tool, [&](const Entry& entry, const Vec3& away) {
-        const GridCell& cell = grid_.cells()[entry.cell];
-        const double excess = away.norm() - march.tool.reach();
-        if (excess > size_margin * entry.size)
+    visit_near(
+        march.tool, far_from(march.tool), [&](const Entry& entry, const Vec3& away) {
+            const DensityCell& cell = grid_.cells()[entry.cell];
+            const double excess = away.norm() - march.tool.reach();
+            if (excess > size_margin * entry.size)
+                return true;
+            const SurfacePoint middle{(cell.u.low + cell.u.high) / 2,
+                                      (cell.v.low + cell.v.high) / 2};
+            if (excess < -size_margin * entry.size) {
+                pieces.push_back({cell.surface, middle, cell.area});
+                return true;
+            }
+            const double element =
+                cell.u.length() * cell.v.length() / (2 * divisions * divisions);
+            double area = 0;
+            for_each_triangle(divided(march, cell), [&](const Triangle& triangle) {
+                area += share_below(triangle) * element *
+                        (triangle[0].area + triangle[1].area + triangle[2].area) / 3;
+            });
+            pieces.push_back({cell.surface, middle, area});
             return true;
-        const SurfacePoint middle{(cell.u.low + cell.u.high) / 2,
-                                  (cell.v.low + cell.v.high) / 2};
-        if (excess < -size_margin * entry.size) {
-            pieces.push_back({cell.surface, middle, cell.area});
-            return true;
-        }
-        const double element =
-            cell.u.length() * cell.v.length() / (2 * divisions * divisions);
-        double area = 0;
-        for_each_triangle(divided(march, cell), [&](const Triangle& triangle) {
-            area += share_below(triangle) * element *
-                    (triangle[0].area + triangle[1].area + triangle[2].area) / 3;
         });
-        pieces.push_back({cell.surface, middle, area});
-        return true;
-    });
     return pieces;
 }
 

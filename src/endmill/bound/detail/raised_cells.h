@@ -22,7 +22,8 @@ public:
     RaisedCells(const BoundedPart& part, const BoundProblem& problem, double spacing);
 
     /// Whether the rays contain every sampled point that is covered.
-    /// \param frame of the contact. \param rays from the same contact.
+    /// \param frame of the contact.
+    /// \param rays of the same contact.
     bool has_only(const ContactFrame& frame, const CoverRays& rays) const;
 
     /// The boundary of D(x) with all its components. Each cell near it is divided into 4
@@ -43,8 +44,9 @@ private:
     void sort_into_bins();
     int column(double x) const;
     int row(double y) const;
+    double far_from(const ToolReach& tool) const;
     template <typename Visit>
-    void visit_near(const ToolReach& tool, const Visit& visit) const;
+    void visit_near(const ToolReach& tool, double far, const Visit& visit) const;
 
     const BoundedPart& part_;
     const BoundProblem& problem_;

@@ -6,8 +6,8 @@
 namespace endmill {
 
 // The derivative of n = a / |a| is (a' - n (n . a')) / |a|, for a = q_u x q_v.
-RaisedJet raised_jet(const BoundedPart& part, std::size_t surface,
-                     const SurfacePoint& at, double height)
+RaisedJet raised_jet(const BoundedPart& part, std::size_t surface, const SurfacePoint& at,
+                     double height)
 {
     const SurfaceJet jet = part.surfaces[surface].jet(at.u, at.v);
     const Vec3 across = jet.du.cross(jet.dv);

@@ -20,8 +20,8 @@ struct RaisedJet {
 /// \param surface number of the surface.
 /// \param at parameters; at a border of patches those of the patch above it.
 /// \param height h in mm.
-RaisedJet raised_jet(const BoundedPart& part, std::size_t surface,
-                     const SurfacePoint& at, double height);
+RaisedJet raised_jet(const BoundedPart& part, std::size_t surface, const SurfacePoint& at,
+                     double height);
 
 /// The raised point and the area element alone, without second derivatives.
 struct RaisedPlace {

@@ -10,7 +10,8 @@ namespace endmill {
 /// the half-line from the centre upwards, or of the centre for the ball alone.
 class ToolReach {
 public:
-    /// \param problem cutter, stray and tool. \param centre of the ball, mm.
+    /// \param problem cutter, stray and tool.
+    /// \param centre of the ball, mm.
     ToolReach(const BoundProblem& problem, const Vec3& centre)
         : centre_{centre},
           reach_{problem.cutter.radius() + problem.stray},

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "endmill/bound/bound_problem.h"
-#include "endmill/bound/simple_shape.h"
+#include "endmill/bound/detail/simple_shape.h"
 #include "endmill/core/angle.h"
 
 /// \file
@@ -22,14 +22,15 @@ struct ClosedDensity {
 
 /// The density on a plane. With the flank of the tool it depends on the slope: above
 /// asin((R - h) / (R + gamma)) the flank covers uphill more than the ball.
-/// \param problem \param slope angle between normal and tool axis, below 90 degrees with the
-///        flank.
+/// \param problem cutter, tolerances and tool.
+/// \param slope angle between normal and tool axis, below 90 degrees with the flank.
 /// \throws DomainError if the slope is out of this range, or the problem not valid.
 ClosedDensity plane_density(const BoundProblem& problem, const Angle& slope);
 
 /// The density on a sphere, for the ball. For tips with gamma > 0 it includes the factor
 /// by which centres that stray are shorter.
-/// \param problem \param curvature one over the radius, positive if convex; 1/mm.
+/// \param problem cutter, tolerances and length.
+/// \param curvature one over the radius, positive if convex; 1/mm.
 /// \return nothing if the ball does not fit a concave sphere, or covers more than a
 ///         hemisphere.
 /// \throws DomainError if the problem is not valid or the curvature 0.
@@ -42,7 +43,8 @@ std::optional<ClosedDensity> cylinder_density(const BoundProblem& problem,
 
 /// The slope up to which the ball alone decides what an upright tool covers on a sphere or
 /// across a cylinder.
-/// \param problem \param curvature as for `sphere_density`.
+/// \param problem cutter and tolerances.
+/// \param curvature as for `sphere_density`.
 /// \return nothing where `sphere_density` returns nothing.
 std::optional<Angle> steepest_without_flank(const BoundProblem& problem,
                                             double curvature);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/bound/simple_shape.h"
+#include "endmill/bound/detail/simple_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,8 +106,8 @@ Bend bend_at(const Surface& surface, double side)
     const double gg = forms.g + small * forms.G;
     const Vec3 from_first = ff * jet.du - ee * jet.dv;
     const Vec3 from_second = gg * jet.du - ff * jet.dv;
-    const Vec3 longer = from_first.squaredNorm() > from_second.squaredNorm() ? from_first
-                                                                             : from_second;
+    const Vec3 longer =
+        from_first.squaredNorm() > from_second.squaredNorm() ? from_first : from_second;
     return {k, longer.normalized(), {jet.point, forms.normal}};
 }
 
@@ -128,15 +128,15 @@ std::optional<SimpleShape> simple_shape(const Surface& surface, double side)
         const auto height = [&](const Sample& s) {
             return origin.normal.dot(s.point - origin.point);
         };
-        if (!fits(samples, tolerance, height, [&](const Sample&) { return origin.normal; }))
+        if (!fits(samples, tolerance, height,
+                  [&](const Sample&) { return origin.normal; }))
             return std::nullopt;
         return SimpleShape{ShapeKind::Plane, 0, area(surface),
                            slope_of(origin.normal.z())};
     }
     const double k = std::abs(bend.k.least) > std::abs(bend.k.greatest) ? bend.k.least
                                                                         : bend.k.greatest;
-    const bool is_sphere =
-        bend.k.greatest - bend.k.least < equal_curvature * std::abs(k);
+    const bool is_sphere = bend.k.greatest - bend.k.least < equal_curvature * std::abs(k);
     const Vec3 centre = origin.point - origin.normal / k;
     const auto across = [&](const Vec3& vector) -> Vec3 {
         if (is_sphere)

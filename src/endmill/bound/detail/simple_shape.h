@@ -17,10 +17,11 @@ enum class ShapeKind {
 
 /// A surface that is a part of a plane, a sphere or a circular cylinder.
 struct SimpleShape {
-    ShapeKind kind;      ///< which one
-    double curvature;    ///< 1/mm, positive where convex: one over the radius; 0 for a plane
-    double area;         ///< mm^2
-    Angle steepest;      ///< greatest angle between the normal and +z
+    ShapeKind kind;  ///< which one
+    double
+        curvature;   ///< 1/mm, positive where convex: one over the radius; 0 for a plane
+    double area;     ///< mm^2
+    Angle steepest;  ///< greatest angle between the normal and +z
 };
 
 /// Recognises a plane, a sphere or a circular cylinder.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/bound/closed_bound.h"
+#include "endmill/bound/detail/closed_bound.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,8 +60,8 @@ double cylinder_disc_area(const RoundDisc& disc)
     for (int k = 0; k < area_steps; ++k) {
         const double t = -pi / 2 + pi * (k + 0.5) / area_steps;
         const double inner = std::sin(disc.half_angle * std::sin(t) / 2);
-        const double half = 2 * std::sqrt(disc.raised * disc.centres *
-                                          (sine - inner) * (sine + inner));
+        const double half =
+            2 * std::sqrt(disc.raised * disc.centres * (sine - inner) * (sine + inner));
         sum += 2 * half * b * std::cos(t);
     }
     return sum * pi / area_steps;
@@ -157,9 +157,8 @@ std::optional<ClosedDensity> closed_density(const BoundProblem& problem,
     if (!steepest || (problem.tool == CoveringTool::BallAndFlank &&
                       shape.steepest.radians() > steepest->radians()))
         return std::nullopt;
-    return shape.kind == ShapeKind::Sphere
-               ? sphere_density(problem, shape.curvature)
-               : cylinder_density(problem, shape.curvature);
+    return shape.kind == ShapeKind::Sphere ? sphere_density(problem, shape.curvature)
+                                           : cylinder_density(problem, shape.curvature);
 }
 
 }  // namespace endmill
