@@ -37,7 +37,7 @@ TEST(DensityGrid, ReproducesABilinearFunctionOnEverySurface)
         {test::plane(30, 20, {2, 3}), test::parallelogram({0, 40, 0}, {10, 0, 0})}};
     const DensityGrid grid{part.part(), 4};
     const auto wanted = [](std::size_t surface, const SurfacePoint& at) {
-        return 1.0 + surface + 2 * at.u + 3 * at.v + 4 * at.u * at.v;
+        return 1.0 + static_cast<double>(surface) + 2 * at.u + 3 * at.v + 4 * at.u * at.v;
     };
     std::vector<double> values(grid.nodes());
     for (const DensityCell& cell : grid.cells()) {

@@ -143,6 +143,7 @@ TEST(HelicalGroove, HasABoundBelowThePassThatCoversIt)
     BoundProblem problem{BallCutter{groove.R}, groove.h};
     problem.tool = CoveringTool::Ball;
     EstimateOptions options;
+    options.node_spacing = 3.8;
     options.random_places = 3000;
     const PathBound bound = path_bound(surfaces, sides, problem, options);
     const double pass = turns * groove.pass_per_turn();
@@ -164,8 +165,11 @@ TEST(WheelGroove, HasABoundBelowThePassThatCoversIt)
     for (Vec3& point : nurbs.control_points)
         point = {point.x(), -point.z(), point.y()};
     const test::SidedSurfaces wheel{{nurbs_surface(nurbs)}};
+    EstimateOptions options;
+    options.node_spacing = 1.4;
+    options.random_places = 2000;
     const PathBound bound =
-        path_bound(wheel.surfaces, wheel.sides, {BallCutter{R}, h}, {});
+        path_bound(wheel.surfaces, wheel.sides, {BallCutter{R}, h}, options);
     const double pass = (spine - section) * 2 * pi / 3;
     const double integral = (spine - section * std::sin(alpha) / alpha) * 2 * pi / 3;
     EXPECT_NEAR(integral, 8.20612, 1e-5);

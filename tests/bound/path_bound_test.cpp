@@ -20,21 +20,23 @@ namespace {
 using test::relative_error;
 using test::SidedSurfaces;
 
-EstimateOptions quick()
+// A coarser estimate than the default, on small parts.
+EstimateOptions quick(const BoundProblem& problem)
 {
     EstimateOptions options;
+    options.node_spacing = 1.4 * plane_half_width(problem);
     options.random_places = 2000;
     return options;
 }
 
 PathBound bound_of(const SidedSurfaces& part, const BoundProblem& problem)
 {
-    return path_bound(part.surfaces, part.sides, problem, quick());
+    return path_bound(part.surfaces, part.sides, problem, quick(problem));
 }
 
 PathBound estimate_of(const SidedSurfaces& part, const BoundProblem& problem)
 {
-    return estimated_bound(part.surfaces, part.sides, problem, quick());
+    return estimated_bound(part.surfaces, part.sides, problem, quick(problem));
 }
 
 BoundProblem with_length(BoundedLength length)
@@ -191,6 +193,17 @@ TEST(EstimatedBoundOf, APartSmallerThanADiscIsNothing)
         bound_of(SidedSurfaces{{test::saddle(64, 1)}}, test::usual_problem()).bound_mm);
     EXPECT_FALSE(
         bound_of(SidedSurfaces{{test::plane(1, 1)}}, test::usual_problem()).bound_mm);
+}
+
+// On a small part the default has nodes twice as close, which gives a larger bound.
+TEST(EstimatedBoundOf, ASmallPartHasCloserNodesByDefault)
+{
+    const SidedSurfaces part = test::dataset("sphere");
+    const BoundProblem problem = test::usual_problem();
+    const PathBound closer = estimated_bound(part.surfaces, part.sides, problem);
+    EXPECT_NEAR(closer.node_spacing_mm, 0.7 * plane_half_width(problem), 1e-12);
+    EXPECT_EQ(closer.test_places, 20000U);
+    expect_estimate(closer, 397.005210062024, 3.67699081990477);
 }
 
 TEST(EstimatedBoundOf, AScaledPartScales)

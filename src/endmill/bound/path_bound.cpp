@@ -14,8 +14,12 @@
 namespace endmill {
 namespace {
 
-// Default spacing of the nodes, as a share of the width of the disc on a plane.
-constexpr double spacing_share = 0.7;
+// Default spacing of the nodes, as shares of the width of the disc on a plane: the widest,
+// and the narrowest, which small parts take.
+constexpr double widest_share = 0.7;
+constexpr double narrowest_share = 0.35;
+// Nodes that a part has with a spacing between both.
+constexpr double usual_nodes = 4000;
 // Most nodes, about: at 6 kB each, memory stays below 200 MB.
 constexpr double most_nodes = 30000;
 constexpr std::size_t least_random_places = 1000;
@@ -26,6 +30,13 @@ void require_valid(std::span<const Surface> surfaces, std::span<const double> si
     require(!surfaces.empty(), "path_bound: need a surface");
     require(surfaces.size() == sides.size(), "path_bound: need a side for each surface");
     require_valid(problem);
+}
+
+double default_spacing(std::span<const Surface> surfaces, const BoundProblem& problem)
+{
+    const double width = 2 * plane_half_width(problem);
+    return std::clamp(std::sqrt(area(surfaces) / usual_nodes), narrowest_share * width,
+                      widest_share * width);
 }
 
 std::optional<double> positive(double bound)
@@ -90,7 +101,7 @@ PathBound estimated_bound(std::span<const Surface> surfaces,
     require(options.random_places >= least_random_places,
             "path_bound: need at least 1000 random places");
     const double wanted =
-        options.node_spacing.value_or(spacing_share * 2 * plane_half_width(problem));
+        options.node_spacing ? *options.node_spacing : default_spacing(surfaces, problem);
     require(std::isfinite(wanted) && wanted > 0,
             "path_bound: the spacing of nodes must be positive");
     require_smooth(surfaces);

@@ -111,6 +111,12 @@ CoverRays::Probe CoverRays::probe(const Ray& ray, double r) const
             raised.area};
 }
 
+// Newton's change of r^2; a step outwards where the excess does not rise.
+double CoverRays::change_of_square(const Probe& here)
+{
+    return here.slope > 0 ? -here.excess * 2 * here.r / here.slope : here.r * here.r;
+}
+
 // Newton's method in r^2, in which the excess is nearly linear, kept between points inside
 // and outside.
 CoverRays::End CoverRays::end_of(const Ray& ray, double guess)
@@ -138,8 +144,7 @@ CoverRays::End CoverRays::end_of(const Ray& ray, double guess)
             break;
         (here.excess > 0 ? outside : inside) = square;
         is_outside_known = is_outside_known || here.excess > 0;
-        const double change =
-            here.slope > 0 ? -here.excess * 2 * here.r / here.slope : square;
+        const double change = change_of_square(here);
         if (std::abs(change) <= root_accuracy * square)
             return {here, std::sqrt(square + change), true};
         square += std::min(change, 3 * square);

@@ -101,6 +101,7 @@ private:
     Ray ray_at(double angle) const;
     double border(const Ray& ray) const;
     Probe probe(const Ray& ray, double r) const;
+    static double change_of_square(const Probe& here);
     End end_of(const Ray& ray, double guess);
     void add_boundary();
     void add_last(std::size_t inside, bool is_ahead);

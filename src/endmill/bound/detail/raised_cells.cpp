@@ -52,9 +52,10 @@ struct March {
 Lattice divided(const March& march, const DensityCell& cell)
 {
     Lattice vertices;
+    std::size_t k = 0;
     for (int b = 0; b < lattice; ++b)
-        for (int a = 0; a < lattice; ++a)
-            vertices[static_cast<std::size_t>(b * lattice + a)] =
+        for (int a = 0; a < lattice; ++a, ++k)
+            vertices[k] =
                 march.vertex(cell.surface,
                              {std::lerp(cell.u.low, cell.u.high, a / double{divisions}),
                               std::lerp(cell.v.low, cell.v.high, b / double{divisions})});
