@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/bound/detail/density_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <random>
+#include <utility>
+
+#include "endmill/core/parallel.h"
+
+namespace endmill {
+namespace {
+
+// Updates at first, after the test at a quarter of the spacing and after each test at
+// random places.
+constexpr int first_updates = 40;
+constexpr int second_updates = 20;
+constexpr int later_updates = 12;
+// Tests at random places whose places join the others.
+constexpr int joining_tests = 3;
+// Step in the cells in which a random place exceeded 1, as a share of the spacing of nodes.
+constexpr double joining_step = 1.0 / 16;
+// Places of a test join the others if their inflow exceeds 1 by this.
+constexpr double accepted_excess = 5e-4;
+// Places that are tested at once, so that memory does not grow with their number.
+constexpr std::size_t batch = 4096;
+// Seeds of the random places: that of the last test, and the first one of the others.
+constexpr std::uint64_t last_seed = 1;
+constexpr std::uint64_t joining_seed = 2;
+
+double uniform(std::mt19937_64& engine)
+{
+    return std::ldexp(static_cast<double>(engine() >> 11U), -53);
+}
+
+}  // namespace
+
+DensitySearch::DensitySearch(const BoundedPart& part, const BoundProblem& problem,
+                             DensitySearchOptions options)
+    : part_{part},
+      problem_{problem},
+      options_{std::move(options)},
+      grid_{part_, options_.node_spacing},
+      sets_{part_, problem}
+{
+}
+
+// The places on a lattice in each cell, from its low corner on, about `step` mm apart
+// along the surface. Those at the high border of a patch are taken in this patch; the next
+// cell has them in its own.
+std::vector<ContactPlace> DensitySearch::lattice_places(
+    std::span<const DensityCell> cells, double step) const
+{
+    struct Steps {
+        int number;
+        int last;
+    };
+    std::vector<ContactPlace> places;
+    for (const DensityCell& cell : cells) {
+        const Surface& surface = part_.surfaces[cell.surface];
+        const auto steps = [&](Parameter along, int patch, const Interval& range,
+                               double length) -> Steps {
+            const int number = std::max(1, static_cast<int>(std::lround(length / step)));
+            const bool is_border = range.high == surface.breaks(along)[patch + 1];
+            return {number, is_border ? number : number - 1};
+        };
+        const Steps u = steps(Parameter::U, cell.i, cell.u, cell.length_u);
+        const Steps v = steps(Parameter::V, cell.j, cell.v, cell.length_v);
+        for (int b = 0; b <= v.last; ++b)
+            for (int a = 0; a <= u.last; ++a) {
+                const SurfacePoint at{
+                    std::lerp(cell.u.low, cell.u.high, a / double(u.number)),
+                    std::lerp(cell.v.low, cell.v.high, b / double(v.number))};
+                places.push_back({cell.surface, cell.i, cell.j, at});
+            }
+    }
+    return places;
+}
+
+std::vector<ContactPlace> DensitySearch::random_places(std::size_t count,
+                                                       std::uint64_t seed) const
+{
+    std::vector<double> sums;
+    double sum = 0;
+    for (const DensityCell& cell : grid_.cells())
+        sums.push_back(sum += cell.area);
+    std::mt19937_64 engine{seed};
+    std::vector<ContactPlace> places;
+    for (std::size_t k = 0; k < count; ++k) {
+        const double wanted = uniform(engine) * sum;
+        const auto found = std::ranges::upper_bound(sums, wanted) - sums.begin();
+        const std::size_t number =
+            std::min(static_cast<std::size_t>(found), sums.size() - 1);
+        const DensityCell& cell = grid_.cells()[number];
+        const double u = std::lerp(cell.u.low, cell.u.high, uniform(engine));
+        const double v = std::lerp(cell.v.low, cell.v.high, uniform(engine));
+        places.push_back({cell.surface, cell.i, cell.j, {u, v}});
+    }
+    return places;
+}
+
+DensitySearch::Tested DensitySearch::tested(const ContactPlace& place,
+                                            std::span<const double> density,
+                                            CoveredSets::Want want) const
+{
+    const auto set = sets_.set_at(place, want);
+    if (!set)
+        return {};
+    Tested result;
+    result.flows = stored_flows(set->boundary, grid_);
+    result.start = 1 / widest_strip(set->frame, problem_);
+    if (density.empty())
+        return result;
+    result.inflow = greatest_inflow(result.flows, grid_, density);
+    for (const CoveredPiece& piece : set->pieces)
+        result.disc +=
+            piece.area * grid_.value(density, grid_.place(piece.surface, piece.at));
+    return result;
+}
+
+// The first density at a node is that of the nearest place; places run through the cells
+// from their lowest node on, so that the first of each cell is the node itself.
+void DensitySearch::start_from(const std::vector<ContactPlace>& places)
+{
+    places_.resize(places.size());
+    std::vector<double> start(places.size());
+    parallel_for(places.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            Tested result = tested(places[k], {}, CoveredSets::Want::Boundary);
+            places_[k] = std::move(result.flows);
+            start[k] = result.start;
+        }
+    });
+    density_.assign(grid_.nodes(), 0);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const GridPlace at = grid_.place(places[k].surface, places[k].at);
+        const std::size_t corner = (at.u > 0.75F ? 1 : 0) + (at.v > 0.75F ? 2 : 0);
+        double& density = density_[grid_.corners(at.node)[corner]];
+        density = std::max(density, start[k]);
+    }
+}
+
+// One update; returns the greatest inflow before it.
+double DensitySearch::update()
+{
+    std::vector<double> inflow(places_.size());
+    parallel_for(places_.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            inflow[k] = greatest_inflow(places_[k], grid_, density_);
+    });
+    std::vector<double> of_cell(grid_.nodes());
+    for (std::size_t k = 0; k < places_.size(); ++k)
+        for (const StoredFlow& flow : places_[k]) {
+            double& greatest = of_cell[flow.place.node];
+            greatest = std::max(greatest, inflow[k]);
+        }
+    std::vector<double> of_node(grid_.nodes());
+    for (const DensityCell& cell : grid_.cells())
+        for (const std::uint32_t corner : grid_.corners(cell.node))
+            of_node[corner] = std::max(of_node[corner], of_cell[cell.node]);
+    for (std::size_t node = 0; node < grid_.nodes(); ++node) {
+        const double m = of_node[node];
+        density_[node] *= m == 0  ? 0
+                          : m > 1 ? 1 / std::sqrt(m)
+                                  : 1 / std::sqrt(std::sqrt(m));
+    }
+    return *std::ranges::max_element(inflow);
+}
+
+// Keeps the density with the greatest integral per greatest inflow, divided by the latter.
+void DensitySearch::improve(int updates)
+{
+    std::vector<double> best = density_;
+    double best_integral = 0;
+    for (int k = 0; k < updates; ++k) {
+        const std::vector<double> before = density_;
+        const double greatest = update();
+        if (greatest == 0)
+            break;
+        const double integral = std::inner_product(before.begin(), before.end(),
+                                                   grid_.weights().begin(), 0.0) /
+                                greatest;
+        if (integral <= best_integral)
+            continue;
+        best_integral = integral;
+        best = before;
+        for (double& density : best)
+            density /= greatest;
+    }
+    density_ = std::move(best);
+}
+
+// Adds the places whose inflow exceeds 1; returns their numbers.
+std::vector<std::size_t> DensitySearch::test(const std::vector<ContactPlace>& places)
+{
+    std::vector<std::size_t> exceeding;
+    for (std::size_t first = 0; first < places.size(); first += batch) {
+        const std::size_t count = std::min(batch, places.size() - first);
+        std::vector<Tested> results(count);
+        parallel_for(count, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k)
+                results[k] =
+                    tested(places[first + k], density_, CoveredSets::Want::Boundary);
+        });
+        for (std::size_t k = 0; k < count; ++k)
+            if (results[k].inflow > 1 + accepted_excess) {
+                places_.push_back(std::move(results[k].flows));
+                exceeding.push_back(first + k);
+            }
+    }
+    return exceeding;
+}
+
+// Tests random places, and then the cells of those that exceed 1 more closely.
+void DensitySearch::test_at_random(std::uint64_t seed)
+{
+    const std::vector<ContactPlace> places = random_places(options_.random_places, seed);
+    std::vector<std::uint32_t> nodes;
+    for (const std::size_t k : test(places))
+        nodes.push_back(grid_.place(places[k].surface, places[k].at).node);
+    std::ranges::sort(nodes);
+    std::vector<DensityCell> cells;
+    std::ranges::copy_if(grid_.cells(), std::back_inserter(cells),
+                         [&](const DensityCell& cell) {
+                             return std::ranges::binary_search(nodes, cell.node);
+                         });
+    test(lattice_places(cells, options_.node_spacing * joining_step));
+}
+
+void DensitySearch::report(double share) const
+{
+    if (options_.progress)
+        options_.progress(share);
+}
+
+std::vector<double> DensitySearch::inflows_at_random(std::span<const double> density,
+                                                     std::size_t count,
+                                                     std::uint64_t seed) const
+{
+    const std::vector<ContactPlace> places = random_places(count, seed);
+    std::vector<double> inflows(count);
+    parallel_for(count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            inflows[k] = tested(places[k], density, CoveredSets::Want::Boundary).inflow;
+    });
+    return inflows;
+}
+
+FoundDensity DensitySearch::run()
+{
+    report(0);
+    start_from(lattice_places(grid_.cells(), options_.node_spacing / 2));
+    report(0.1);
+    improve(first_updates);
+    report(0.2);
+    test(lattice_places(grid_.cells(), options_.node_spacing / 4));
+    improve(second_updates);
+    for (int k = 0; k < joining_tests; ++k) {
+        report(0.5 + 0.1 * k);
+        test_at_random(joining_seed + k);
+        improve(later_updates);
+    }
+    report(0.8);
+
+    FoundDensity found;
+    found.places = places_.size();
+    found.test_places = options_.random_places;
+    const std::vector<ContactPlace> last =
+        random_places(options_.random_places, last_seed);
+    std::vector<double> discs(last.size());
+    std::vector<double> inflows(last.size());
+    parallel_for(last.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const Tested result =
+                tested(last[k], density_, CoveredSets::Want::BoundaryAndPieces);
+            inflows[k] = result.inflow;
+            discs[k] = result.disc;
+        }
+    });
+    found.greatest_inflow = *std::ranges::max_element(inflows);
+    const double divisor = std::max(1.0, found.greatest_inflow);
+    for (double& density : density_)
+        density /= divisor;
+    found.at_nodes = density_;
+    found.integral = std::inner_product(density_.begin(), density_.end(),
+                                        grid_.weights().begin(), 0.0);
+    found.greatest_disc = *std::ranges::max_element(discs) / divisor;
+    report(1);
+    return found;
+}
+
+}  // namespace endmill

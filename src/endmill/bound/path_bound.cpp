@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/bound/path_bound.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "endmill/bound/detail/closed_bound.h"
+#include "endmill/bound/detail/density_search.h"
+#include "endmill/core/error.h"
+#include "endmill/surface/continuity.h"
+#include "endmill/surface/extent.h"
+#include "endmill/surface/largest_cutter.h"
+
+namespace endmill {
+namespace {
+
+// Default spacing of the nodes, as shares of the width of the disc on a plane: the widest,
+// and the narrowest, which small parts take.
+constexpr double widest_share = 0.7;
+constexpr double narrowest_share = 0.35;
+// Nodes that a part has with a spacing between both.
+constexpr double usual_nodes = 4000;
+// Most nodes, about: at 6 kB each, memory stays below 200 MB.
+constexpr double most_nodes = 30000;
+constexpr std::size_t least_random_places = 1000;
+
+void require_valid(std::span<const Surface> surfaces, std::span<const double> sides,
+                   const BoundProblem& problem)
+{
+    require(!surfaces.empty(), "path_bound: need a surface");
+    require(surfaces.size() == sides.size(), "path_bound: need a side for each surface");
+    require_valid(problem);
+}
+
+double default_spacing(std::span<const Surface> surfaces, const BoundProblem& problem)
+{
+    const double width = 2 * plane_half_width(problem);
+    return std::clamp(std::sqrt(area(surfaces) / usual_nodes), narrowest_share * width,
+                      widest_share * width);
+}
+
+std::optional<double> positive(double bound)
+{
+    return bound > 0 ? std::optional{bound} : std::nullopt;
+}
+
+PathBound closed_path_bound(const ClosedDensity& closed, double area, int most_pieces)
+{
+    const double density = area * closed.density_per_mm;
+    return {density, closed.disc_mm, positive(density - most_pieces * closed.disc_mm),
+            BoundGrade::Closed};
+}
+
+void require_smooth(std::span<const Surface> surfaces)
+{
+    const SurfaceContinuity found = continuity(surfaces);
+    if (found.continuity != Continuity::G1)
+        throw GeometryError{"path_bound: the part is not smooth at " +
+                            place_text(found.worst.at, found.worst.point)};
+}
+
+// The least ratio of the speeds of a centre that strays and of its place above the
+// contact: 1 - gamma max |k / (1 + k R)|.
+double stray_factor(std::span<const Surface> surfaces, std::span<const double> sides,
+                    const BoundProblem& problem)
+{
+    if (problem.length == BoundedLength::Contact || problem.stray == 0)
+        return 1;
+    const auto range = curvature_range(surfaces, sides);
+    const double R = problem.cutter.radius();
+    double greatest = 0;
+    for (const double k : {range ? range->least : 0, range ? range->greatest : 0})
+        greatest = std::max(
+            greatest, 1 + k * R > 0 ? std::abs(k) / (1 + k * R) : 1 / problem.stray);
+    return std::max(0.0, 1 - problem.stray * greatest);
+}
+
+}  // namespace
+
+std::string_view bound_grade_name(BoundGrade grade)
+{
+    return grade == BoundGrade::Closed ? "closed" : "estimated";
+}
+
+PathBound path_bound(std::span<const Surface> surfaces, std::span<const double> sides,
+                     const BoundProblem& problem, const EstimateOptions& options)
+{
+    require_valid(surfaces, sides, problem);
+    if (surfaces.size() == 1)
+        if (const auto shape = simple_shape(surfaces.front(), sides.front()))
+            if (const auto closed = closed_density(problem, *shape))
+                return closed_path_bound(*closed, shape->area, problem.most_pieces);
+    return estimated_bound(surfaces, sides, problem, options);
+}
+
+PathBound estimated_bound(std::span<const Surface> surfaces,
+                          std::span<const double> sides, const BoundProblem& problem,
+                          const EstimateOptions& options)
+{
+    require_valid(surfaces, sides, problem);
+    require(options.random_places >= least_random_places,
+            "path_bound: need at least 1000 random places");
+    const double wanted =
+        options.node_spacing ? *options.node_spacing : default_spacing(surfaces, problem);
+    require(std::isfinite(wanted) && wanted > 0,
+            "path_bound: the spacing of nodes must be positive");
+    require_smooth(surfaces);
+    const double spacing = std::max(wanted, std::sqrt(area(surfaces) / most_nodes));
+    DensitySearch search{
+        {surfaces, sides}, problem, {spacing, options.random_places, options.progress}};
+    const FoundDensity found = search.run();
+    const double factor = stray_factor(surfaces, sides, problem);
+    const double density = factor * found.integral;
+    const double disc = factor * found.greatest_disc;
+    return {density,
+            disc,
+            positive(density - problem.most_pieces * disc),
+            BoundGrade::Estimated,
+            found.greatest_inflow,
+            found.places,
+            found.test_places,
+            spacing};
+}
+
+}  // namespace endmill

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "endmill/bound/bound_problem.h"
+#include "endmill/surface/surface.h"
+
+/// \file
+/// A lower bound of the length of every path of a ball-end mill that covers a part.
+
+namespace endmill {
+
+/// How certain a bound is.
+enum class BoundGrade {
+    Closed,     ///< a closed form, proved; certain up to rounding
+    Estimated,  ///< the condition of the bound was tested at many places, not proved
+};
+
+/// The name of a grade: "closed" or "estimated".
+std::string_view bound_grade_name(BoundGrade grade);
+
+/// A lower bound of path length, with the numbers behind it.
+struct PathBound {
+    double density_mm;  ///< integral of the density g over the part
+    double disc_mm;     ///< G: greatest integral of g over the set that one place covers
+    /// The bound, density_mm - m disc_mm, for paths of at most m pieces; nothing if that
+    /// is not positive, which happens on parts little larger than a disc.
+    std::optional<double> bound_mm;
+    BoundGrade grade;  ///< closed or estimated
+    /// Greatest inflow at the random places of the last test, before the density was
+    /// divided by it; 1 for closed forms. It says how well the density was known.
+    double greatest_inflow = 1;
+    std::size_t places = 0;       ///< places that limited the density; 0 for closed forms
+    std::size_t test_places = 0;  ///< random places of the last test
+    double node_spacing_mm = 0;   ///< of the density's nodes; 0 for closed forms
+};
+
+/// How a bound is estimated. The defaults take a few seconds on 200 x 120 mm.
+struct EstimateOptions {
+    /// Spacing in mm of the density's nodes along the surface. The default is 0.7 of the
+    /// width that the ball covers on a plane; on parts that then have fewer than 4000
+    /// nodes it is smaller, down to half of that. Smaller ones give larger bounds, by
+    /// 0.6 % at most on the surfaces tried, and need time and memory as one over the
+    /// square.
+    std::optional<double> node_spacing = std::nullopt;
+    /// Random places of each of four tests, from fixed seeds; at least 1000.
+    std::size_t random_places = 20000;
+    /// Called with the share of the work that is done, 0 to 1.
+    std::function<void(double share)> progress = {};
+};
+
+/// The bound for a part: in closed form if the part is one plane, sphere or circular
+/// cylinder, recognised to 1e-9 of its size, on which the flank of the tool plays no role
+/// or whose slope is constant; else estimated.
+///
+/// The bound holds for paths with these properties:
+/// - Each of at most m pieces keeps the ball in contact with the part, its centre within
+///   gamma of the place above the contact. A link that is lifted by less than h counts as
+///   a cut.
+/// - The path leaves no more than h anywhere, up to an area of zero.
+///
+/// \param surfaces of the part. Places that the ball does not fit are not contacts; what
+///        only such places could cover does not count.
+/// \param sides from tool_side_signs, one for each surface.
+/// \param problem cutter, tolerances, and which length is bounded.
+/// \param options of the estimate.
+/// \throws DomainError if there are no surfaces, the numbers of surfaces and sides differ,
+///         or the problem or an option is out of range.
+/// \throws GeometryError for contacts of a part that is not smooth (G1): at a crease the
+///         ball pivots, and contacts do not move. Bounds of tips are not offered there
+///         either.
+/// \return the same numbers for any number of threads.
+PathBound path_bound(std::span<const Surface> surfaces, std::span<const double> sides,
+                     const BoundProblem& problem, const EstimateOptions& options = {});
+
+/// The bound by the estimate, also where a closed form is known.
+PathBound estimated_bound(std::span<const Surface> surfaces,
+                          std::span<const double> sides, const BoundProblem& problem,
+                          const EstimateOptions& options = {});
+
+}  // namespace endmill
