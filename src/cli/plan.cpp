@@ -56,7 +56,7 @@ void complete(PlanOptions& options, std::span<const Surface> surfaces, double di
         throw DomainError{"--scallop " + to_text(planning.scallop_height) +
                           ": expected a height below the ball's diameter, " +
                           to_text(diameter) + " mm"};
-    if (options.strategy != PlanStrategy::Iso && planning.scallop_height >= diameter / 2)
+    if (options.strategy != PassLayout::Iso && planning.scallop_height >= diameter / 2)
         throw DomainError{"--scallop " + to_text(planning.scallop_height) +
                           ": expected a height below the ball's radius, " +
                           to_text(diameter / 2) + " mm, with --strategy " +
@@ -116,7 +116,7 @@ ExitCode run_plan(PlanOptions options)
                         options.common.full_folder};
     folder.protect(options.part);
     const PlanTask task{surfaces, context, options};
-    const PlanResult result = options.strategy == PlanStrategy::Iso
+    const PlanResult result = options.strategy == PassLayout::Iso
                                   ? write_plan(task, folder)
                                   : write_strategy_plan(task, folder);
     folder.publish();
@@ -144,7 +144,8 @@ void add_plan_command(CLI::App& program, Action& action)
         "replaces the files of an earlier run.\n\n"
         "Exit 1: a path gouges the part deeper than the inner tolerance (--mode paper "
         "may),\n"
-        "--mode verified finds places that no pass covers, such as a crease, or a path by\n"
+        "--mode verified finds places that no pass covers, such as a crease, or a path "
+        "by\n"
         "--strategy iso-scallop is not judged clean.\n\n"
         "Example:\n"
         "  endmill plan datasets/surfaces/saddle.json\n"

@@ -45,8 +45,10 @@ constexpr std::array modes{Choice<Planner>{"verified", Planner::Verified},
                            Choice<Planner>{"paper", Planner::Paper}};
 
 constexpr std::array strategies{
-    Choice<PlanStrategy>{"iso", PlanStrategy::Iso},
-    Choice<PlanStrategy>{"iso-scallop", PlanStrategy::IsoScallop}};
+    Choice<PassLayout>{"iso", PassLayout::Iso},
+    Choice<PassLayout>{"iso-scallop", PassLayout::IsoScallop}};
+
+constexpr std::array bounds{Choice<bool>{"estimated", true}, Choice<bool>{"none", false}};
 
 // Options of passes along parameter lines only.
 constexpr std::array iso_options{"--direction", "--outer-tolerance", "--stop-at-borders",
@@ -170,11 +172,15 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_tolerances(command, options);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
                               "parameter along which the passes run (default both)");
-    add_choice<PlanStrategy>(
+    add_choice<PassLayout>(
         command, "--strategy", options.strategy, strategies,
         "how passes are laid. iso (default): along parameter lines; iso-scallop: each as "
         "far from the passes before it as the scallop height allows, which is shorter on "
         "most parts; --scallop then limits all remaining stock");
+    add_choice<bool>(
+        command, "--bound", options.is_bounded, bounds,
+        "lower bound of the length, with which a path by --strategy iso-scallop is "
+        "compared. estimated (default): takes some seconds; none: not computed");
     add_choice<Planner>(
         command, "--mode", options.mode, modes,
         "verified (default): every move is proved to be within "
@@ -233,8 +239,11 @@ void refuse_idle_plan_options(const PlanOptions& options)
 {
     const CommonOptions& common = options.common;
     refuse_zero_tolerances(options);
-    if (options.strategy != PlanStrategy::Iso)
+    if (options.strategy != PassLayout::Iso)
         refuse_for_strategy(options);
+    else
+        refuse_idle_options(common, std::array{"--bound"}, "--strategy iso",
+                            "--strategy iso-scallop");
     if (options.mode == Planner::Verified)
         refuse_idle_options(common, paper_options, "--mode verified", "--mode paper");
     if (options.mode == Planner::Verified && options.requested.inner &&
@@ -250,9 +259,9 @@ void refuse_idle_plan_options(const PlanOptions& options)
                             "--direction both or --feed");
 }
 
-std::string strategy_word(PlanStrategy strategy)
+std::string strategy_word(PassLayout strategy)
 {
-    return std::string{word_for<PlanStrategy>(strategy, strategies)};
+    return std::string{word_for<PassLayout>(strategy, strategies)};
 }
 
 std::string mode_word(Planner mode)

@@ -15,7 +15,7 @@ namespace endmill {
 enum class PlanDirection { U, V, Both };
 
 /// How the passes of a plan are laid.
-enum class PlanStrategy {
+enum class PassLayout {
     Iso,         ///< along parameter lines
     IsoScallop,  ///< each as far from the passes before it as the scallop height allows
 };
@@ -30,7 +30,8 @@ struct PlanOptions {
     std::optional<double> feed_mm_per_min;
     PlanDirection direction = PlanDirection::Both;
     Planner mode = Planner::Verified;
-    PlanStrategy strategy = PlanStrategy::Iso;
+    PassLayout strategy = PassLayout::Iso;
+    bool is_bounded = true;  ///< whether a path by a strategy is compared with the bound
     TravelKind distance = TravelKind::Contact;
     CountedMoves counted = CountedMoves::CutsAndLinks;
     RequiredContinuity required = RequiredContinuity::None;
@@ -48,7 +49,7 @@ void refuse_idle_plan_options(const PlanOptions& options);
 /// The word for `mode` in summaries.
 std::string mode_word(Planner mode);
 /// The word for `strategy` in summaries.
-std::string strategy_word(PlanStrategy strategy);
+std::string strategy_word(PassLayout strategy);
 
 /// The options of the planner along `along`.
 PlannerOptions planner_options(const PlanOptions& options, Parameter along);

@@ -13,11 +13,14 @@
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
+#include "endmill/bound/path_bound.h"
+#include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/vtk.h"
 #include "endmill/planning/economy.h"
 #include "endmill/strategy/strategy.h"
+#include "endmill/surface/tool_side.h"
 #include "endmill/verification/verification.h"
 
 namespace endmill {
@@ -36,8 +39,8 @@ Deviation measured(const PlanTask& task, const ToolPath& path,
         Cutter::ball(radius), {limits, LimitProof::None, progress.shower()});
 }
 
-Json summary_of(const PlanTask& task, const StrategyPlan& plan, const Deviation& deviation,
-                const DeviationLimits& limits)
+Json summary_of(const PlanTask& task, const StrategyPlan& plan,
+                const Deviation& deviation, const DeviationLimits& limits)
 {
     const auto& [surfaces, context, options] = task;
     const PathEconomy economy = path_economy(plan.path);
@@ -77,6 +80,52 @@ Json summary_of(const PlanTask& task, const StrategyPlan& plan, const Deviation&
     return summary;
 }
 
+// Compares the length of the cuts with the bound for every path that covers the part.
+void add_bound(Json& summary, const PlanTask& task, const StrategyPlan& plan,
+               ProgressLine& progress)
+{
+    progress.begin("bounding the length");
+    const std::vector<double> sides =
+        tool_side_signs(task.surfaces, task.options.planning.link.axis);
+    BoundProblem problem{BallCutter{task.context.cutter_diameter / 2},
+                         task.options.planning.scallop_height};
+    problem.stray = plan.stray_mm;
+    problem.most_pieces = static_cast<int>(plan.pieces);
+    EstimateOptions estimate;
+    estimate.progress = progress.shower();
+    summary["bound_gamma_mm"] = plan.stray_mm;
+    try {
+        const PathBound bound = path_bound(task.surfaces, sides, problem, estimate);
+        summary["bound_density_mm"] = bound.density_mm;
+        summary["bound_disc_mm"] = bound.disc_mm;
+        summary["bound_mm"] = bound.bound_mm ? Json(*bound.bound_mm) : Json(nullptr);
+        summary["bound_grade"] = bound_grade_name(bound.grade);
+        summary["travel_over_bound"] =
+            bound.bound_mm
+                ? Json(summary["cut_contact_mm"].get<double>() / *bound.bound_mm)
+                : Json(nullptr);
+    } catch (const GeometryError&) {
+        // there is none for a part with creases
+        for (const char* key : {"bound_density_mm", "bound_disc_mm", "bound_mm",
+                                "bound_grade", "travel_over_bound"})
+            summary[key] = nullptr;
+    }
+}
+
+std::string bound_text(const Json& s)
+{
+    if (!s.contains("bound_mm"))
+        return {};
+    if (s["bound_mm"].is_null())
+        return "  lower bound   none: the part has creases, or is little larger than "
+               "what the "
+               "ball covers at rest\n";
+    return fmt::format("  lower bound   {} mm ({}); the cuts are {:.3f} times as long\n",
+                       shown(s["bound_mm"].get<double>()),
+                       s["bound_grade"].get<std::string>(),
+                       s["travel_over_bound"].get<double>());
+}
+
 std::string report(const Json& s, const StrategyPlan& plan, const DeviationLimits& limits)
 {
     const auto number = [&](const char* key) { return s[key].get<double>(); };
@@ -84,18 +133,24 @@ std::string report(const Json& s, const StrategyPlan& plan, const DeviationLimit
                                  ? "unknown"
                                  : shown_against(number("max_left_mm"), limits.scallop);
     return fmt::format(
-        "  {}   {} passes in {}, {}; cut {} mm by contacts, {} mm by tips, links {} mm, "
-        "{} lifted\n"
-        "  judged        {}: gouge {} mm (limit {}), remaining {} mm (limit {}){}\n",
-        s["strategy"].get<std::string>(), s["passes"].get<std::size_t>(),
-        counted(plan.pieces, "piece"), counted(s["ncl"].get<std::size_t>(), "point"),
-        shown(number("cut_contact_mm")), shown(number("cut_tip_mm")),
-        shown(number("link_mm")), plan.lifted_links, s["verdict"].get<std::string>(),
-        shown_against(number("max_gouge_mm"), limits.tolerance),
-        shown_limit(limits.tolerance), left, shown_limit(limits.scallop),
-        plan.uncovered.empty()
-            ? std::string{}
-            : fmt::format("; not covered: {}", counted(plan.uncovered.size(), "place")));
+               "  {}   {} passes in {}, {}; cut {} mm by contacts, {} mm by tips, links "
+               "{} mm, "
+               "{} lifted\n"
+               "  judged        {}: gouge {} mm (limit {}), remaining {} mm (limit "
+               "{}){}\n",
+               s["strategy"].get<std::string>(), s["passes"].get<std::size_t>(),
+               counted(plan.pieces, "piece"),
+               counted(s["ncl"].get<std::size_t>(), "point"),
+               shown(number("cut_contact_mm")), shown(number("cut_tip_mm")),
+               shown(number("link_mm")), plan.lifted_links,
+               s["verdict"].get<std::string>(),
+               shown_against(number("max_gouge_mm"), limits.tolerance),
+               shown_limit(limits.tolerance), left, shown_limit(limits.scallop),
+               plan.uncovered.empty()
+                   ? std::string{}
+                   : fmt::format("; not covered: {}",
+                                 counted(plan.uncovered.size(), "place"))) +
+           bound_text(s);
 }
 
 // The figure's title and caption.
@@ -104,10 +159,9 @@ FigureOptions strategy_figure(const Json& s)
     FigureOptions figure;
     figure.title = s["name"].get<std::string>() + ": contact points in cutting order, " +
                    s["strategy"].get<std::string>();
-    figure.captions = {fmt::format("{}, scallop height {:g} mm, {} points",
-                                   s["cutter"].get<std::string>(),
-                                   s["scallop_mm"].get<double>(),
-                                   s["ncl"].get<std::size_t>())};
+    figure.captions = {fmt::format(
+        "{}, scallop height {:g} mm, {} points", s["cutter"].get<std::string>(),
+        s["scallop_mm"].get<double>(), s["ncl"].get<std::size_t>())};
     return figure;
 }
 
@@ -116,11 +170,11 @@ void warn_of_uncovered(const StrategyPlan& plan, const CommonOptions& options)
     if (plan.uncovered.empty())
         return;
     const UncoveredPlace& first = plan.uncovered.front();
-    warn(options, fmt::format("more than the scallop height may remain at {}, together "
-                              "{} mm2; the first is at {} of patch {}",
-                              counted(plan.uncovered.size(), "place"),
-                              shown(plan.uncovered_mm2), place_text(first.at, first.point),
-                              first.patch));
+    warn(options,
+         fmt::format("more than the scallop height may remain at {}, together "
+                     "{} mm2; the first is at {} of patch {}",
+                     counted(plan.uncovered.size(), "place"), shown(plan.uncovered_mm2),
+                     place_text(first.at, first.point), first.patch));
 }
 
 }  // namespace
@@ -144,6 +198,8 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     const DeviationLimits limits{options.motion.inner, strategy.scallop_height};
     const Deviation deviation = measured(task, plan.path, limits, progress);
     Json summary = summary_of(task, plan, deviation, limits);
+    if (options.is_bounded)
+        add_bound(summary, task, plan, progress);
     add_path_totals(summary["path"], path_totals(plan.path));
     summary["path"]["points"] = plan.path.points.size();
     name_part(summary, {options.part}, folder.path());

@@ -94,8 +94,8 @@ public:
     {
         const std::size_t done = ++done_;
         if (*progress_)
-            (*progress_)(std::lerp(from_, to_,
-                                   static_cast<double>(done) / static_cast<double>(items_)));
+            (*progress_)(std::lerp(
+                from_, to_, static_cast<double>(done) / static_cast<double>(items_)));
     }
 
 private:
@@ -115,7 +115,8 @@ Trial trial(const PartSamples& samples, const MarchStart& start, const BallCutte
             double height, int bending_rounds)
 {
     Coverage coverage{samples, cutter, layout_share * height};
-    std::vector<LaidPass> passes = lay_passes(coverage, start, slack_share * height, bending_rounds);
+    std::vector<LaidPass> passes =
+        lay_passes(coverage, start, slack_share * height, bending_rounds);
     const double sum = cost(passes, strip_width(cutter, height));
     return {std::move(passes), sum};
 }
@@ -151,7 +152,8 @@ std::vector<MarchStart> best_starts(const PartSamples& samples, const BallCutter
 {
     const double height = options.scallop_height;
     const std::vector<MarchStart> starts = march_starts(samples);
-    ShareCounter counter{options.progress, 0, ranked_share, starts.size() + 2 * finalists};
+    ShareCounter counter{options.progress, 0, ranked_share,
+                         starts.size() + 2 * finalists};
     std::vector<RankedStart> known = ranked(starts, samples, cutter, height, counter);
     std::vector<MarchStart> further;
     std::size_t directions = 0;
@@ -179,9 +181,8 @@ struct LaidPasses {
     std::vector<LaidPass> passes;
 };
 
-LaidPasses best_passes(std::span<const Surface> surfaces,
-                                  std::span<const double> sides, const BallCutter& cutter,
-                                  const StrategyOptions& options)
+LaidPasses best_passes(std::span<const Surface> surfaces, std::span<const double> sides,
+                       const BallCutter& cutter, const StrategyOptions& options)
 {
     const double height = options.scallop_height;
     const double width = strip_width(cutter, height);
@@ -204,8 +205,9 @@ LaidPasses best_passes(std::span<const Surface> surfaces,
 }
 
 // All passes divided into moves, in their order.
-std::vector<LaidPass> divided(std::span<const LaidPass> passes, const PartSamples& samples,
-                              const ClearMoves& clear, double height)
+std::vector<LaidPass> divided(std::span<const LaidPass> passes,
+                              const PartSamples& samples, const ClearMoves& clear,
+                              double height)
 {
     const MoveLimits limits{layout_share * height, move_share * height};
     std::vector<std::vector<LaidPass>> parts(passes.size());
@@ -240,7 +242,8 @@ Pass contacts_of(const LaidPass& piece, const OrderedPiece& order)
 
 // The pieces in an order with short links.
 std::vector<PassPiece> in_cutting_order(std::span<const LaidPass> pieces,
-                                        const BallCutter& cutter, const LinkOptions& options)
+                                        const BallCutter& cutter,
+                                        const LinkOptions& options)
 {
     const auto tip = [&](const PassContact& contact) {
         return locate(cutter, contact.at.contact, options.axis).tip;
@@ -261,8 +264,8 @@ std::vector<PassPiece> in_cutting_order(std::span<const LaidPass> pieces,
     }
     std::vector<PassPiece> ordered;
     for (const OrderedPiece& place : order_pieces(ends).pieces)
-        ordered.push_back({static_cast<int>(ordered.size()),
-                           contacts_of(pieces[place.piece], place)});
+        ordered.push_back(
+            {static_cast<int>(ordered.size()), contacts_of(pieces[place.piece], place)});
     return ordered;
 }
 
@@ -285,7 +288,8 @@ std::vector<UncoveredTriangle> uncovered_by(std::span<const LaidPass> pieces,
         const Triangle& triangle = samples.triangles()[number];
         std::optional<MissedPlace> worst;
         for (const std::int32_t i : triangle)
-            if (const double gap = coverage.gaps()[i]; gap > 0 && (!worst || gap > worst->gap))
+            if (const double gap = coverage.gaps()[i];
+                gap > 0 && (!worst || gap > worst->gap))
                 worst = {samples.parameters(i), i, gap};
         if (!worst)
             for (const MissedPlace& place :
@@ -325,9 +329,9 @@ NearestContact nearest_contact(std::span<const LaidPass> passes, const Vec3& pla
 
 // Bends the nearest pass towards each place just so far that its ball reaches the place.
 // \param excess by what factor the bend exceeds its first-order value.
-void bend_passes(std::vector<LaidPass>& passes, std::span<const UncoveredTriangle> uncovered,
-                 const PartSamples& samples, const BallCutter& cutter, double height,
-                 double excess)
+void bend_passes(std::vector<LaidPass>& passes,
+                 std::span<const UncoveredTriangle> uncovered, const PartSamples& samples,
+                 const BallCutter& cutter, double height, double excess)
 {
     // the gap decreases by about half_width / R per mm of bend
     const double half_width = strip_width(cutter, height) / 2;
@@ -348,8 +352,8 @@ void bend_passes(std::vector<LaidPass>& passes, std::span<const UncoveredTriangl
                                             std::lerp(from.at.v, aim.at.v, share)},
                                            from.near);
         bent.is_required = true;
-        contacts.insert(contacts.begin() + static_cast<std::ptrdiff_t>(nearest.contact) + 1,
-                        bent);
+        contacts.insert(
+            contacts.begin() + static_cast<std::ptrdiff_t>(nearest.contact) + 1, bent);
     }
 }
 
@@ -396,6 +400,10 @@ StrategyPlan plan_iso_scallop(std::span<const Surface> surfaces, const BallCutte
     StrategyPlan plan;
     plan.passes = laid.passes.size();
     plan.pieces = pieces.size();
+    // a lift by t takes t cos(a) from the reach of the points around a contact
+    plan.stray_mm =
+        std::max(options.inner_tolerance,
+                 move_share * height * cutter.radius() / (cutter.radius() - height));
     for (const auto& [area, place] : uncovered) {
         plan.uncovered_mm2 += area;
         plan.uncovered.push_back(
@@ -404,15 +412,17 @@ StrategyPlan plan_iso_scallop(std::span<const Surface> surfaces, const BallCutte
     }
     const auto is_clear = [&](const SurfaceContact& from, const SurfaceContact& to) {
         FinerPieces finer;
-        return clear.is_clear({ball_centre(from, cutter), ball_centre(to, cutter)}, finer);
+        return clear.is_clear({ball_centre(from, cutter), ball_centre(to, cutter)},
+                              finer);
     };
-    LinkedPath linked = link_pieces(in_cutting_order(pieces, cutter, options.link), cutter,
-                                    options.link, is_clear);
+    LinkedPath linked = link_pieces(in_cutting_order(pieces, cutter, options.link),
+                                    cutter, options.link, is_clear);
     plan.path = std::move(linked.path);
     plan.lifted_links = linked.lifted_links;
     if (plan.path.points.empty())
-        throw GeometryError{"the ball fits nowhere on the part without entering it by more "
-                            "than the inner tolerance"};
+        throw GeometryError{
+            "the ball fits nowhere on the part without entering it by more "
+            "than the inner tolerance"};
     return plan;
 }
 

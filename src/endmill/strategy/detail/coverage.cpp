@@ -32,9 +32,9 @@ void Coverage::watch(std::span<const SampleEdge> places)
         const std::int32_t i = place.share < 0.5 ? place.from : place.to;
         if (first_watched_[i] < 0)
             watching_.push_back(i);
-        watched_.push_back({(1 - place.share) * raised(place.from) +
-                                place.share * raised(place.to),
-                            first_watched_[i]});
+        watched_.push_back(
+            {(1 - place.share) * raised(place.from) + place.share * raised(place.to),
+             first_watched_[i]});
         first_watched_[i] = static_cast<std::int32_t>(watched_.size() - 1);
     }
     watched_gaps_.assign(places.size(), cutter_.radius());
@@ -80,7 +80,8 @@ void Coverage::withdraw()
         nearest_move_[sample] = move;
     }
     changes_.clear();
-    moves_.erase(moves_.begin() + static_cast<std::ptrdiff_t>(accepted_moves_), moves_.end());
+    moves_.erase(moves_.begin() + static_cast<std::ptrdiff_t>(accepted_moves_),
+                 moves_.end());
     std::fill(watched_gaps_.begin(), watched_gaps_.end(), cutter_.radius());
 }
 

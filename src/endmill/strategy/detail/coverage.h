@@ -60,15 +60,15 @@ private:
 
 /// A place that no move covers.
 struct MissedPlace {
-    SurfacePoint at;       ///< parameters
-    std::int32_t near;     ///< number of a sample beside it
-    double gap;            ///< beyond the reach of the nearest move, mm
+    SurfacePoint at;    ///< parameters
+    std::int32_t near;  ///< number of a sample beside it
+    double gap;         ///< beyond the reach of the nearest move, mm
 };
 
 /// What the moves of a path have covered so far. The gap of a sample is the amount by
 /// which the sample, raised along its normal by the scallop height, lies beyond the reach
 /// of the nearest move; see beyond_reach. A sample is covered if its gap is not positive.
-/// Source: docs/methods/economy.md, section 1.
+/// Source: docs/methods/iso-scallop.md, section 1.
 class Coverage {
 public:
     /// \param samples of the part, with the tool axis along +z; must outlive this object.

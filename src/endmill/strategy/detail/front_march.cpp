@@ -42,7 +42,8 @@ LaidPass pass_on(const LevelLine& line, const PartSamples& samples)
         const PassContact contact = samples.contact(line.places[k]);
         const bool is_last = k + 1 == line.places.size();
         if (pass.contacts.empty() ||
-            (contact.at.contact.point - pass.contacts.back().at.contact.point).norm() >= least)
+            (contact.at.contact.point - pass.contacts.back().at.contact.point).norm() >=
+                least)
             pass.contacts.push_back(contact);
         else if (is_last && !line.is_closed && pass.contacts.size() > 1)
             pass.contacts.back() = contact;
@@ -156,8 +157,8 @@ std::vector<LaidPass> FrontMarch::trial_passes(std::span<const double> bend)
     for (std::size_t k = 0; k < measured_.size(); ++k)
         bent_[measured_[k]] = reach_[measured_[k]] + bend[k];
     std::vector<LaidPass> passes;
-    for (const LevelLine& line :
-         where_positive(level_lines(*samples_, bent_, measured_), coverage_->gaps(), slack_))
+    for (const LevelLine& line : where_positive(level_lines(*samples_, bent_, measured_),
+                                                coverage_->gaps(), slack_))
         passes.push_back(pass_on(line, *samples_));
     return passes;
 }
@@ -215,7 +216,8 @@ bool FrontMarch::step(std::span<const SampleEdge> front)
             least_missed = missed;
             best_bend = bend;
         }
-        if (round == rounds_ || missed == 0 || is_stuck || !bend_towards(left, front, bend))
+        if (round == rounds_ || missed == 0 || is_stuck ||
+            !bend_towards(left, front, bend))
             break;
     }
     if (bend != best_bend)
@@ -272,7 +274,8 @@ std::vector<FrontMarch::Island> FrontMarch::islands()
 }
 
 bool FrontMarch::bend_towards(std::span<const Island> islands,
-                              std::span<const SampleEdge> front, std::vector<double>& bend)
+                              std::span<const SampleEdge> front,
+                              std::vector<double>& bend)
 {
     const double radius = coverage_->cutter().radius();
     const double height = coverage_->height();
@@ -289,7 +292,9 @@ bool FrontMarch::bend_towards(std::span<const Island> islands,
         }
     };
     for (const Island& island : islands)
-        for (const std::int32_t i : is_notch(island) ? std::span<const std::int32_t>{island.samples} : std::span<const std::int32_t>{})
+        for (const std::int32_t i : is_notch(island)
+                                        ? std::span<const std::int32_t>{island.samples}
+                                        : std::span<const std::int32_t>{})
             want(i, std::min(bend_excess * (coverage_->gaps()[i] - slack_) + slack_,
                              greatest_bend * height));
     for (std::size_t k = 0; k < front.size(); ++k) {
@@ -310,7 +315,8 @@ bool FrontMarch::bend_towards(std::span<const Island> islands,
         if (value < wanted_[i])
             continue;
         for (const std::int32_t neighbour : samples_->neighbours(i)) {
-            const double distance = (samples_->point(neighbour) - samples_->point(i)).norm();
+            const double distance =
+                (samples_->point(neighbour) - samples_->point(i)).norm();
             // 1 / (1 + d + d^2 / 2) is close to exp(-d) and quicker
             const double decay = distance / (bend_decay * half_width);
             const double less = value / (1 + decay + decay * decay / 2);

@@ -28,7 +28,7 @@ struct LaidPass {
 /// In a notch of the front the ball on that line may not reach the front. What is left
 /// uncovered there is an island between front and pass. The line is bent towards it,
 /// and islands that remain get a pass along their middle.
-/// Source: docs/methods/economy.md, section 3.
+/// Source: docs/methods/iso-scallop.md, section 2.
 class FrontMarch {
 public:
     /// \param coverage what is covered so far; passes are added to it.
@@ -58,7 +58,8 @@ private:
     // A component of uncovered samples that the front surrounds.
     struct Island {
         std::vector<std::int32_t> samples;
-        double beside_pass;  // share of the surrounding samples that the last pass covered
+        double
+            beside_pass;  // share of the surrounding samples that the last pass covered
     };
 
     std::vector<LevelLine> current_front();
@@ -83,14 +84,14 @@ private:
     int rounds_;
     SampleWalk walk_;
     SampleWalk inner_walk_;
-    std::vector<double> reach_;             // of each sample, mm; R where no front is near
-    std::vector<std::int32_t> measured_;    // samples with a reach
-    std::vector<double> wanted_;            // bend at each sample, mm; 0 between calls
-    std::vector<std::int32_t> wanting_;     // samples with a bend
-    std::vector<MissedPlace> missed_places_;  // of the last trial
-    std::vector<bool> is_new_;              // false between calls
-    std::vector<bool> is_seen_;             // false between calls
-    std::vector<double> bent_;              // reach with bend
+    std::vector<double> reach_;           // of each sample, mm; R where no front is near
+    std::vector<std::int32_t> measured_;  // samples with a reach
+    std::vector<double> wanted_;          // bend at each sample, mm; 0 between calls
+    std::vector<std::int32_t> wanting_;   // samples with a bend
+    std::vector<MissedPlace> missed_places_;   // of the last trial
+    std::vector<bool> is_new_;                 // false between calls
+    std::vector<bool> is_seen_;                // false between calls
+    std::vector<double> bent_;                 // reach with bend
     std::vector<std::int32_t> front_samples_;  // covered, with a neighbour that is not
     std::vector<LaidPass> passes_;
 };

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdint>
 
 namespace endmill {
 namespace {
@@ -26,9 +25,11 @@ struct SegmentEnd {
 
 // Adds the ends of the segment in a triangle, if there is one.
 void add_segment(const Triangle& triangle, const PartSamples& samples,
-                 std::span<const double> values, double level, std::vector<SegmentEnd>& ends)
+                 std::span<const double> values, double level,
+                 std::vector<SegmentEnd>& ends)
 {
-    const std::array<double, 3> own{values[triangle[0]] - level, values[triangle[1]] - level,
+    const std::array<double, 3> own{values[triangle[0]] - level,
+                                    values[triangle[1]] - level,
                                     values[triangle[2]] - level};
     const std::array<bool, 3> below{own[0] < 0, own[1] < 0, own[2] < 0};
     if (below[0] == below[1] && below[1] == below[2])
@@ -67,9 +68,9 @@ std::vector<SegmentEnd> segment_ends(const PartSamples& samples,
             continue;
         for (const std::int32_t number : samples.triangles_at(i)) {
             const auto& [a, b, c] = triangles[number];
-            const std::int32_t least =
-                values[a] < level ? a : values[b] < level ? b : c;
-            if (least == i && !(values[a] < level && values[b] < level && values[c] < level))
+            const std::int32_t least = values[a] < level ? a : values[b] < level ? b : c;
+            if (least == i &&
+                !(values[a] < level && values[b] < level && values[c] < level))
                 crossed.push_back(number);
         }
     }

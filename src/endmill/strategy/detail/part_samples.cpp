@@ -2,12 +2,13 @@
 #include "endmill/strategy/detail/part_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <array>
+#include <iomanip>
 #include <numeric>
 #include <optional>
-#include <string>
+#include <sstream>
 #include <unordered_map>
 
 #include "endmill/core/error.h"
@@ -42,7 +43,8 @@ std::vector<double> first_lines(const Surface& surface, Parameter along)
     std::vector<double> lines{breaks.front()};
     for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
         for (int step = 1; step < first_steps; ++step)
-            lines.push_back(std::lerp(breaks[k], breaks[k + 1], step / double{first_steps}));
+            lines.push_back(
+                std::lerp(breaks[k], breaks[k + 1], step / double{first_steps}));
         lines.push_back(breaks[k + 1]);
     }
     return lines;
@@ -64,6 +66,16 @@ std::vector<NetEdge> net_edges(std::span<const Triangle> triangles,
         }
     std::sort(edges.begin(), edges.end());
     return edges;
+}
+
+[[noreturn]] void throw_too_many(double needed, std::size_t most_samples)
+{
+    std::ostringstream message;
+    message << std::setprecision(2) << "the part would need more than " << needed
+            << " samples at this scallop height; expected at most "
+            << static_cast<double>(most_samples)
+            << " for the memory (--max-memory); a larger --scallop needs fewer";
+    throw LimitError{message.str()};
 }
 
 // The bits of three numbers from 0 to 1, interleaved; 21 of each.
@@ -131,6 +143,7 @@ PartSamples::PartSamples(std::span<const Surface> surfaces, std::span<const doub
     for (std::size_t k = 0; k < surfaces.size(); ++k)
         add_surface(surfaces[k], static_cast<int>(k));
     find_twins();
+    require_enough(most_samples);
     while (refine(most_samples)) {
     }
     number_by_place();
@@ -176,6 +189,20 @@ void PartSamples::add_surface(const Surface& surface, int number)
         }
 }
 
+// Refuses a part early: a triangle with sides of at most s has at most the area sqrt(3) / 4
+// s^2, and there are about two triangles for each sample.
+void PartSamples::require_enough(std::size_t most_samples) const
+{
+    double area = 0;
+    for (const Triangle& triangle : triangles_) {
+        const Vec3& a = points_[triangle[0]];
+        area += (points_[triangle[1]] - a).cross(points_[triangle[2]] - a).norm() / 2;
+    }
+    const double needed = area / (std::sqrt(0.75) * spacing_ * spacing_);
+    if (needed > static_cast<double>(most_samples))
+        throw_too_many(needed, most_samples);
+}
+
 // Halves every edge that is longer than the spacing, and divides the triangles at such
 // edges. Edges of twins are halved together.
 bool PartSamples::refine(std::size_t most_samples)
@@ -192,15 +219,17 @@ bool PartSamples::refine(std::size_t most_samples)
         for (; next < edges.size() && edges[next][0] == edges[k][0] &&
                edges[next][1] == edges[k][1];
              ++next)
-            is_long = is_long || (points_[edges[next][2]] - points_[edges[next][3]]).norm() >
-                                     spacing_;
+            is_long =
+                is_long ||
+                (points_[edges[next][2]] - points_[edges[next][3]]).norm() > spacing_;
         std::int32_t representative = -1;
         for (; k < next; ++k) {
             const auto [ra, rb, a, b] = edges[k];
             if (!is_long || middles.contains(key(a, b)))
                 continue;
             if (points_.size() >= most_samples)
-                throw LimitError{"the part needs more than " + std::to_string(most_samples) +
+                throw LimitError{"the part needs more than " +
+                                 std::to_string(most_samples) +
                                  " samples for this scallop height"};
             const std::int32_t middle =
                 add_sample({(parameters_[a].u + parameters_[b].u) / 2,
@@ -234,7 +263,8 @@ void PartSamples::number_by_place()
     const double side = std::max(box.sizes().maxCoeff(), 1e-300);
     std::vector<std::pair<std::uint64_t, std::int32_t>> order(size());
     for (std::size_t i = 0; i < size(); ++i)
-        order[i] = {morton_code((points_[i] - box.min()) / side), static_cast<std::int32_t>(i)};
+        order[i] = {morton_code((points_[i] - box.min()) / side),
+                    static_cast<std::int32_t>(i)};
     std::sort(order.begin(), order.end());
     std::vector<std::int32_t> number(size());
     for (std::size_t k = 0; k < order.size(); ++k)
@@ -259,9 +289,11 @@ void PartSamples::number_by_place()
     for (Triangle& triangle : triangles_)
         for (std::int32_t& corner : triangle)
             corner = number[corner];
-    std::stable_sort(triangles_.begin(), triangles_.end(), [](const Triangle& a, const Triangle& b) {
-        return *std::min_element(a.begin(), a.end()) < *std::min_element(b.begin(), b.end());
-    });
+    std::stable_sort(triangles_.begin(), triangles_.end(),
+                     [](const Triangle& a, const Triangle& b) {
+                         return *std::min_element(a.begin(), a.end()) <
+                                *std::min_element(b.begin(), b.end());
+                     });
 }
 
 void PartSamples::find_twins()
@@ -283,8 +315,9 @@ void PartSamples::find_twins()
         return points_[a].x() != points_[b].x() ? points_[a].x() < points_[b].x() : a < b;
     });
     for (std::size_t k = 0; k < candidates.size(); ++k)
-        for (std::size_t l = k + 1; l < candidates.size() &&
-                                    points_[candidates[l]].x() - points_[candidates[k]].x() <= same;
+        for (std::size_t l = k + 1;
+             l < candidates.size() &&
+             points_[candidates[l]].x() - points_[candidates[k]].x() <= same;
              ++l) {
             const std::int32_t a = candidates[k];
             const std::int32_t b = candidates[l];
@@ -320,7 +353,8 @@ void PartSamples::find_neighbours()
             const std::int32_t a = representatives_[edges[k][0]];
             const std::int32_t b = representatives_[edges[k][1]];
             if (a != b)
-                single.push_back({std::min(a, b), std::max(a, b), edges[k][0], edges[k][1]});
+                single.push_back(
+                    {std::min(a, b), std::max(a, b), edges[k][0], edges[k][1]});
         }
         k = next;
     }
@@ -373,7 +407,8 @@ PassContact PartSamples::contact(const SurfacePoint& at, std::int32_t near) cons
 {
     const int number = surface_of_[near];
     const Surface& surface = surfaces_[number];
-    return {{at.u, at.v,
+    return {{at.u,
+             at.v,
              {surface.tangents(at.u, at.v).point,
               tool_normal(surface, sides_[number], at.u, at.v)}},
             number,
@@ -384,8 +419,9 @@ PassContact PartSamples::contact(const SampleEdge& place) const
 {
     const SurfacePoint& from = parameters_[place.from];
     const SurfacePoint& to = parameters_[place.to];
-    return contact({std::lerp(from.u, to.u, place.share), std::lerp(from.v, to.v, place.share)},
-                   place.share < 0.5 ? place.from : place.to);
+    return contact(
+        {std::lerp(from.u, to.u, place.share), std::lerp(from.v, to.v, place.share)},
+        place.share < 0.5 ? place.from : place.to);
 }
 
 bool PartSamples::is_joined(const PassContact& from, const PassContact& to) const

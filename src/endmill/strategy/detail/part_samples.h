@@ -14,9 +14,9 @@ namespace endmill {
 
 /// A contact of the ball at which a strategy lays a pass.
 struct PassContact {
-    SurfaceContact at;   ///< parameters, point and normal
-    int surface;         ///< number of its surface
-    std::int32_t near;   ///< number of a sample beside it
+    SurfaceContact at;         ///< parameters, point and normal
+    int surface;               ///< number of its surface
+    std::int32_t near;         ///< number of a sample beside it
     bool is_required = false;  ///< whether a move must begin or end here
 };
 
@@ -42,24 +42,24 @@ public:
     PartSamples(std::span<const Surface> surfaces, std::span<const double> sides,
                 double spacing, std::size_t most_samples);
 
-    std::size_t size() const { return points_.size(); }  ///< number of samples
-    double spacing() const { return spacing_; }          ///< as given, mm
-    const Vec3& point(std::size_t i) const { return points_[i]; }    ///< mm
+    std::size_t size() const { return points_.size(); }            ///< number of samples
+    double spacing() const { return spacing_; }                    ///< as given, mm
+    const Vec3& point(std::size_t i) const { return points_[i]; }  ///< mm
     const Vec3& normal(std::size_t i) const { return normals_[i]; }  ///< unit
     std::span<const Triangle> triangles() const { return triangles_; }
 
     /// Numbers of the samples that share an edge or a place with sample i.
     std::span<const std::int32_t> neighbours(std::size_t i) const
     {
-        return std::span{neighbours_}.subspan(first_neighbour_[i],
-                                              first_neighbour_[i + 1] - first_neighbour_[i]);
+        return std::span{neighbours_}.subspan(
+            first_neighbour_[i], first_neighbour_[i + 1] - first_neighbour_[i]);
     }
 
     /// Numbers of the triangles at sample i, rising.
     std::span<const std::int32_t> triangles_at(std::size_t i) const
     {
-        return std::span{at_samples_}.subspan(first_at_sample_[i],
-                                              first_at_sample_[i + 1] - first_at_sample_[i]);
+        return std::span{at_samples_}.subspan(
+            first_at_sample_[i], first_at_sample_[i + 1] - first_at_sample_[i]);
     }
 
     /// The lowest number of the samples at the place of sample i.
@@ -86,6 +86,7 @@ private:
     void add_surface(const Surface& surface, int number);
     std::int32_t add_sample(const SurfacePoint& at, int number);
     void find_twins();
+    void require_enough(std::size_t most_samples) const;
     bool refine(std::size_t most_samples);
     void number_by_place();
     void find_neighbours();

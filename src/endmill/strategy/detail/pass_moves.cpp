@@ -27,8 +27,9 @@ Demands demands_at(std::span<const PassContact> contacts, std::size_t k, double 
     const Vec3& before = contacts[k > 0 ? k - 1 : k].at.contact.point;
     const Vec3& after = contacts[std::min(k + 1, contacts.size() - 1)].at.contact.point;
     const Vec3 feed = after - before;
-    const Vec3 across = contact.normal.cross(
-        feed.norm() > 0 ? feed : contact.normal.unitOrthogonal()).normalized();
+    const Vec3 across =
+        contact.normal.cross(feed.norm() > 0 ? feed : contact.normal.unitOrthogonal())
+            .normalized();
     const Vec3 along = across.cross(contact.normal);
     const double circle = std::sqrt(height * (2 * radius - height));
     const Vec3 middle = contact.point + height * contact.normal;
@@ -72,9 +73,10 @@ private:
         if (can_halve && !clear_->is_clear({ball_centre(from.at, clear_->cutter()),
                                             ball_centre(to.at, clear_->cutter())},
                                            finer_)) {
-            lead_to(samples_->contact({(from.at.u + to.at.u) / 2, (from.at.v + to.at.v) / 2},
-                                      from.near),
-                    halvings - 1);
+            lead_to(
+                samples_->contact({(from.at.u + to.at.u) / 2, (from.at.v + to.at.v) / 2},
+                                  from.near),
+                halvings - 1);
             lead_to(to, halvings - 1);
         } else {
             contacts_.push_back(to);
@@ -90,7 +92,8 @@ private:
 }  // namespace
 
 std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples& samples,
-                                         const ClearMoves& clear, const MoveLimits& limits)
+                                         const ClearMoves& clear,
+                                         const MoveLimits& limits)
 {
     const double radius = clear.cutter().radius();
     const std::vector<PassContact> contacts = ClearContacts{samples, clear}.of(pass);
@@ -106,15 +109,17 @@ std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples
         return clear.is_clear({centre(from), centre(to)}, finer);
     };
     const auto passes_required = [&](std::size_t from, std::size_t to) {
-        return std::any_of(contacts.begin() + static_cast<std::ptrdiff_t>(from) + 1,
-                           contacts.begin() + static_cast<std::ptrdiff_t>(to),
-                           [](const PassContact& contact) { return contact.is_required; });
+        return std::any_of(
+            contacts.begin() + static_cast<std::ptrdiff_t>(from) + 1,
+            contacts.begin() + static_cast<std::ptrdiff_t>(to),
+            [](const PassContact& contact) { return contact.is_required; });
     };
     const auto reaches_demands = [&](std::size_t from, std::size_t to) {
         const UprightSweep sweep{centre(from), centre(to)};
         for (std::size_t k = from; k <= to; ++k)
             for (const Vec3& point : demands[k])
-                if (beyond_reach(sweep.squared_distance(point), radius) > limits.cover_slack)
+                if (beyond_reach(sweep.squared_distance(point), radius) >
+                    limits.cover_slack)
                     return false;
         return true;
     };
@@ -132,9 +137,10 @@ std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples
         if (last > first) {
             const auto divided = fewest_moves(
                 last - first + 1, PassShape::Open, [&](std::size_t from, std::size_t to) {
-                    return to == from + 1 || (!passes_required(first + from, first + to) &&
-                                              reaches_demands(first + from, first + to) &&
-                                              is_clear(first + from, first + to));
+                    return to == from + 1 ||
+                           (!passes_required(first + from, first + to) &&
+                            reaches_demands(first + from, first + to) &&
+                            is_clear(first + from, first + to));
                 });
             piece.contacts.clear();
             for (const std::size_t vertex : divided->vertices)

@@ -23,6 +23,7 @@ struct MoveLimits {
 /// \return the pieces of the pass; the pass is interrupted where no move is clear.
 /// \param samples of the part on which the pass was laid.
 std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples& samples,
-                                         const ClearMoves& clear, const MoveLimits& limits);
+                                         const ClearMoves& clear,
+                                         const MoveLimits& limits);
 
 }  // namespace endmill

@@ -16,8 +16,7 @@ class UprightSweep {
 public:
     /// \param from start of the centre, mm.
     /// \param to   end of the centre, mm.
-    UprightSweep(const Vec3& from, const Vec3& to)
-        : from_{from}
+    UprightSweep(const Vec3& from, const Vec3& to) : from_{from}
     {
         const Vec3 way = to - from;
         length_ = std::hypot(way.x(), way.y());
@@ -55,10 +54,11 @@ private:
             return 0;
         const double share =
             std::clamp((along * length_ + z * rise_) * inverse_square_, 0.0, 1.0);
-        const double to_move = square(along - share * length_) + square(z - share * rise_);
+        const double to_move =
+            square(along - share * length_) + square(z - share * rise_);
         const double to_start = square(std::min(along, 0.0)) + square(std::min(z, 0.0));
-        const double to_end = square(std::max(along - length_, 0.0)) +
-                              square(std::min(z - rise_, 0.0));
+        const double to_end =
+            square(std::max(along - length_, 0.0)) + square(std::min(z - rise_, 0.0));
         if (along < 0)
             return std::min(to_move, to_start);
         if (along > length_)

@@ -51,8 +51,10 @@ std::vector<BorderPlace> border_places(const PartSamples& samples)
             const Vec3& before = samples.point(loop[(k + count - 1) % count]);
             const Vec3& here = samples.point(loop[k]);
             const Vec3& after = samples.point(loop[(k + 1) % count]);
-            const double turn = (here - before).normalized().dot((after - here).normalized());
-            places.push_back({{loop[k], loop[k], 0}, length, turn < corner_cosine || k == 0});
+            const double turn =
+                (here - before).normalized().dot((after - here).normalized());
+            places.push_back(
+                {{loop[k], loop[k], 0}, length, turn < corner_cosine || k == 0});
             length += (after - here).norm();
         }
     }
@@ -76,7 +78,8 @@ std::vector<LevelLine> section(const PartSamples& samples, const LineStart& star
 }
 
 // The border of the connected part of the samples that contains `inside`, or the sample.
-std::vector<SampleEdge> border_of_component(const PartSamples& samples, std::int32_t inside)
+std::vector<SampleEdge> border_of_component(const PartSamples& samples,
+                                            std::int32_t inside)
 {
     SampleWalk walk{samples};
     std::vector<bool> is_inside(samples.size(), false);
@@ -112,8 +115,9 @@ std::vector<MarchStart> march_starts(const PartSamples& samples)
     return starts;
 }
 
-std::vector<LaidPass> lay_passes(Coverage& coverage, const std::optional<MarchStart>& start,
-                                 double slack, int rounds)
+std::vector<LaidPass> lay_passes(Coverage& coverage,
+                                 const std::optional<MarchStart>& start, double slack,
+                                 int rounds)
 {
     const PartSamples& samples = coverage.samples();
     FrontMarch march{coverage, slack, rounds};

@@ -33,8 +33,8 @@ std::vector<MarchStart> march_starts(const PartSamples& samples);
 /// \param coverage      what is covered so far; the passes are added.
 /// \param start         where the first pass lies; nothing if passes have been added.
 /// \param slack, rounds of FrontMarch.
-std::vector<LaidPass> lay_passes(Coverage& coverage, const std::optional<MarchStart>& start,
-                                 double slack,
+std::vector<LaidPass> lay_passes(Coverage& coverage,
+                                 const std::optional<MarchStart>& start, double slack,
                                  int rounds);
 
 }  // namespace endmill
