@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <new>
-#include <stdexcept>
 #include <system_error>
 
-#include <openssl/evp.h>
+// The functions of SHA-256 itself allocate nothing. Those that replace them since version 3
+// initialise the whole library first, and crash if memory does not suffice for that.
+#define OPENSSL_SUPPRESS_DEPRECATED
+#include <openssl/sha.h>
 
 #include "endmill/files/detail/csv_lines.h"
 #include "endmill/files/detail/strict_json.h"
@@ -158,37 +159,30 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
 }
 
 struct ContentSha256::State {
-    std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context{EVP_MD_CTX_new(),
-                                                                    EVP_MD_CTX_free};
+    SHA256_CTX context;
 };
 
 ContentSha256::ContentSha256() : state_{std::make_unique<State>()}
 {
-    // libcrypto has SHA-256: it fails only without memory.
-    if (!state_->context ||
-        EVP_DigestInit_ex(state_->context.get(), EVP_sha256(), nullptr) != 1)
-        throw std::bad_alloc{};
+    SHA256_Init(&state_->context);
 }
 
 ContentSha256::~ContentSha256() = default;
 
 void ContentSha256::add(std::string_view piece)
 {
-    if (EVP_DigestUpdate(state_->context.get(), piece.data(), piece.size()) != 1)
-        throw std::runtime_error{"ContentSha256: libcrypto refuses a piece"};
+    SHA256_Update(&state_->context, piece.data(), piece.size());
 }
 
 std::string ContentSha256::word()
 {
-    std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
-    unsigned size = 0;
-    if (EVP_DigestFinal_ex(state_->context.get(), bytes.data(), &size) != 1)
-        throw std::runtime_error{"ContentSha256: libcrypto has no result"};
+    std::array<unsigned char, SHA256_DIGEST_LENGTH> bytes{};
+    SHA256_Final(bytes.data(), &state_->context);
     constexpr std::string_view digits = "0123456789abcdef";
     std::string word;
-    for (unsigned i = 0; i < size; ++i) {
-        word += digits[bytes[i] / 16];
-        word += digits[bytes[i] % 16];
+    for (const unsigned char byte : bytes) {
+        word += digits[byte / 16];
+        word += digits[byte % 16];
     }
     return word;
 }
