@@ -34,7 +34,8 @@ class Progress(ProgramTest):
     def test_each_long_part_of_trim_shows_its_share(self):
         _, shown = on_terminal(self.folder, "trim", SURFACES / "valley.json", "--cutter", "ball:20", "--planes", "2000",
                                "-o", "parts")
-        self.assertRegex(shown, r"measuring the sampling error: \d+ %, \d+ s, about .* left")
+        # on a fast machine this part ends before there is an estimate
+        self.assertRegex(shown, r"measuring the sampling error: \d+ %, \d+ s")
         self.assertRegex(shown, r"measuring the clearance: \d+ %, \d+ s, about .* left")
 
     def stopped_for_ten_seconds(self, *options):
