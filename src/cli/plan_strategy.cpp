@@ -16,6 +16,7 @@
 #include "endmill/bound/path_bound.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/figures/axonometric_figure.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/vtk.h"
 #include "endmill/planning/economy.h"

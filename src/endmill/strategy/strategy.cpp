@@ -164,8 +164,8 @@ std::vector<MarchStart> best_starts(const PartSamples& samples, const BallCutter
             for (const double share : {0.25, 0.75})
                 further.push_back(LineStart{line->angle, share});
         }
-    for (RankedStart& candidate : ranked(further, samples, cutter, height, counter))
-        known.push_back(std::move(candidate));
+    for (const RankedStart& candidate : ranked(further, samples, cutter, height, counter))
+        known.push_back(candidate);
     std::stable_sort(
         known.begin(), known.end(),
         [](const RankedStart& a, const RankedStart& b) { return a.cost < b.cost; });

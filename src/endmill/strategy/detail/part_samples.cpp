@@ -11,6 +11,8 @@
 #include <sstream>
 #include <unordered_map>
 
+#include <Eigen/Geometry>
+
 #include "endmill/core/error.h"
 #include "endmill/surface/surface_jet.h"
 
