@@ -89,10 +89,11 @@ std::vector<LevelLine> FrontMarch::current_front()
     return level_lines(*samples_, coverage_->gaps(), front_samples_, slack_);
 }
 
-bool FrontMarch::is_complete() const
+std::size_t FrontMarch::uncovered_samples() const
 {
-    return std::none_of(coverage_->gaps().begin(), coverage_->gaps().end(),
-                        [&](double gap) { return gap > slack_; });
+    return static_cast<std::size_t>(
+        std::count_if(coverage_->gaps().begin(), coverage_->gaps().end(),
+                      [&](double gap) { return gap > slack_; }));
 }
 
 std::int32_t FrontMarch::first_uncovered() const
@@ -222,16 +223,15 @@ bool FrontMarch::step(std::span<const SampleEdge> front)
     }
     if (bend != best_bend)
         passes = try_passes(best_bend);
-    const bool has_passes = !passes.empty();
     const std::vector<Island> left = islands();
-    accept(std::move(passes));
+    bool covers_more = accept(std::move(passes));
     for (const Island& island : left) {
         std::vector<LaidPass> middle{middle_pass(island)};
         coverage_->add(middle.front().contacts, false);
-        accept(std::move(middle));
+        covers_more = accept(std::move(middle)) || covers_more;
     }
     forget_reach();
-    return has_passes || !left.empty();
+    return covers_more;
 }
 
 std::vector<FrontMarch::Island> FrontMarch::islands()
@@ -332,13 +332,16 @@ bool FrontMarch::bend_towards(std::span<const Island> islands,
     return true;
 }
 
-void FrontMarch::accept(std::vector<LaidPass> passes)
+// Keeps the passes that were added. Whether they cover a sample that was not covered: the
+// march ends without one, so that it cannot go on for ever.
+bool FrontMarch::accept(std::vector<LaidPass> passes)
 {
-    for (const std::int32_t i : coverage_->newly_covered(slack_))
-        front_samples_.push_back(i);
+    const std::vector<std::int32_t> covered = coverage_->newly_covered(slack_);
+    front_samples_.insert(front_samples_.end(), covered.begin(), covered.end());
     coverage_->accept();
     for (LaidPass& pass : passes)
         passes_.push_back(std::move(pass));
+    return !covered.empty();
 }
 
 LaidPass FrontMarch::middle_pass(const Island& island)

@@ -44,8 +44,10 @@ public:
     /// Lays a pass on the given lines, with what lies above `slack` in the gaps.
     void lay(std::span<const LevelLine> lines);
 
+    std::size_t uncovered_samples() const;  ///< number of samples that are not covered
+
     /// Whether every sample is covered.
-    bool is_complete() const;
+    bool is_complete() const { return uncovered_samples() == 0; }
 
     /// The lowest number of an uncovered sample.
     /// \pre not is_complete()
@@ -74,7 +76,7 @@ private:
     static bool is_notch(const Island& island);
     bool bend_towards(std::span<const Island> islands, std::span<const SampleEdge> front,
                       std::vector<double>& bend);
-    void accept(std::vector<LaidPass> passes);
+    bool accept(std::vector<LaidPass> passes);
     LaidPass middle_pass(const Island& island);
     bool is_uncovered(std::int32_t i) const { return coverage_->gaps()[i] > slack_; }
 

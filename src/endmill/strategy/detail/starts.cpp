@@ -136,9 +136,9 @@ std::vector<LaidPass> lay_passes(Coverage& coverage,
     }
     // other components, and what a first pass of no length left
     while (!march.is_complete()) {
-        const std::size_t before = march.passes().size();
+        const std::size_t before = march.uncovered_samples();
         march.run(border_of_component(samples, march.first_uncovered()));
-        if (march.passes().size() == before)
+        if (march.uncovered_samples() == before)
             break;
     }
     return march.take_passes();
