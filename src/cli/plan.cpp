@@ -56,7 +56,7 @@ void complete(PlanOptions& options, std::span<const Surface> surfaces, double di
         throw DomainError{"--scallop " + to_text(planning.scallop_height) +
                           ": expected a height below the ball's diameter, " +
                           to_text(diameter) + " mm"};
-    if (options.strategy != PassLayout::Iso && planning.scallop_height >= diameter / 2)
+    if (options.strategy != PlanStrategy::Iso && planning.scallop_height >= diameter / 2)
         throw DomainError{"--scallop " + to_text(planning.scallop_height) +
                           ": expected a height below the ball's radius, " +
                           to_text(diameter / 2) + " mm, with --strategy " +
@@ -116,7 +116,7 @@ ExitCode run_plan(PlanOptions options)
                         options.common.full_folder};
     folder.protect(options.part);
     const PlanTask task{surfaces, context, options};
-    const PlanResult result = options.strategy == PassLayout::Iso
+    const PlanResult result = options.strategy == PlanStrategy::Iso
                                   ? write_plan(task, folder)
                                   : write_strategy_plan(task, folder);
     folder.publish();

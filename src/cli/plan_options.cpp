@@ -45,14 +45,17 @@ constexpr std::array modes{Choice<Planner>{"verified", Planner::Verified},
                            Choice<Planner>{"paper", Planner::Paper}};
 
 constexpr std::array strategies{
-    Choice<PassLayout>{"iso", PassLayout::Iso},
-    Choice<PassLayout>{"iso-scallop", PassLayout::IsoScallop}};
+    Choice<PlanStrategy>{"best", PlanStrategy::Best},
+    Choice<PlanStrategy>{"iso", PlanStrategy::Iso},
+    Choice<PlanStrategy>{"iso-u", PlanStrategy::IsoU},
+    Choice<PlanStrategy>{"iso-v", PlanStrategy::IsoV},
+    Choice<PlanStrategy>{"iso-scallop", PlanStrategy::IsoScallop}};
 
 constexpr std::array bounds{Choice<bool>{"estimated", true}, Choice<bool>{"none", false}};
 
 // Options of passes along parameter lines only.
 constexpr std::array iso_options{"--direction", "--outer-tolerance", "--stop-at-borders",
-                                 "--count-links", "--distance"};
+                                 "--count-links"};
 
 // Policies of mode paper only. Mode verified chooses points and passes by the motion of
 // the ball.
@@ -172,14 +175,16 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_tolerances(command, options);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
                               "parameter along which the passes run (default both)");
-    add_choice<PassLayout>(
+    add_choice<PlanStrategy>(
         command, "--strategy", options.strategy, strategies,
-        "how passes are laid. iso (default): along parameter lines; iso-scallop: each as "
-        "far from the passes before it as the scallop height allows, which is shorter on "
-        "most parts; --scallop then limits all remaining stock");
+        "how passes are laid. iso (default): along u and along v, compared; iso-u, "
+        "iso-v: "
+        "along one of them; iso-scallop: each as far from the passes before it as the "
+        "scallop height allows; best: the shortest of these. Except with iso, --scallop "
+        "limits all remaining stock");
     add_choice<bool>(
         command, "--bound", options.is_bounded, bounds,
-        "lower bound of the length, with which a path by --strategy iso-scallop is "
+        "lower bound of the length, with which a path by a --strategy other than iso is "
         "compared. estimated (default): takes some seconds; none: not computed");
     add_choice<Planner>(
         command, "--mode", options.mode, modes,
@@ -228,9 +233,6 @@ void refuse_for_strategy(const PlanOptions& options)
     if (options.requested.inner == 0.0)
         throw DomainError{"--inner-tolerance 0 with " + chosen +
                           ": expected a tolerance above 0, or --strategy iso"};
-    if (options.planning.link.axis != Vec3::UnitZ())
-        throw DomainError{"--axis with " + chosen +
-                          ": expected 0,0,1; turn the part, or use --strategy iso"};
 }
 
 }  // namespace
@@ -239,11 +241,11 @@ void refuse_idle_plan_options(const PlanOptions& options)
 {
     const CommonOptions& common = options.common;
     refuse_zero_tolerances(options);
-    if (options.strategy != PassLayout::Iso)
+    if (options.strategy != PlanStrategy::Iso)
         refuse_for_strategy(options);
     else
         refuse_idle_options(common, std::array{"--bound"}, "--strategy iso",
-                            "--strategy iso-scallop");
+                            "another --strategy");
     if (options.mode == Planner::Verified)
         refuse_idle_options(common, paper_options, "--mode verified", "--mode paper");
     if (options.mode == Planner::Verified && options.requested.inner &&
@@ -254,14 +256,15 @@ void refuse_idle_plan_options(const PlanOptions& options)
     if (options.planning.cross_curvature == CrossCurvature::Exact)
         refuse_idle_options(common, std::array{"--cross-step"}, "--cross-curvature exact",
                             "--cross-curvature chord");
-    if (options.direction != PlanDirection::Both && !options.feed_mm_per_min)
+    if (options.strategy == PlanStrategy::Iso &&
+        options.direction != PlanDirection::Both && !options.feed_mm_per_min)
         refuse_idle_options(common, std::array{"--distance"}, "one --direction",
                             "--direction both or --feed");
 }
 
-std::string strategy_word(PassLayout strategy)
+std::string strategy_word(PlanStrategy strategy)
 {
-    return std::string{word_for<PassLayout>(strategy, strategies)};
+    return std::string{word_for<PlanStrategy>(strategy, strategies)};
 }
 
 std::string mode_word(Planner mode)

@@ -14,10 +14,13 @@ namespace endmill {
 /// The parameter along which the passes run.
 enum class PlanDirection { U, V, Both };
 
-/// How the passes of a plan are laid.
-enum class PassLayout {
-    Iso,         ///< along parameter lines
-    IsoScallop,  ///< each as far from the passes before it as the scallop height allows
+/// The strategies that the command offers.
+enum class PlanStrategy {
+    Iso,         ///< along parameter lines, both directions or one of them
+    IsoU,        ///< Strategy::IsoU
+    IsoV,        ///< Strategy::IsoV
+    IsoScallop,  ///< Strategy::IsoScallop
+    Best,        ///< the shortest of all strategies
 };
 
 /// The options of `endmill plan`. An empty option takes the default that the help states.
@@ -30,7 +33,7 @@ struct PlanOptions {
     std::optional<double> feed_mm_per_min;
     PlanDirection direction = PlanDirection::Both;
     Planner mode = Planner::Verified;
-    PassLayout strategy = PassLayout::Iso;
+    PlanStrategy strategy = PlanStrategy::Iso;
     bool is_bounded = true;  ///< whether a path by a strategy is compared with the bound
     TravelKind distance = TravelKind::Contact;
     CountedMoves counted = CountedMoves::CutsAndLinks;
@@ -49,7 +52,7 @@ void refuse_idle_plan_options(const PlanOptions& options);
 /// The word for `mode` in summaries.
 std::string mode_word(Planner mode);
 /// The word for `strategy` in summaries.
-std::string strategy_word(PassLayout strategy);
+std::string strategy_word(PlanStrategy strategy);
 
 /// The options of the planner along `along`.
 PlannerOptions planner_options(const PlanOptions& options, Parameter along);

@@ -27,40 +27,77 @@
 namespace endmill {
 namespace {
 
-// How long measuring takes, as a multiple of planning.
-constexpr double measuring_share = 0.1;
+// How long bounding takes, as a multiple of planning.
+constexpr double bounding_share = 0.1;
 
-Deviation measured(const PlanTask& task, const ToolPath& path,
-                   const DeviationLimits& limits, ProgressLine& progress)
+// The strategy of a plan; nothing if the best is searched for.
+std::optional<Strategy> chosen_strategy(PlanStrategy strategy)
 {
-    progress.begin("measuring");
-    const double radius = task.context.cutter_diameter / 2;
-    return deviation_of_path(
-        std::vector<Surface>(task.surfaces.begin(), task.surfaces.end()), path,
-        Cutter::ball(radius), {limits, LimitProof::None, progress.shower()});
+    switch (strategy) {
+        case PlanStrategy::IsoU:
+            return Strategy::IsoU;
+        case PlanStrategy::IsoV:
+            return Strategy::IsoV;
+        case PlanStrategy::IsoScallop:
+            return Strategy::IsoScallop;
+        case PlanStrategy::Iso:
+        case PlanStrategy::Best:
+            break;
+    }
+    return std::nullopt;
 }
 
-Json summary_of(const PlanTask& task, const StrategyPlan& plan,
-                const Deviation& deviation, const DeviationLimits& limits)
+// A plan, and the strategies that were compared for it.
+struct ChosenPlan {
+    StrategyPlan plan;
+    std::vector<TriedStrategy> tried;  // none if the strategy was given
+};
+
+ChosenPlan chosen_plan(const PlanTask& task, const StrategyOptions& options)
+{
+    const Part part = std::vector<Surface>(task.surfaces.begin(), task.surfaces.end());
+    const BallCutter cutter{task.context.cutter_diameter / 2};
+    if (const auto strategy = chosen_strategy(task.options.strategy))
+        return {plan_by_strategy(*strategy, part, cutter, options), {}};
+    BestPlan best = plan_by_best_strategy(part, cutter, options);
+    return {std::move(best.plan), std::move(best.tried)};
+}
+
+Json tried_json(const std::vector<TriedStrategy>& tried)
+{
+    Json list = Json::array();
+    for (const auto& [strategy, travel_mm, refusal] : tried) {
+        Json one{{"strategy", strategy_name(strategy)}};
+        one["cut_mm"] = travel_mm ? Json(*travel_mm) : Json(nullptr);
+        if (!refusal.empty())
+            one["refusal"] = refusal;
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
+Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
+                const StrategyOptions& limits)
 {
     const auto& [surfaces, context, options] = task;
-    const PathEconomy economy = path_economy(plan.path);
+    const auto& [strategy, covering, economy, deviation, verdict] = chosen.plan;
     Json summary{{"name", context.name},
                  {"source", context.source},
                  {"endmill", program_version},
-                 {"strategy", strategy_word(options.strategy)},
+                 {"strategy", strategy_name(strategy)},
                  {"mode", mode_word(options.mode)},
                  {"cutter", "ball:" + to_text(context.cutter_diameter)},
-                 {"passes", plan.passes},
-                 {"pieces", plan.pieces},
+                 {"passes", covering.passes},
+                 {"pieces", covering.pieces},
                  {"ncl", economy.ncl},
                  {"cut_contact_mm", economy.cut.contact_mm},
                  {"cut_tip_mm", economy.cut.tip_mm},
                  {"link_mm", economy.link.tip_mm},
-                 {"lifted_links", plan.lifted_links},
-                 {"scallop_mm", limits.scallop},
-                 {"inner_tolerance_mm", options.motion.inner},
-                 {"outer_tolerance_mm", 0}};
+                 {"lifted_links", covering.lifted_links},
+                 {"scallop_mm", limits.scallop_height},
+                 {"inner_tolerance_mm", limits.inner_tolerance}};
+    if (!chosen.tried.empty())
+        summary["tried"] = tried_json(chosen.tried);
     if (options.feed_mm_per_min) {
         summary["feed_mm_per_min"] = *options.feed_mm_per_min;
         summary["time_min"] =
@@ -72,9 +109,9 @@ Json summary_of(const PlanTask& task, const StrategyPlan& plan,
     summary["gouge_bound_mm"] = finite_or_null(deviation.gouge_bound_mm);
     summary["max_left_mm"] = finite_or_null(deviation.max_scallop_mm);
     summary["left_bound_mm"] = finite_or_null(deviation.scallop_bound_mm);
-    summary["verdict"] = verdict_name(verdict(deviation, limits));
-    summary["uncovered_mm2"] = plan.uncovered_mm2;
-    summary["uncovered_places"] = plan.uncovered.size();
+    summary["verdict"] = verdict_name(verdict);
+    summary["uncovered_mm2"] = covering.uncovered_mm2;
+    summary["uncovered_places"] = covering.uncovered.size();
     summary["interpolation"] = "linear";
     summary["safe_height_mm"] = options.planning.link.safe_height;
     summary["axis"] = vector_json(options.planning.link.axis);
@@ -82,7 +119,7 @@ Json summary_of(const PlanTask& task, const StrategyPlan& plan,
 }
 
 // Compares the length of the cuts with the bound for every path that covers the part.
-void add_bound(Json& summary, const PlanTask& task, const StrategyPlan& plan,
+void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering,
                ProgressLine& progress)
 {
     progress.begin("bounding the length");
@@ -90,11 +127,14 @@ void add_bound(Json& summary, const PlanTask& task, const StrategyPlan& plan,
         tool_side_signs(task.surfaces, task.options.planning.link.axis);
     BoundProblem problem{BallCutter{task.context.cutter_diameter / 2},
                          task.options.planning.scallop_height};
-    problem.stray = plan.stray_mm;
-    problem.most_pieces = static_cast<int>(plan.pieces);
+    const bool is_by_tips = task.options.distance == TravelKind::Tip;
+    const char* cut_key = is_by_tips ? "cut_tip_mm" : "cut_contact_mm";
+    problem.length = is_by_tips ? BoundedLength::Tip : BoundedLength::Contact;
+    problem.stray = covering.stray_mm;
+    problem.most_pieces = static_cast<int>(covering.pieces);
     EstimateOptions estimate;
     estimate.progress = progress.shower();
-    summary["bound_gamma_mm"] = plan.stray_mm;
+    summary["bound_gamma_mm"] = covering.stray_mm;
     try {
         const PathBound bound = path_bound(task.surfaces, sides, problem, estimate);
         summary["bound_density_mm"] = bound.density_mm;
@@ -102,9 +142,8 @@ void add_bound(Json& summary, const PlanTask& task, const StrategyPlan& plan,
         summary["bound_mm"] = bound.bound_mm ? Json(*bound.bound_mm) : Json(nullptr);
         summary["bound_grade"] = bound_grade_name(bound.grade);
         summary["travel_over_bound"] =
-            bound.bound_mm
-                ? Json(summary["cut_contact_mm"].get<double>() / *bound.bound_mm)
-                : Json(nullptr);
+            bound.bound_mm ? Json(summary[cut_key].get<double>() / *bound.bound_mm)
+                           : Json(nullptr);
     } catch (const GeometryError&) {
         // there is none for a part with creases
         for (const char* key : {"bound_density_mm", "bound_disc_mm", "bound_mm",
@@ -127,7 +166,21 @@ std::string bound_text(const Json& s)
                        s["travel_over_bound"].get<double>());
 }
 
-std::string report(const Json& s, const StrategyPlan& plan, const DeviationLimits& limits)
+std::string tried_text(const Json& s)
+{
+    if (!s.contains("tried"))
+        return {};
+    std::string text;
+    for (const Json& one : s["tried"])
+        text += fmt::format("{} {} {}", text.empty() ? "  tried        " : ",",
+                            one["strategy"].get<std::string>(),
+                            one["cut_mm"].is_null()
+                                ? "no path"
+                                : shown(one["cut_mm"].get<double>()) + " mm");
+    return text + "\n";
+}
+
+std::string report(const Json& s, const CoveringPath& plan, const DeviationLimits& limits)
 {
     const auto number = [&](const char* key) { return s[key].get<double>(); };
     const std::string left = s["max_left_mm"].is_null()
@@ -151,7 +204,7 @@ std::string report(const Json& s, const StrategyPlan& plan, const DeviationLimit
                    ? std::string{}
                    : fmt::format("; not covered: {}",
                                  counted(plan.uncovered.size(), "place"))) +
-           bound_text(s);
+           tried_text(s) + bound_text(s);
 }
 
 // The figure's title and caption.
@@ -166,7 +219,7 @@ FigureOptions strategy_figure(const Json& s)
     return figure;
 }
 
-void warn_of_uncovered(const StrategyPlan& plan, const CommonOptions& options)
+void warn_of_uncovered(const CoveringPath& plan, const CommonOptions& options)
 {
     if (plan.uncovered.empty())
         return;
@@ -190,29 +243,30 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     strategy.link = options.planning.link;
     strategy.most_points = options.planning.most_points;
     strategy.most_samples = most_part_samples(options.common.limits.max_memory_gib);
-    ProgressLine progress{"planning", options.common, measuring_share};
+    strategy.distance = options.distance;
+    ProgressLine progress{"planning", options.common, bounding_share};
     strategy.progress = progress.shower();
-    StrategyPlan plan =
-        plan_iso_scallop(surfaces, BallCutter{context.cutter_diameter / 2}, strategy);
-    warn_of_uncovered(plan, options.common);
-    number_points(plan.path);
-    const DeviationLimits limits{options.motion.inner, strategy.scallop_height};
-    const Deviation deviation = measured(task, plan.path, limits, progress);
-    Json summary = summary_of(task, plan, deviation, limits);
+    ChosenPlan chosen = chosen_plan(task, strategy);
+    CoveringPath& covering = chosen.plan.covering;
+    warn_of_uncovered(covering, options.common);
+    number_points(covering.path);
+    const DeviationLimits limits{strategy.inner_tolerance, strategy.scallop_height};
+    Json summary = summary_of(task, chosen, strategy);
     if (options.is_bounded)
-        add_bound(summary, task, plan, progress);
-    add_path_totals(summary["path"], path_totals(plan.path));
-    summary["path"]["points"] = plan.path.points.size();
+        add_bound(summary, task, covering, progress);
+    add_path_totals(summary["path"], path_totals(covering.path));
+    summary["path"]["points"] = covering.path.points.size();
     name_part(summary, {options.part}, folder.path());
-    const std::string table = tool_path_csv(plan.path);
-    identify_path(summary, plan.path.points.size(), content_sha256(table));
+    const std::string table = tool_path_csv(covering.path);
+    identify_path(summary, covering.path.points.size(), content_sha256(table));
     folder.write("toolpath.csv", table);
-    folder.write("toolpath.vtp", tool_path_vtp(plan.path));
+    folder.write("toolpath.vtp", tool_path_vtp(covering.path));
     folder.write("toolpath.svg",
-                 tool_path_svg(plan.path, strategy_figure(summary), surfaces));
+                 tool_path_svg(covering.path, strategy_figure(summary), surfaces));
     folder.write("summary.json", summary.dump(2) + "\n");
-    PlanResult result{summary, report(summary, plan, limits), plan.uncovered.size(), {}};
-    result.is_undecided = verdict(deviation, limits) != Verdict::Clean;
+    PlanResult result{
+        summary, report(summary, covering, limits), covering.uncovered.size(), {}};
+    result.is_undecided = chosen.plan.verdict != Verdict::Clean;
     return result;
 }
 

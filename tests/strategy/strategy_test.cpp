@@ -21,13 +21,10 @@ StrategyOptions options_for(const std::vector<Surface>& surfaces, double height)
     return options;
 }
 
-Verdict judged(const std::vector<Surface>& surfaces, const StrategyPlan& plan,
-               double radius, const StrategyOptions& options)
+StrategyPlan iso_scallop(const std::vector<Surface>& surfaces, double radius,
+                         const StrategyOptions& options)
 {
-    const DeviationLimits limits{options.inner_tolerance, options.scallop_height};
-    return verdict(deviation_of_path(surfaces, plan.path, Cutter::ball(radius),
-                                     {limits, LimitProof::None, {}}),
-                   limits);
+    return plan_by_strategy(Strategy::IsoScallop, surfaces, BallCutter{radius}, options);
 }
 
 // On a plane the strip of a pass is 6 mm wide; 40 mm need at least 7 passes.
@@ -35,11 +32,11 @@ TEST(PlanIsoScallop, CoversAPlaneWithAsFewPassesAsStripsFit)
 {
     const std::vector<Surface> surfaces{test::plane(60, 40)};
     const StrategyOptions options = options_for(surfaces, 1);
-    const StrategyPlan plan = plan_iso_scallop(surfaces, BallCutter{5}, options);
-    EXPECT_TRUE(plan.uncovered.empty());
-    EXPECT_EQ(plan.pieces, 7u);
-    EXPECT_LE(path_economy(plan.path).cut.contact_mm, 7 * 60 + 0.1);
-    EXPECT_EQ(judged(surfaces, plan, 5, options), Verdict::Clean);
+    const StrategyPlan plan = iso_scallop(surfaces, 5, options);
+    EXPECT_TRUE(plan.covering.uncovered.empty());
+    EXPECT_EQ(plan.covering.pieces, 7u);
+    EXPECT_LE(plan.economy.cut.contact_mm, 7 * 60 + 0.1);
+    EXPECT_EQ(plan.verdict, Verdict::Clean);
 }
 
 // What the verifier measures shares no code with the plan.
@@ -49,9 +46,9 @@ TEST(PlanIsoScallop, IsJudgedCleanOnCurvedSurfaces)
          {test::saddle(60, 25), test::parabolic_cylinder(1.0 / 60, 20, 30)}) {
         const std::vector<Surface> surfaces{surface};
         const StrategyOptions options = options_for(surfaces, 0.3);
-        const StrategyPlan plan = plan_iso_scallop(surfaces, BallCutter{4}, options);
-        EXPECT_TRUE(plan.uncovered.empty());
-        EXPECT_EQ(judged(surfaces, plan, 4, options), Verdict::Clean);
+        const StrategyPlan plan = iso_scallop(surfaces, 4, options);
+        EXPECT_TRUE(plan.covering.uncovered.empty());
+        EXPECT_EQ(plan.verdict, Verdict::Clean);
     }
 }
 
@@ -60,25 +57,26 @@ TEST(PlanIsoScallop, DoesNotDependOnTheNumberOfThreads)
     const std::vector<Surface> surfaces{test::saddle(60, 20)};
     const StrategyOptions options = options_for(surfaces, 0.5);
     set_thread_count(1);
-    const StrategyPlan one = plan_iso_scallop(surfaces, BallCutter{5}, options);
+    const StrategyPlan one = iso_scallop(surfaces, 5, options);
     set_thread_count(3);
-    const StrategyPlan three = plan_iso_scallop(surfaces, BallCutter{5}, options);
-    ASSERT_EQ(one.path.points.size(), three.path.points.size());
-    for (std::size_t k = 0; k < one.path.points.size(); ++k)
-        EXPECT_EQ(one.path.points[k].location.tip, three.path.points[k].location.tip);
+    const StrategyPlan three = iso_scallop(surfaces, 5, options);
+    ASSERT_EQ(one.covering.path.points.size(), three.covering.path.points.size());
+    for (std::size_t k = 0; k < one.covering.path.points.size(); ++k)
+        EXPECT_EQ(one.covering.path.points[k].location.tip,
+                  three.covering.path.points[k].location.tip);
 }
 
 TEST(PlanIsoScallop, RefusesWhatItCannotPlan)
 {
     const std::vector<Surface> surfaces{test::plane(60, 40)};
     StrategyOptions options = options_for(surfaces, 6);
-    EXPECT_THROW(plan_iso_scallop(surfaces, BallCutter{5}, options), DomainError);
+    EXPECT_THROW(iso_scallop(surfaces, 5, options), DomainError);
     options = options_for(surfaces, 1);
     options.inner_tolerance = 0;
-    EXPECT_THROW(plan_iso_scallop(surfaces, BallCutter{5}, options), DomainError);
+    EXPECT_THROW(iso_scallop(surfaces, 5, options), DomainError);
     options = options_for(surfaces, 1e-6);
     options.most_samples = 10'000;
-    EXPECT_THROW(plan_iso_scallop(surfaces, BallCutter{5}, options), LimitError);
+    EXPECT_THROW(iso_scallop(surfaces, 5, options), LimitError);
 }
 
 }  // namespace

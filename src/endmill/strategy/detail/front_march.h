@@ -10,12 +10,6 @@
 
 namespace endmill {
 
-/// A pass of a strategy, before it is divided into moves.
-struct LaidPass {
-    std::vector<PassContact> contacts;  ///< in order, at least one
-    bool is_closed = false;             ///< whether it ends where it begins
-};
-
 /// Lays passes of equal scallop height, front by front.
 ///
 /// The front is the border of what is covered. The reach of a sample is how far the

@@ -20,6 +20,12 @@ struct PassContact {
     bool is_required = false;  ///< whether a move must begin or end here
 };
 
+/// A pass of a strategy, before it is divided into moves.
+struct LaidPass {
+    std::vector<PassContact> contacts;  ///< in order, at least one
+    bool is_closed = false;             ///< whether it ends where it begins
+};
+
 /// A place between two neighbouring samples.
 struct SampleEdge {
     std::int32_t from;  ///< number of a sample

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "endmill/strategy/detail/part_samples.h"
+#include "endmill/strategy/strategy.h"
+
+namespace endmill {
+
+/// Share of the scallop height at which passes are laid out. The rest is for what lies
+/// between samples and for the chords of moves.
+inline constexpr double layout_share = 0.97;
+
+/// Surfaces for which a strategy plans.
+struct CoveredPart {
+    std::span<const Surface> surfaces;  ///< at least one
+    std::span<const double> sides;      ///< from tool_side_signs, one for each surface
+};
+
+/// Passes, and the samples on which they are laid.
+struct LaidPasses {
+    PartSamples samples;
+    std::vector<LaidPass> passes;
+};
+
+/// Width in mm of the strip that a pass of a ball leaves below `height` mm on a plane.
+inline double strip_width(const BallCutter& cutter, double height)
+{
+    return 2 * std::sqrt(height * (2 * cutter.radius() - height));
+}
+
+/// Makes a path from passes. It divides them into few straight moves, bends passes towards
+/// places that their moves miss, and orders and links the pieces.
+/// \param laid    passes that cover the samples at `layout_share` of the scallop height.
+/// \param part    surfaces and the sides of the tool.
+/// \param cutter  the ball.
+/// \param options height, tolerance, links and progress.
+/// \throws GeometryError if the ball fits nowhere.
+CoveringPath covering_path(LaidPasses laid, const CoveredPart& part,
+                           const BallCutter& cutter, const StrategyOptions& options);
+
+}  // namespace endmill
