@@ -98,7 +98,7 @@ namespace {
 
 // A corner of a part of a triangle.
 struct Corner {
-    SurfacePoint at;
+    PassContact at;
     Vec3 raised;
 };
 
@@ -113,7 +113,6 @@ std::vector<MissedPlace> Coverage::missed(std::span<const std::int32_t> triangle
     const double radius = cutter_.radius();
     std::vector<MissedPlace> found;
     std::vector<std::int32_t> moves;
-    std::int32_t near = 0;
     const auto gap_to = [&](std::int32_t move, const Vec3& raised) {
         return beyond_reach(moves_[move].squared_distance(raised), radius);
     };
@@ -125,8 +124,8 @@ std::vector<MissedPlace> Coverage::missed(std::span<const std::int32_t> triangle
         });
     };
     const auto middle = [&](const Corner& a, const Corner& b) {
-        const SurfacePoint at{(a.at.u + b.at.u) / 2, (a.at.v + b.at.v) / 2};
-        const CutterContact contact = samples_->contact(at, near).at.contact;
+        const PassContact at = samples_->between(a.at, b.at, 0.5);
+        const CutterContact& contact = at.at.contact;
         return Corner{at, contact.point + height_ * contact.normal};
     };
     const auto search = [&](const auto& self, const std::array<Corner, 3>& corners,
@@ -140,7 +139,7 @@ std::vector<MissedPlace> Coverage::missed(std::span<const std::int32_t> triangle
             for (const std::int32_t move : moves)
                 gap = std::min(gap, gap_to(move, corner.raised));
             if (gap > slack)
-                found.push_back({corner.at, near, gap});
+                found.push_back({corner.at, gap});
         }
         const auto& [ab, bc, ca] = middles;
         self(self, {a, ab, ca}, depth - 1);
@@ -156,7 +155,7 @@ std::vector<MissedPlace> Coverage::missed(std::span<const std::int32_t> triangle
         for (int k = 0; k < 3; ++k) {
             const std::int32_t i = triangle[k];
             is_whole = is_whole && gaps_[i] <= slack;
-            corners[k] = {samples_->parameters(i), raised_[i]};
+            corners[k] = {samples_->contact({i, i, 0}), raised_[i]};
             moves.push_back(nearest_move_[i]);
         }
         if (!is_whole || is_covered(corners))
@@ -167,7 +166,6 @@ std::vector<MissedPlace> Coverage::missed(std::span<const std::int32_t> triangle
                     moves.push_back(nearest_move_[neighbour]);
         std::sort(moves.begin(), moves.end());
         moves.erase(std::unique(moves.begin(), moves.end()), moves.end());
-        near = triangle[0];
         search(search, corners, missed_depth);
     }
     return found;

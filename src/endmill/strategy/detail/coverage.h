@@ -60,9 +60,8 @@ private:
 
 /// A place that no move covers.
 struct MissedPlace {
-    SurfacePoint at;    ///< parameters
-    std::int32_t near;  ///< number of a sample beside it
-    double gap;         ///< beyond the reach of the nearest move, mm
+    PassContact at;  ///< the contact there
+    double gap;      ///< mm
 };
 
 /// What the moves of a path have covered so far. The gap of a sample is the amount by

@@ -108,7 +108,7 @@ std::vector<UncoveredTriangle> uncovered_by(std::span<const LaidPass> pieces,
         for (const std::int32_t i : triangle)
             if (const double gap = coverage.gaps()[i];
                 gap > 0 && (!worst || gap > worst->gap))
-                worst = {samples.parameters(i), i, gap};
+                worst = {samples.contact({i, i, 0}), gap};
         if (!worst)
             for (const MissedPlace& place :
                  coverage.missed(std::array{static_cast<std::int32_t>(number)}, 0))
@@ -154,7 +154,7 @@ void bend_passes(std::vector<LaidPass>& passes,
     // the gap decreases by about half_width / R per mm of bend
     const double half_width = strip_width(cutter, height) / 2;
     for (const auto& [area, place] : uncovered) {
-        const PassContact aim = samples.contact(place.at, place.near);
+        const PassContact& aim = place.at;
         const NearestContact nearest =
             nearest_contact(passes, aim.at.contact.point, aim.surface);
         if (!(nearest.distance > 0) || nearest.distance > 2 * half_width ||
@@ -166,9 +166,7 @@ void bend_passes(std::vector<LaidPass>& passes,
             continue;
         const double bend = excess * place.gap * cutter.radius() / half_width;
         const double share = std::min(1.0, bend / nearest.distance);
-        PassContact bent = samples.contact({std::lerp(from.at.u, aim.at.u, share),
-                                            std::lerp(from.at.v, aim.at.v, share)},
-                                           from.near);
+        PassContact bent = samples.between(from, aim, share);
         bent.is_required = true;
         contacts.insert(
             contacts.begin() + static_cast<std::ptrdiff_t>(nearest.contact) + 1, bent);
@@ -204,9 +202,9 @@ CoveringPath covering_path(LaidPasses laid, const CoveredPart& part,
                  move_share * height * cutter.radius() / (cutter.radius() - height));
     for (const auto& [area, place] : uncovered) {
         plan.uncovered_mm2 += area;
-        plan.uncovered.push_back(
-            {laid.samples.surface(place.near), place.at,
-             laid.samples.contact(place.at, place.near).at.contact.point});
+        plan.uncovered.push_back({place.at.surface,
+                                  {place.at.at.u, place.at.at.v},
+                                  place.at.at.contact.point});
     }
     const auto is_clear = [&](const SurfaceContact& from, const SurfaceContact& to) {
         FinerPieces finer;

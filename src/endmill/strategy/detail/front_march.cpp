@@ -305,7 +305,7 @@ bool FrontMarch::bend_towards(std::span<const Island> islands,
         want(front[k].to, bend_excess * gap);
     }
     for (const MissedPlace& place : missed_places_)
-        want(place.near, bend_excess * std::min(place.gap, greatest_bend * height));
+        want(place.at.near, bend_excess * std::min(place.gap, greatest_bend * height));
     if (queue.empty())
         return false;
     const double least = least_bend_share * queue.top().first;

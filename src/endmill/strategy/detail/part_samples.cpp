@@ -426,6 +426,14 @@ PassContact PartSamples::contact(const SampleEdge& place) const
         place.share < 0.5 ? place.from : place.to);
 }
 
+PassContact PartSamples::between(const PassContact& from, const PassContact& to,
+                                 double share) const
+{
+    return contact(
+        {std::lerp(from.at.u, to.at.u, share), std::lerp(from.at.v, to.at.v, share)},
+        share < 0.5 ? from.near : to.near);
+}
+
 bool PartSamples::is_joined(const PassContact& from, const PassContact& to) const
 {
     if (from.surface != to.surface)

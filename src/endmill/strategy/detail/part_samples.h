@@ -81,6 +81,11 @@ public:
     /// \param near number of a sample beside it, on the same surface.
     PassContact contact(const SurfacePoint& at, std::int32_t near) const;
 
+    /// The contact at a share of the way from one contact to another, on the part itself.
+    /// \pre is_joined(from, to)
+    PassContact between(const PassContact& from, const PassContact& to,
+                        double share) const;
+
     /// Whether the straight way between the parameters of two contacts is short: they lie
     /// on one surface and not on different sides of a seam.
     bool is_joined(const PassContact& from, const PassContact& to) const;

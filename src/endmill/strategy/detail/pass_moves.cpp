@@ -73,10 +73,7 @@ private:
         if (can_halve && !clear_->is_clear({ball_centre(from.at, clear_->cutter()),
                                             ball_centre(to.at, clear_->cutter())},
                                            finer_)) {
-            lead_to(
-                samples_->contact({(from.at.u + to.at.u) / 2, (from.at.v + to.at.v) / 2},
-                                  from.near),
-                halvings - 1);
+            lead_to(samples_->between(from, to, 0.5), halvings - 1);
             lead_to(to, halvings - 1);
         } else {
             contacts_.push_back(to);
