@@ -50,6 +50,7 @@ constexpr std::array strategies{
     Choice<PlanStrategy>{"iso", PlanStrategy::Iso},
     Choice<PlanStrategy>{"iso-u", PlanStrategy::IsoU},
     Choice<PlanStrategy>{"iso-v", PlanStrategy::IsoV},
+    Choice<PlanStrategy>{"planar", PlanStrategy::Planar},
     Choice<PlanStrategy>{"iso-scallop", PlanStrategy::IsoScallop}};
 
 constexpr std::array bounds{Choice<bool>{"estimated", true}, Choice<bool>{"none", false}};

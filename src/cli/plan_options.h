@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/surface_facts.h"
+#include "endmill/core/angle.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/planned_path.h"
 
@@ -19,6 +20,7 @@ enum class PlanStrategy {
     Iso,         ///< along parameter lines, both directions or one of them
     IsoU,        ///< Strategy::IsoU
     IsoV,        ///< Strategy::IsoV
+    Planar,      ///< Strategy::Planar
     IsoScallop,  ///< Strategy::IsoScallop
     Best,        ///< the shortest of all strategies
 };
@@ -35,6 +37,7 @@ struct PlanOptions {
     Planner mode = Planner::Verified;
     /// How passes are laid.
     PlanStrategy strategy = PlanStrategy::Iso;
+    std::optional<Angle> pass_direction;  ///< of PlanStrategy::Planar; best if empty
     bool is_bounded = true;  ///< whether a path by a strategy is compared with the bound
     TravelKind distance = TravelKind::Contact;
     CountedMoves counted = CountedMoves::CutsAndLinks;

@@ -38,6 +38,8 @@ std::optional<Strategy> chosen_strategy(PlanStrategy strategy)
             return Strategy::IsoU;
         case PlanStrategy::IsoV:
             return Strategy::IsoV;
+        case PlanStrategy::Planar:
+            return Strategy::Planar;
         case PlanStrategy::IsoScallop:
             return Strategy::IsoScallop;
         case PlanStrategy::Iso:
@@ -258,6 +260,7 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     strategy.most_points = options.planning.most_points;
     strategy.most_samples = most_part_samples(options.common.limits.max_memory_gib);
     strategy.distance = options.distance;
+    strategy.direction = options.pass_direction;
     ProgressLine progress{"planning", options.common, bounding_share};
     strategy.progress = progress.shower();
     ChosenPlan chosen = chosen_plan(task, strategy);

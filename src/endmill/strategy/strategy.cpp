@@ -11,6 +11,7 @@
 #include "endmill/core/tolerance.h"
 #include "endmill/strategy/detail/covering_path.h"
 #include "endmill/strategy/detail/iso_scallop.h"
+#include "endmill/strategy/detail/planar.h"
 #include "endmill/verification/verification.h"
 
 namespace endmill {
@@ -102,6 +103,15 @@ CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& 
         throw GeometryError{std::string{strategy_name(strategy)} +
                             " plans along the axis +z only"};
     const CoveredPart covered{part, cutter, options.inner_tolerance};
+    if (strategy == Strategy::Planar) {
+        PlanarPasses planar =
+            planar_passes(covered, cutter, with_progress(options, 0, laid_share));
+        CoveringPath path = covering_path(std::move(planar.laid), covered, cutter,
+                                          with_progress(options, laid_share, 1));
+        path.direction = planar.direction;
+        path.compared = std::move(planar.compared);
+        return path;
+    }
     LaidPasses laid =
         iso_scallop_passes(covered, cutter, with_progress(options, 0, laid_share));
     return covering_path(std::move(laid), covered, cutter,
@@ -129,7 +139,8 @@ struct Candidate {
     double travel;  // mm
 };
 
-constexpr std::array every_strategy{Strategy::IsoU, Strategy::IsoV, Strategy::IsoScallop};
+constexpr std::array every_strategy{Strategy::IsoU, Strategy::IsoV, Strategy::Planar,
+                                    Strategy::IsoScallop};
 
 }  // namespace
 

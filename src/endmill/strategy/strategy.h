@@ -53,6 +53,14 @@ struct StrategyOptions {
     std::function<void(double share)> progress = {};
 };
 
+/// What passes of Strategy::Planar in a direction would cost, found on a coarse net.
+struct ComparedDirection {
+    Angle direction;        ///< from +x towards +y, from 0 to below 180 degrees
+    double cut_contact_mm;  ///< length of the passes by contacts
+    double cut_tip_mm;      ///< length of the passes by tips
+    std::size_t passes;     ///< number of passes
+};
+
 /// A path that covers a part, and the places that it is known to leave.
 struct CoveringPath {
     ToolPath path;           ///< all pieces and the links between them
@@ -66,6 +74,9 @@ struct CoveringPath {
     /// keeps more than the scallop height.
     double uncovered_mm2 = 0;
     std::vector<UncoveredPlace> uncovered = {};  ///< these places, the worst of each part
+    std::optional<Angle> direction = {};         ///< of the passes of Strategy::Planar
+    /// The directions that were compared, by rising angle; none if it was given.
+    std::vector<ComparedDirection> compared = {};
 };
 
 /// A path by a strategy, and how it was judged.
