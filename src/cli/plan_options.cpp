@@ -161,7 +161,10 @@ void add_tolerances(CLI::App& command, PlanOptions& options)
 
 void add_plan_options(CLI::App& command, PlanOptions& options)
 {
-    command.add_option("SURFACE", options.part, "surface file (endmill-surface/1)")
+    command
+        .add_option("PART", options.part.path,
+                    "surface file (endmill-surface/1), or with --strategy iso-scallop or "
+                    "best a mesh file (.stl, .obj, .ply, .off)")
         ->required();
     command
         .add_option_function<std::string>(
@@ -170,7 +173,7 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
                 options.cutter_diameter = ball_diameter_argument("--cutter", word);
             },
             "ball:DIAMETER in mm (default: the largest of 20, 15, 10, 6, 4, 3, 2, 1 that "
-            "fits)")
+            "fits; required for a mesh)")
         ->type_name("CUTTER");
     add_tolerances(command, options);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
@@ -199,6 +202,7 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_require_option(command, options.required);
     add_path_policies(command, options);
     add_paper_options(command, options.planning);
+    add_mesh_options(command, options.part);
     add_common_options(command, options.common);
 }
 

@@ -26,7 +26,7 @@ enum class PlanStrategy {
 /// The options of `endmill plan`. An empty option takes the default that the help states.
 struct PlanOptions {
     CommonOptions common;
-    std::string part;
+    PartOptions part;
     std::optional<double> cutter_diameter;  ///< of the ball, mm
     RequestedTolerances requested;
     std::optional<double> safe_height;  ///< mm along the axis

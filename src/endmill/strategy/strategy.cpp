@@ -9,6 +9,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/tolerance.h"
+#include "endmill/drop_cutter/clearance.h"
 #include "endmill/strategy/detail/covering_path.h"
 #include "endmill/strategy/detail/iso_scallop.h"
 #include "endmill/verification/verification.h"
@@ -91,17 +92,19 @@ CoveringPath along_parameter(Parameter along, const Surfaces& surfaces,
 CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& cutter,
                          const StrategyOptions& options)
 {
-    const auto* surfaces = std::get_if<Surfaces>(&part);
-    if (!surfaces)
-        throw GeometryError{std::string{strategy_name(strategy)} +
-                            " does not plan on meshes"};
-    if (strategy == Strategy::IsoU || strategy == Strategy::IsoV)
+    if (strategy == Strategy::IsoU || strategy == Strategy::IsoV) {
+        const auto* surfaces = std::get_if<Surfaces>(&part);
+        if (!surfaces)
+            throw GeometryError{std::string{strategy_name(strategy)} +
+                                " follows parameter lines, which a mesh does not have"};
         return along_parameter(strategy == Strategy::IsoU ? Parameter::U : Parameter::V,
                                *surfaces, cutter, options);
+    }
     if ((options.link.axis - Vec3::UnitZ()).norm() > unit_vector_rounding)
         throw GeometryError{std::string{strategy_name(strategy)} +
                             " plans along the axis +z only"};
-    const CoveredPart covered{part, cutter, options.inner_tolerance};
+    const CoveredPart covered{
+        part, cutter, {options.inner_tolerance, options.scallop_height}};
     LaidPasses laid =
         iso_scallop_passes(covered, cutter, with_progress(options, 0, laid_share));
     return covering_path(std::move(laid), covered, cutter,
@@ -112,9 +115,18 @@ StrategyPlan judged(Strategy strategy, CoveringPath covering, const Part& part,
                     const BallCutter& cutter, const StrategyOptions& options)
 {
     const DeviationLimits limits{options.inner_tolerance, options.scallop_height};
+    PathDeviationOptions judgement{limits};
+    judgement.progress = options.progress;
+    std::optional<DropCutter> drop;
+    if (const auto* mesh = std::get_if<TriangleMesh>(&part)) {
+        drop.emplace(*mesh, Cutter::ball(cutter.radius()));
+        judgement.is_accessible = [&](const PartRay& ray) {
+            return is_accessible(*drop, {ray.point, ray.normal},
+                                 reached_share * limits.scallop);
+        };
+    }
     Deviation deviation =
-        deviation_of_path(part, covering.path, Cutter::ball(cutter.radius()),
-                          {limits, LimitProof::None, options.progress});
+        deviation_of_path(part, covering.path, Cutter::ball(cutter.radius()), judgement);
     if (strategy == Strategy::IsoU || strategy == Strategy::IsoV)
         covering.uncovered_mm2 = deviation.uncut_area_mm2;
     const PathEconomy economy = path_economy(covering.path);

@@ -66,6 +66,9 @@ struct CoveringPath {
     /// keeps more than the scallop height.
     double uncovered_mm2 = 0;
     std::vector<UncoveredPlace> uncovered = {};  ///< these places, the worst of each part
+    /// Area in mm^2 of the parts of a mesh that face the tool, but that the ball cannot come
+    /// near to. They need not be covered.
+    double unreached_mm2 = 0;
 };
 
 /// A path by a strategy, and how it was judged.
@@ -89,14 +92,21 @@ std::size_t most_part_samples(double memory_gib);
 /// Plans a path by a strategy and judges it. Strategy::IsoU and IsoV plan by
 /// plan_verified. The others lay passes on a sampled net of the part; passes branch, merge
 /// and run around holes.
+///
+/// On a mesh the facets that face the tool are to be covered, up to places that the ball
+/// cannot come within half the scallop height of; elsewhere it is only not to be gouged. The
+/// judgement is that of verify_path with is_accessible as test of the cutter's position.
+/// Contacts have x and y of their point in place of parameters u and v. A mesh must be
+/// oriented consistently.
 /// Source: docs/methods/iso-scallop.md.
 /// \param strategy how passes are laid.
 /// \param part     surfaces or a mesh.
 /// \param cutter   the ball.
 /// \param options  see there.
 /// \throws DomainError if a tolerance, the height or the axis is out of range.
-/// \throws GeometryError with the place if N . axis <= 0 or the surface has no normal; if
-///         the ball fits nowhere; or if the strategy does not suit the part.
+/// \throws GeometryError with the place if N . axis <= 0 or the surface has no normal, on a
+///         mesh only if no facet faces the tool; if the ball fits nowhere; or if the strategy
+///         does not suit the part.
 /// \throws LimitError if the part needs too many samples or points.
 StrategyPlan plan_by_strategy(Strategy strategy, const Part& part,
                               const BallCutter& cutter, const StrategyOptions& options);
