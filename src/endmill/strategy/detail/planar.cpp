@@ -65,9 +65,8 @@ public:
           options_{&options},
           cutter_{cutter},
           height_{search_height(part, cutter, options)},
-          samples_{part.surfaces, part.sides,
-                   strip_width(cutter, height_) / search_samples_across,
-                   options.most_samples}
+          samples_{part.samples(strip_width(cutter, height_) / search_samples_across,
+                                options.most_samples)}
     {
     }
 
@@ -103,7 +102,7 @@ private:
     {
         const double radius = cutter.radius();
         // the area by the first net of each patch
-        const PartSamples first{part.surfaces, part.sides, 1e9, options.most_samples};
+        const PartSamples first = part.samples(1e9, options.most_samples);
         double area = 0;
         for (const auto& [a, b, c] : first.triangles())
             area += (first.point(b) - first.point(a))
@@ -112,8 +111,7 @@ private:
                     2;
         const double half_strip = std::min(
             search_samples_across * std::sqrt(2 * area / search_samples) / 2, radius);
-        const double few =
-            radius - std::sqrt(radius * radius - half_strip * half_strip);
+        const double few = radius - std::sqrt(radius * radius - half_strip * half_strip);
         return std::max(options.scallop_height,
                         std::min(few, greatest_search_height * radius));
     }
@@ -122,10 +120,11 @@ private:
     {
         Coverage coverage{samples_, cutter_, planar_share * height_};
         const std::vector<LaidPass> passes =
-            SectionMarch{coverage, Angle::radians(angle), planar_slack_share * height_}.passes();
+            SectionMarch{coverage, Angle::radians(angle), planar_slack_share * height_}
+                .passes();
         const PassLengths lengths = pass_lengths(passes, cutter_.radius());
-        const double travel = options_->distance == TravelKind::Tip ? lengths.tip_mm
-                                                                    : lengths.contact_mm;
+        const double travel =
+            options_->distance == TravelKind::Tip ? lengths.tip_mm : lengths.contact_mm;
         return {angle, travel, lengths, passes.size()};
     }
 
@@ -137,9 +136,9 @@ private:
             for (std::size_t k = begin; k < end; ++k) {
                 found[k] = cost(angles[k]);
                 if (options_->progress)
-                    options_->progress(searched_share * static_cast<double>(++done) /
-                                       (static_cast<double>(angles.size()) +
-                                        valleys * golden_steps));
+                    options_->progress(
+                        searched_share * static_cast<double>(++done) /
+                        (static_cast<double>(angles.size()) + valleys * golden_steps));
             }
         });
         return found;
@@ -149,17 +148,16 @@ private:
     std::vector<double> parameter_directions() const
     {
         std::vector<double> angles;
-        for (const Surface& surface : part_->surfaces) {
+        for (const Surface& surface : part_->surfaces()) {
             const Interval u = surface.range(Parameter::U);
             const Interval v = surface.range(Parameter::V);
             const SurfaceTangents middle =
                 surface.tangents((u.low + u.high) / 2, (v.low + v.high) / 2);
             for (const Vec3& way : {middle.du, middle.dv}) {
                 const double angle = half_turn(std::atan2(way.y(), way.x()));
-                const bool is_known =
-                    std::any_of(angles.begin(), angles.end(), [&](double other) {
-                        return std::abs(other - angle) < least_turn;
-                    });
+                const bool is_known = std::any_of(
+                    angles.begin(), angles.end(),
+                    [&](double other) { return std::abs(other - angle) < least_turn; });
                 if (!is_known)
                     angles.push_back(angle);
             }
@@ -252,9 +250,8 @@ PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
                                 one.lengths.tip_mm, one.passes});
         angles = best_directions(known);
     }
-    PartSamples samples{part.surfaces, part.sides,
-                        strip_width(cutter, height) / planar_samples_across,
-                        options.most_samples};
+    PartSamples samples = part.samples(
+        strip_width(cutter, height) / planar_samples_across, options.most_samples);
     std::vector<std::vector<LaidPass>> laid(angles.size());
     std::vector<double> travel(angles.size());
     parallel_for(angles.size(), [&](std::size_t begin, std::size_t end) {
@@ -264,8 +261,8 @@ PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
                                    planar_slack_share * height}
                           .passes();
             const PassLengths lengths = pass_lengths(laid[k], cutter.radius());
-            travel[k] = options.distance == TravelKind::Tip ? lengths.tip_mm
-                                                            : lengths.contact_mm;
+            travel[k] =
+                options.distance == TravelKind::Tip ? lengths.tip_mm : lengths.contact_mm;
         }
     });
     const auto best = static_cast<std::size_t>(

@@ -35,6 +35,7 @@ SectionMarch::SectionMarch(Coverage& coverage, Angle direction, double slack)
     : coverage_{&coverage},
       samples_{&coverage.samples()},
       slack_{slack},
+      is_planar_{true},
       sine_{std::sin(direction.radians())},
       cosine_{std::cos(direction.radians())},
       strip_{strip_width(coverage.cutter(), coverage.height())},
@@ -47,6 +48,27 @@ SectionMarch::SectionMarch(Coverage& coverage, Angle direction, double slack)
     // twins must agree, so that lines continue from one to the other
     for (std::size_t i = 0; i < samples_->size(); ++i)
         offsets_[i] = offset_of(samples_->point(samples_->representative(i)));
+    sort_samples();
+}
+
+SectionMarch::SectionMarch(Coverage& coverage, std::vector<double> offsets, double slack)
+    : coverage_{&coverage},
+      samples_{&coverage.samples()},
+      slack_{slack},
+      is_planar_{false},
+      strip_{strip_width(coverage.cutter(), coverage.height())},
+      offsets_{std::move(offsets)},
+      order_(samples_->size()),
+      is_lost_(samples_->size(), false),
+      walk_{*samples_},
+      beyond_(samples_->size())
+{
+    sort_samples();
+}
+
+// Fills order_.
+void SectionMarch::sort_samples()
+{
     std::iota(order_.begin(), order_.end(), 0);
     std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
         return offsets_[a] != offsets_[b] ? offsets_[a] < offsets_[b] : a < b;
@@ -96,8 +118,8 @@ void SectionMarch::walk_reach(const SampleEdge& place)
 {
     const double radius = coverage_->cutter().radius();
     const Vec3 point = raised(place);
-    const double least = std::min(offsets_[place.from], offsets_[place.to]) -
-                         samples_->spacing() / 2;
+    const double least =
+        std::min(offsets_[place.from], offsets_[place.to]) - samples_->spacing() / 2;
     inside_.clear();
     around_.clear();
     walk_.from(std::array{place.from, place.to}, [&](std::int32_t i) {
@@ -123,9 +145,8 @@ double SectionMarch::nearly_farthest(const SampleEdge& place)
         for (const std::int32_t neighbour : samples_->neighbours(i))
             if (offsets_[neighbour] > offsets_[i] && beyond_[neighbour] > 0)
                 offset = std::max(
-                    offset,
-                    std::lerp(offsets_[i], offsets_[neighbour],
-                              beyond_[i] / (beyond_[i] - beyond_[neighbour])));
+                    offset, std::lerp(offsets_[i], offsets_[neighbour],
+                                      beyond_[i] / (beyond_[i] - beyond_[neighbour])));
     }
     return offset;
 }
@@ -230,9 +251,8 @@ std::vector<SectionMarch::Demand> SectionMarch::demands()
 double SectionMarch::next_offset()
 {
     std::vector<Demand> open = demands();
-    std::sort(open.begin(), open.end(), [](const Demand& a, const Demand& b) {
-        return a.farthest < b.farthest;
-    });
+    std::sort(open.begin(), open.end(),
+              [](const Demand& a, const Demand& b) { return a.farthest < b.farthest; });
     double offset = unlimited;
     for (const Demand& demand : open) {
         if (demand.farthest >= offset)
@@ -247,9 +267,10 @@ double SectionMarch::next_offset()
 PassContact SectionMarch::contact_on(const SampleEdge& place, double offset) const
 {
     const PassContact contact = samples_->contact(place);
-    const double share =
-        place.share + (offset - offset_of(contact.at.contact.point)) /
-                          (offsets_[place.to] - offsets_[place.from]);
+    if (!is_planar_)
+        return contact;
+    const double share = place.share + (offset - offset_of(contact.at.contact.point)) /
+                                           (offsets_[place.to] - offsets_[place.from]);
     if (!(std::abs(share - place.share) > least_correction) || share < 0 || share > 1)
         return contact;
     return samples_->contact({place.from, place.to, share});
@@ -285,8 +306,7 @@ std::vector<LaidPass> SectionMarch::sections(double offset) const
     std::vector<LaidPass> found;
     if (begin == end)
         return found;
-    for (const LevelLine& line :
-         level_lines(*samples_, offsets_, {begin, end}, offset))
+    for (const LevelLine& line : level_lines(*samples_, offsets_, {begin, end}, offset))
         found.push_back(pass_on(line, offset));
     return found;
 }
