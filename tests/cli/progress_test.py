@@ -65,6 +65,9 @@ class Progress(ProgramTest):
         for work, arguments in (
                 ("planning", ("plan", SURFACES / "sheared-plane.json", "--strategy", "iso", "--chord-tolerance", "1e-5")),
                 ("planning", ("plan", "--strategy", "iso", *cylinder)),
+                # nearly all of the time tests the strips between the passes
+                ("planning", ("plan", SURFACES / "cylinder.json", "--cutter", "ball:10", "--strategy", "iso",
+                            "--outer-tolerance", "1e-9")),
                 ("(slicing the offset|writing the sections)", ("trim", SURFACES / "valley.json", "--cutter", "ball:20",
                                                                "--planes", "12000")),
                 ("comparing the methods", ("trim", SURFACES / "plane.json", "--cutter", "ball:6", "--planes", "3", "--grid",

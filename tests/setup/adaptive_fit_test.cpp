@@ -42,7 +42,7 @@ protected:
 
 TEST_F(ManyCaps, AreFittedFromThreeOfThemAsAllAtOnce)
 {
-    const ConeSet all = cones_.some(numbers_);
+    const ConeSet all = cones_.selected(numbers_);
     const std::vector<std::size_t> three{0, cones_.size() / 2, cones_.size() - 1};
     using enum SetupObjective;
     for (const SetupObjective objective : {FlooredArea, TotalRange, Tilt})
@@ -66,7 +66,7 @@ TEST_F(ManyCaps, AreFittedFromThreeOfThemAsAllAtOnce)
 // The ranges meet all cones, the bound knows three of them and those that it adds.
 TEST_F(ManyCaps, HaveNodesWithBoundsBelowEveryFit)
 {
-    const ConeSet all = cones_.some(numbers_);
+    const ConeSet all = cones_.selected(numbers_);
     const std::vector<std::size_t> three{0, cones_.size() / 2, cones_.size() - 1};
     for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
         AxisFitter every{fitting(family, SetupObjective::FlooredArea, &all)};

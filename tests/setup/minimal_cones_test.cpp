@@ -118,7 +118,7 @@ TEST_F(CapsOnASphere, FillColumnsWithTheBitsOfTheMap)
         std::vector<std::size_t> numbers(count);
         for (std::size_t k = 0; k < count; ++k)
             numbers[k] = cones_.size() - count + k;
-        const ConeSet set = cones_.some(numbers);
+        const ConeSet set = cones_.selected(numbers);
         ASSERT_EQ(set.facets().size(), count);
         for (std::size_t at = 0; at < set.cells().size(); ++at)
             for (std::size_t bit = 0; bit < 64 * set.words(); ++bit) {
@@ -141,14 +141,14 @@ TEST_F(CapsOnASphere, AreMetByACellOfEachMissedCone)
     for (auto missed = cones_.missed(reached); !missed.empty();
          missed = cones_.missed(reached)) {
         const std::vector<std::size_t> one{missed.front()};
-        const ConeSet set = cones_.some(one);
+        const ConeSet set = cones_.selected(one);
         reached.push_back(static_cast<std::uint32_t>(set.smallest_cone().front()));
         ASSERT_LE(++steps, cones_.size());
     }
     std::vector<std::size_t> numbers(cones_.size());
     for (std::size_t k = 0; k < numbers.size(); ++k)
         numbers[k] = k;
-    const ConeSet all = cones_.some(numbers);
+    const ConeSet all = cones_.selected(numbers);
     std::vector<std::uint64_t> open(all.everything(), all.everything() + all.words());
     const MissingWords<0> words{all.words()};
     for (const std::uint32_t at : reached)
@@ -163,8 +163,8 @@ TEST_F(CapsOnASphere, GrowASetToTheSetOfAll)
     for (std::size_t k = 0; k < numbers.size(); ++k)
         numbers[k] = k;
     ASSERT_GT(numbers.size(), 64U);
-    const ConeSet all = cones_.some(numbers);
-    ConeSet grown = cones_.some(std::span{numbers}.first(3));
+    const ConeSet all = cones_.selected(numbers);
+    ConeSet grown = cones_.selected(std::span{numbers}.first(3));
     for (const std::size_t number : std::span{numbers}.subspan(3))
         cones_.add(grown, number);
     ASSERT_EQ(grown.words(), all.words());

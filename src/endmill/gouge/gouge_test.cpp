@@ -20,9 +20,11 @@ constexpr double pieces_per_radius = 2;
 // Halvings of a piece: 2^-40 of its size is far below any resolution that rounding
 // permits.
 constexpr int most_halvings = 80;
-// Halvings of a piece before the plane parallel to it is tried. Larger pieces of a curved
-// part are rarely settled by it, so that it would only cost time.
+// The plane parallel to a piece is tried after 4, 16, 28, ... halvings. Larger pieces of a
+// curved part are rarely settled by it. At a tolerance of about R / 1000, few pieces of a
+// curved part need 16 halvings, so that it is tried about once for each place.
 constexpr int halvings_before_parallel = 4;
+constexpr int halvings_between_parallel = 12;
 
 // The search for points of the part that are nearer than `reach_` to the swept axis. A
 // branch-and-bound search in the tree of Bezier pieces:
@@ -217,7 +219,8 @@ private:
         }
         if (bound >= limit())
             return true;
-        if (stops_at_first_ && halvings >= halvings_before_parallel &&
+        if (stops_at_first_ &&
+            halvings % halvings_between_parallel == halvings_before_parallel &&
             parallel_bound(piece, whole.middle) >= reach_ + resolution_)
             return true;
         if (nearest - bound < resolution_ || halvings == most_halvings) {

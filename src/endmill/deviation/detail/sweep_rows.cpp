@@ -45,10 +45,8 @@ void measure_gaps(const RayBounds& rays, const SweepBlock& sweeps, std::size_t c
     const double ux = rays.upright.x();
     const double uy = rays.upright.y();
     const double uz = rays.upright.z();
-    const double tilt = rays.tilt;
-    const double rays_beside = rays.beside;
-    const double rays_above = rays.above;
-    const double longest = rays.longest;
+    const auto [tilt, rays_beside, rays_above, longest] =
+        std::array{rays.tilt, rays.beside, rays.above, rays.longest};
     for (std::size_t k = 0; k < count; ++k) {
         const double px = cx - sweeps.x[k];
         const double py = cy - sweeps.y[k];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -46,6 +47,9 @@ constexpr int batch = 32;
 constexpr int most_rounds = 64;
 // Most halvings of an interval by further passes: down to an eighth.
 constexpr int most_splits = 3;
+// Share of the progress on a batch of passes that is reported while they are laid; the
+// rest is reported while they are divided into steps.
+constexpr double laying_share = 0.5;
 // Bisections of the interval in which the ball ceases to fit.
 constexpr int limit_bisections = 6;
 // Places on a step at which a rolling ball is tested, to see whether halving the step may
@@ -93,6 +97,8 @@ public:
     }
 
 private:
+    using Clock = std::chrono::steady_clock;
+
     // A pass that is not yet divided into steps, with the points that it must reach.
     struct LaidPass {
         double v;
@@ -121,6 +127,7 @@ private:
             for (const FrontPoint& front : previous_front_)
                 pass.demands.push_back({front.foot_u, raised(front.contact)});
             laid_.push_back(sorted(std::move(pass)));
+            report_passes(laying_share, next);
             interval_ = next - v;
             v = next;
             if (laid_.size() == batch)
@@ -180,7 +187,8 @@ private:
         std::atomic<double> done = 0;  // passes
         const auto advance = [&](double share) {
             const double before = done.fetch_add(share);
-            report((before + share) / static_cast<double>(laid_.size()));
+            const double divided = (before + share) / static_cast<double>(laid_.size());
+            report_passes(std::lerp(laying_share, 1.0, divided), laid_.back().v);
         };
         parallel_for(laid_.size(), [&](std::size_t begin, std::size_t stop) {
             for (std::size_t k = begin; k < stop; ++k)
@@ -191,14 +199,26 @@ private:
             count_points(passes_[k]);
     }
 
-    // Reports that a share of the laid passes is divided.
-    void report(double share) const
+    // Reports that a share of the work on the laid passes up to `last` is done.
+    void report_passes(double share, double last) const
     {
         if (!options_.progress)
             return;
         const auto [low, high] = marched_.surface.range(Parameter::V);
-        const double v = std::lerp(laid_.front().v, laid_.back().v, share);
+        const double v = std::lerp(laid_.front().v, last, share);
         options_.progress((v - low) / (high - low));
+    }
+
+    // Reports that a share of the strips is tested. The time of the strips is not
+    // proportional to that of the passes. Therefore the reported share is the time
+    // since the start, divided by the time that all strips need at the present rate.
+    void report_strips(double share, Clock::time_point strips_start) const
+    {
+        if (!options_.progress)
+            return;
+        const std::chrono::duration<double> for_passes = strips_start - start_;
+        const std::chrono::duration<double> for_strips = Clock::now() - strips_start;
+        options_.progress((for_passes + for_strips) / (for_passes + for_strips / share));
     }
 
     void count_points(const VerifiedPass& pass)
@@ -286,12 +306,19 @@ private:
         open_.assign(passes_.size(), std::nullopt);
         std::vector<char> is_due(passes_.size(),
                                  1);  // whether to test the strip above a pass
+        const Clock::time_point strips_start = Clock::now();
+        std::atomic<std::size_t> tested = 0;  // strips of the first round
         for (int round = 0; round < most_rounds; ++round) {
             parallel_for(passes_.size() - 1, [&](std::size_t begin, std::size_t stop) {
-                for (std::size_t k = begin; k < stop; ++k)
-                    if (is_due[k] != 0)
-                        open_[k] = uncovered_between({passes_[k].v, passes_[k + 1].v},
-                                                     passes_[k], passes_[k + 1]);
+                for (std::size_t k = begin; k < stop; ++k) {
+                    if (is_due[k] == 0)
+                        continue;
+                    open_[k] = uncovered_between({passes_[k].v, passes_[k + 1].v},
+                                                 passes_[k], passes_[k + 1]);
+                    if (round == 0)
+                        report_strips(double(++tested) / double(passes_.size() - 1),
+                                      strips_start);
+                }
             });
             is_due = mend_beside_open();
             if (std::ranges::count(is_due, 1) == 0)
@@ -368,6 +395,7 @@ private:
 
     const MarchedSurface& marched_;
     const VerifiedOptions& options_;
+    Clock::time_point start_ = Clock::now();  // for the progress only
     double total_height_;
     OffsetBounds bounds_;
     StripCover line_cover_;

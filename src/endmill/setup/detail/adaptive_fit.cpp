@@ -20,7 +20,7 @@ ConeFitting with_cones(ConeFitting fitting, const ConeSet& cones)
 AdaptiveFitter::AdaptiveFitter(const MinimalCones& cones, const ConeFitting& problem)
     : cones_{cones},
       is_in_set_(cones.size(), 0),
-      columns_{cones.some({})},
+      columns_{cones.selected({})},
       fitting_{with_cones(problem, columns_)},
       fitter_{fitting_,
               [this](std::span<const std::uint32_t> reached) { return grow(reached); }}
@@ -36,7 +36,7 @@ void AdaptiveFitter::begin_with(std::span<const std::size_t> cones)
     set_.assign(cones.begin(), cones.end());
     for (const std::size_t cone : set_)
         is_in_set_[cone] = 1;
-    columns_ = cones_.some(set_);
+    columns_ = cones_.selected(set_);
 }
 
 bool AdaptiveFitter::grow(std::span<const std::uint32_t> reached)

@@ -54,24 +54,24 @@ std::vector<std::vector<std::uint32_t>> nearby_cells(const SphereGrid& grid,
 
 MinimalCones::MinimalCones(const SphereGrid& grid, const VisibilityMap& map)
     : all_{map},
-      least_{least_cones(all_)},
-      columns_{all_.map(least_)}
+      minimal_{least_cones(all_)},
+      columns_{all_.map(minimal_)}
 {
-    everything_.resize(columns_.words());
+    all_missed_.resize(columns_.words());
     for (std::size_t cone = 0; cone < size(); ++cone)
-        everything_[cone / 64] |= std::uint64_t{1} << cone % 64;
+        all_missed_[cone / 64] |= std::uint64_t{1} << cone % 64;
     for (std::size_t cell = 0; cell < columns_.cells(); ++cell)
         if (!is_empty(columns_.column(cell)))
             cells_.push_back(cell);
     nearby_ = nearby_cells(grid, cells_);
 }
 
-ConeSet MinimalCones::some(std::span<const std::size_t> numbers) const
+ConeSet MinimalCones::selected(std::span<const std::size_t> numbers) const
 {
     std::vector<std::size_t> chosen;
     chosen.reserve(numbers.size());
     for (const std::size_t number : numbers)
-        chosen.push_back(least_[number]);
+        chosen.push_back(minimal_[number]);
     return {all_, chosen, cells_};
 }
 
@@ -97,7 +97,7 @@ void MinimalCones::clear_met(std::span<std::uint64_t> cones,
 std::vector<std::size_t> MinimalCones::missed(
     std::span<const std::uint32_t> reached) const
 {
-    std::vector<std::uint64_t> missed = everything_;
+    std::vector<std::uint64_t> missed = all_missed_;
     clear_met(missed, reached);
     if (is_empty(missed))
         return {};

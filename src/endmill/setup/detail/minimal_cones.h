@@ -21,16 +21,16 @@ public:
     /// \param map cones over the cells of `grid`.
     MinimalCones(const SphereGrid& grid, const VisibilityMap& map);
 
-    std::size_t size() const { return least_.size(); }  ///< number of cones
+    std::size_t size() const { return minimal_.size(); }  ///< number of cones
 
     /// Cells that lie in at least one cone, ascending.
     std::span<const std::size_t> cells() const { return cells_; }
 
     /// The cones with these numbers, over all of cells().
-    ConeSet some(std::span<const std::size_t> numbers) const;
+    ConeSet selected(std::span<const std::size_t> numbers) const;
 
-    /// Adds the cone with this number to a set made by `some`.
-    void add(ConeSet& set, std::size_t number) const { set.add(all_, least_[number]); }
+    /// Adds the cone with this number to a set made by `selected`.
+    void add(ConeSet& set, std::size_t number) const { set.add(all_, minimal_[number]); }
 
     /// Numbers of the cones that hold none of these cells, ascending. If some of them are
     /// farther than one and a half cells from these cells, only those. Distant cones
@@ -44,9 +44,10 @@ private:
                    std::span<const std::uint32_t> cells) const;
 
     DistinctCones all_;
-    std::vector<std::size_t> least_;         // numbers of the minimal cones in all_
-    VisibilityMap columns_;                  // the minimal cones as columns of bits
-    std::vector<std::uint64_t> everything_;  // a column with a bit for each cone
+    std::vector<std::size_t> minimal_;  // numbers of the minimal cones in all_
+    VisibilityMap columns_;             // the minimal cones as columns of bits
+    // A column with the bits of all minimal cones: those missed before any cell is reached.
+    std::vector<std::uint64_t> all_missed_;
     std::vector<std::size_t> cells_;
     // By index of a cell: those of the cells within one and a half cells of it.
     std::vector<std::vector<std::uint32_t>> nearby_;

@@ -368,43 +368,91 @@ private:
                 continue;
             }
             const auto [p, p_end] = ahead.back();
-            const int farther =
-                is_rightwards ? place_order(p_end, q_end) : place_order(q_end, p_end);
-            std::int32_t end = farther < 0 || (farther == 0 && q_end < 0) ? p_end : q_end;
-            const int above_at_end = order_at_end(q, p, end, farther);
-            if (end < 0 && farther == 0 && above_at_end > 0)
-                end = q_end;  // of two coincident crossings, the one on the envelope
-            const bool is_above =
-                above > 0 || (above == 0 && (above_at_end > 0 ||
-                                             (above_at_end == 0 && is_before(q, p))));
-            append(behind, is_above ? q : p, place);
-            if (above * above_at_end < 0) {
-                crossings_.push_back(order_.crossing(p, q));
-                append(behind, is_above ? p : q,
-                       ~static_cast<std::int32_t>(crossings_.size() - 1));
-            }
-            place = end;
-            above = above_at_end;
+            const FirstEnd first = first_end<is_rightwards>({p, p_end}, {q, q_end});
+            append_upper(behind, {q, p, place}, above, first.above);
+            place = first.place;
+            above = first.above;
             bool is_continuous = true;
-            if (farther <= 0) {
+            if (first.farther <= 0) {
                 ahead.pop_back();
-                is_continuous = p_end < 0 || (touches(p, p_end) && !ahead.empty() &&
-                                              touches(ahead.back().segment, p_end));
+                is_continuous =
+                    p_end < 0 ||
+                    (!ahead.empty() && is_joined({p, p_end}, ahead.back().segment));
             }
-            if (farther >= 0) {
+            if (first.farther >= 0) {
                 feed.advance();
                 if (feed.is_done())
                     break;
-                is_continuous =
-                    is_continuous &&
-                    (q_end < 0 || (touches(q, q_end) && touches(feed.segment(), q_end)));
+                is_continuous = is_continuous && is_joined({q, q_end}, feed.segment());
             }
             if (!is_continuous)
-                above = ahead.empty()
-                            ? 1
-                            : order_at(feed.segment(), ahead.back().segment, place);
+                above = order_ahead(feed.segment(), ahead, place);
         }
         envelope.split = place;
+    }
+
+    // A segment and the place at which it ends.
+    struct EndingSegment {
+        std::int32_t segment;
+        std::int32_t end;
+    };
+
+    // Whether `next` goes on where a segment ends: at a crossing, or at a vertex of both.
+    static bool is_joined(const EndingSegment& ended, std::int32_t next)
+    {
+        return ended.end < 0 ||
+               (touches(ended.segment, ended.end) && touches(next, ended.end));
+    }
+
+    // Whether q runs above the envelope `ahead` of a vertex (1), meets it (0) or runs
+    // below it (-1) there.
+    int order_ahead(std::int32_t q, const std::vector<EnvelopePiece>& ahead,
+                    std::int32_t vertex) const
+    {
+        return ahead.empty() ? 1 : order_at(q, ahead.back().segment, vertex);
+    }
+
+    // Where the first of two segments ends.
+    struct FirstEnd {
+        std::int32_t place;
+        int farther;  // as for order_at_end
+        int above;  // whether q runs above p (1), meets it (0) or runs below it (-1) there
+    };
+
+    template <bool is_rightwards>
+    FirstEnd first_end(const EndingSegment& p, const EndingSegment& q) const
+    {
+        const int farther =
+            is_rightwards ? place_order(p.end, q.end) : place_order(q.end, p.end);
+        std::int32_t place = farther < 0 || (farther == 0 && q.end < 0) ? p.end : q.end;
+        const int above = order_at_end(q.segment, p.segment, place, farther);
+        if (place < 0 && farther == 0 && above > 0)
+            place = q.end;  // of two coincident crossings, the one on the envelope
+        return {place, farther, above};
+    }
+
+    // Two segments from a place on.
+    struct SegmentPair {
+        std::int32_t q;
+        std::int32_t p;
+        std::int32_t from;
+    };
+
+    // Appends the upper one of two segments, and the other one from their crossing on, if
+    // there is one. `above` and `above_at_end` are their orders at both ends.
+    void append_upper(std::vector<EnvelopePiece>& pieces, const SegmentPair& pair,
+                      int above, int above_at_end)
+    {
+        const auto [q, p, from] = pair;
+        const bool is_above =
+            above > 0 ||
+            (above == 0 && (above_at_end > 0 || (above_at_end == 0 && is_before(q, p))));
+        append(pieces, is_above ? q : p, from);
+        if (above * above_at_end < 0) {
+            crossings_.push_back(order_.crossing(p, q));
+            append(pieces, is_above ? p : q,
+                   ~static_cast<std::int32_t>(crossings_.size() - 1));
+        }
     }
 
     // Whether q counts as the carrier where q and p coincide: the one with the smaller
