@@ -7,25 +7,25 @@
 #include <span>
 #include <utility>
 
+#include "endmill/core/detail/large_pages.h"
 #include "endmill/core/error.h"
 #include "endmill/core/tolerance.h"
+#include "endmill/mesh/detail/nearest_bounds.h"
 
 namespace endmill {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr float no_box = std::numeric_limits<float>::infinity();
 // mm, so that boxes and squared distances stay finite
 constexpr double largest_length = 1e30;
 // Lengths of a ray's direction, so that neither it nor its inverse loses digits.
 constexpr double shortest_direction = 1e-100;
 constexpr double longest_direction = 1e100;
 constexpr std::size_t fan_out = 4;  // children of a node, and triangles of a leaf
-// Distance from which slabs are worth a test, in diagonals of leaves. Nearer, boxes
-// exclude nearly as many children.
-constexpr double far_leaves = 8;
-// Margin for the rounding of a ray with a far origin, and of a large distance, as a share
-// of the largest coordinate.
+// Highest level from the leaves upwards that is too large for the nearest caches if there
+// are a million triangles.
+constexpr std::int32_t highest_cold_level = 3;
+// Margin for the rounding of a ray with a far origin, as a share of the largest coordinate.
 constexpr double question_margin = 1e-13;
 
 double largest_coordinate(const Vec3& point)
@@ -41,7 +41,9 @@ bool is_within_reach(const Vec3& point)
 float rounded_down(double value)
 {
     const auto rounded = static_cast<float>(value);
-    return rounded <= value ? rounded : std::nextafter(rounded, -no_box);
+    return rounded <= value
+               ? rounded
+               : std::nextafter(rounded, -std::numeric_limits<float>::infinity());
 }
 
 Eigen::Index place_in_node(std::size_t child)
@@ -90,6 +92,16 @@ void arrange_centres(std::span<Centre> centres, std::size_t capacity)
     arrange_centres(centres.subspan(half), half);
 }
 
+// The functions that only prefetch are inlined by force: GCC takes one for a function
+// without effect, and removes calls to it.
+[[gnu::always_inline]] inline void prefetch_lines(const FourEnclosures& node)
+{
+    static_assert(sizeof node == 3 * 64);
+    const auto* line = reinterpret_cast<const char*>(&node);
+    for (std::size_t k = 0; k < sizeof node; k += 64)
+        __builtin_prefetch(line + k);
+}
+
 // Unit vector along `vector`; zero if it has no direction.
 Eigen::Vector3f unit_or_zero(const Vec3& vector)
 {
@@ -129,65 +141,6 @@ Vec3 nearest_on_segment(const Vec3& place, const Vec3& end_a, const Vec3& end_b)
 std::array<Vec3, 3> corners_of(const Triangle& triangle, std::span<const Vec3> points)
 {
     return {points[triangle[0]], points[triangle[1]], points[triangle[2]]};
-}
-
-// A coordinate of four points.
-using FourNumbers = Eigen::Array4d;
-
-// Four points, by coordinate.
-struct FourPoints {
-    FourNumbers x;
-    FourNumbers y;
-    FourNumbers z;
-
-    FourNumbers dot(const FourPoints& other) const
-    {
-        return x * other.x + y * other.y + z * other.z;
-    }
-};
-
-// Corner `corner` of four triangles, seen from a place.
-FourPoints four_corners(std::span<const Vec3> points, std::span<const Triangle, 4> four,
-                        int corner, const Vec3& place)
-{
-    FourPoints result;
-    for (int k = 0; k < 4; ++k) {
-        const Vec3& point = points[four[k][corner]];
-        result.x[k] = point.x() - place.x();
-        result.y[k] = point.y() - place.y();
-        result.z[k] = point.z() - place.z();
-    }
-    return result;
-}
-
-// Lower bounds of the squared distances, mm^2, from a place to four triangles; `margin`
-// in mm is subtracted from each distance. A triangle is beyond the plane through its
-// nearest corner that is normal to the line from the place to its centre. Seen from afar
-// this plane is near the triangle, whereas a box is larger than a sloping triangle. The
-// box is the better bound for a triangle that is large for its distance.
-FourNumbers least_squares(std::span<const Vec3> points, std::span<const Triangle, 4> four,
-                          const Vec3& place, double margin)
-{
-    const FourPoints a = four_corners(points, four, 0, place);
-    const FourPoints b = four_corners(points, four, 1, place);
-    const FourPoints c = four_corners(points, four, 2, place);
-    const FourPoints centre{a.x + b.x + c.x, a.y + b.y + c.y, a.z + b.z + c.z};
-    // the least normal number, so that the length is not 0
-    constexpr double not_zero = std::numeric_limits<double>::min();
-    const FourNumbers along = centre.dot(a).min(centre.dot(b)).min(centre.dot(c)).max(0);
-    const FourNumbers to_plane = along * (along / (centre.dot(centre) + not_zero));
-    // (d - margin)^2 is at least d^2 - 2 d margin, and 2 d is at most d^2 / r + r for
-    // every r. Here r is many margins, so that the share of d^2 is small.
-    constexpr double share = 1e-7;
-    const double rest = margin / share * margin;
-    const auto to_box = [margin](const FourNumbers& p, const FourNumbers& q,
-                                 const FourNumbers& r) -> FourNumbers {
-        const FourNumbers low = p.min(q).min(r);
-        const FourNumbers high = p.max(q).max(r);
-        return (low.max(-high) - margin).max(0).square();
-    };
-    return ((1 - share) * to_plane - rest)
-        .max(to_box(a.x, b.x, c.x) + to_box(a.y, b.y, c.y) + to_box(a.z, b.z, c.z));
 }
 
 Vec3 nearer(const Vec3& place, const Vec3& a, const Vec3& b)
@@ -233,38 +186,9 @@ struct TriangleTree::NearestQuery {
 
     double limit() const { return least_square; }
 
-    // Squared distances to four boxes.
-    Eigen::Array4d bounds(const Boxes& boxes) const
+    std::array<double, 4> bounds(const FourEnclosures& children) const
     {
-        Eigen::Array4d squares = Eigen::Array4d::Zero();
-        for (int axis = 0; axis < 3; ++axis) {
-            const Eigen::Array4d below = boxes.low[axis].cast<double>() - place[axis];
-            const Eigen::Array4d above = place[axis] - boxes.high[axis].cast<double>();
-            squares += below.max(above).max(0).square();
-        }
-        return (1 - question_margin) * squares;
-    }
-
-    // Whether a child is beyond the limit. It is beyond the plane through the nearest
-    // point of its slab and box that is normal to the line from the place to its centre.
-    // Along that line, the slab limits the share of its own normal, and the box the rest.
-    bool is_beyond(const Boxes& boxes, const Slabs& slabs, std::size_t child) const
-    {
-        const Eigen::AlignedBox3d box = boxes.of(place_in_node(child));
-        const Slab& slab = slabs[child];
-        const Vec3 normal = slab.normal.cast<double>();
-        const Vec3 centre = box.center() - place;
-        const double share = normal.dot(centre);
-        const Vec3 rest = centre - share * normal;
-        const double height = normal.dot(place);
-        const double to_slab =
-            std::min(share * (slab.low - height), share * (slab.high - height));
-        const double to_plane =
-            to_slab + rest.dot(centre) - rest.cwiseAbs().dot(box.sizes()) / 2;
-        const double length = centre.norm();
-        const double least = to_plane - margin * length;
-        return least > 0 &&
-               (1 - question_margin) * least * least > least_square * length * length;
+        return bound_squares(children, place, margin, least_square);
     }
 
     void look_at(const std::array<Vec3, 3>& corners, std::int32_t number)
@@ -280,15 +204,18 @@ struct TriangleTree::NearestQuery {
         }
     }
 
-    // Bounds of all four triangles first: most triangles are beyond the limit.
+    // Bounds of all four triangles first: most triangles are beyond the limit, above all
+    // if the triangle with the least bound has been looked at.
     void look_at(const TriangleMesh& mesh, const Leaf& leaf)
     {
-        const FourNumbers bounds =
-            least_squares(mesh.points(), leaf.corners, place, margin);
-        for (int k = 0; k < 4; ++k)
-            if ((1 - question_margin) * bounds[k] <= least_square &&
-                leaf.numbers[k] != hint)
+        const std::array<double, 4> bounds =
+            bound_squares(mesh.points(), leaf.corners, place, margin);
+        const auto least = std::ranges::min_element(bounds) - bounds.begin();
+        for (int i = 0; i < 4; ++i) {
+            const auto k = (least + i) % 4;
+            if (bounds[k] <= least_square && leaf.numbers[k] != hint)
                 look_at(corners_of(leaf.corners[k], mesh.points()), leaf.numbers[k]);
+        }
     }
 };
 
@@ -307,27 +234,28 @@ struct TriangleTree::RayQuery {
     bool any_will_do = false;
     std::optional<std::size_t> triangle{};
 
-    // Slabs do not make a ray's search faster.
-    static bool is_beyond(const Boxes&, const Slabs&, std::size_t) { return false; }
-
     double limit() const { return any_will_do && triangle ? -infinity : greatest_t; }
 
     // The t at which the ray enters four boxes; infinite for boxes that it misses.
-    Eigen::Array4d bounds(const Boxes& boxes) const
+    std::array<double, 4> bounds(const FourEnclosures& children) const
     {
         Eigen::Array4d enter = Eigen::Array4d::Zero();
         Eigen::Array4d leave = Eigen::Array4d::Constant(infinity);
         for (int axis = 0; axis < 3; ++axis) {
             const bool falls = is_falling[axis];
-            const Eigen::Array4f& first = falls ? boxes.high[axis] : boxes.low[axis];
-            const Eigen::Array4f& last = falls ? boxes.low[axis] : boxes.high[axis];
+            const Eigen::Array4f& first =
+                falls ? children.high[axis] : children.low[axis];
+            const Eigen::Array4f& last = falls ? children.low[axis] : children.high[axis];
             const double outwards = falls ? -margin : margin;
             const double begin = ray.origin[axis] + outwards;
             const double end = ray.origin[axis] - outwards;
             enter = enter.max((first.cast<double>() - begin) * inverse[axis]);
             leave = leave.min((last.cast<double>() - end) * inverse[axis]);
         }
-        return (enter <= leave).select(enter, infinity);
+        std::array<double, 4> bounds;
+        Eigen::Map<Eigen::Array4d>{bounds.data()} =
+            (enter <= leave).select(enter, infinity);
+        return bounds;
     }
 
     void look_at(const TriangleMesh& mesh, const Leaf& leaf)
@@ -368,6 +296,12 @@ struct TriangleTree::RayQuery {
     }
 };
 
+TriangleTree::~TriangleTree() = default;
+TriangleTree::TriangleTree(const TriangleTree&) = default;
+TriangleTree::TriangleTree(TriangleTree&&) noexcept = default;
+TriangleTree& TriangleTree::operator=(const TriangleTree&) = default;
+TriangleTree& TriangleTree::operator=(TriangleTree&&) noexcept = default;
+
 TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_{&mesh}
 {
     for (const Vec3& point : mesh.points())
@@ -378,8 +312,6 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : mesh_{&mesh}
         return;
     arrange();
     enclose();
-    const double far = far_leaves * mean_leaf_diagonal();
-    far_square_ = far * far;
 }
 
 // Fills leaves_.
@@ -396,7 +328,9 @@ void TriangleTree::arrange()
     while (capacity < centres.size())
         capacity *= fan_out;
     arrange_centres(centres, capacity);
-    leaves_.resize((centres.size() + fan_out - 1) / fan_out);
+    const std::size_t leaves = (centres.size() + fan_out - 1) / fan_out;
+    reserve_in_large_pages(leaves_, leaves);
+    leaves_.resize(leaves);
     for (std::size_t k = 0; k < leaves_.size() * fan_out; ++k) {
         const std::int32_t number = centres[std::min(k, centres.size() - 1)].triangle;
         Leaf& leaf = leaves_[k / fan_out];
@@ -405,35 +339,28 @@ void TriangleTree::arrange()
     }
 }
 
-// Fills levels_ and slabs_: first around the leaves, then level by level around the
-// children below.
+// Fills levels_: first around the leaves, then level by level around the children below.
 void TriangleTree::enclose()
 {
-    const Eigen::Array4f none = Eigen::Array4f::Constant(no_box);
-    const Boxes nothing{{none, none, none}, {-none, -none, -none}};
-    const auto nodes_over = [](std::size_t count) {
-        return (count + fan_out - 1) / fan_out;
-    };
-    levels_.emplace_back(nodes_over(leaves_.size()), nothing);
-    slabs_.emplace_back(nodes_over(leaves_.size()));
+    add_level(leaves_.size());
     for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf)
         enclose_leaf(leaf);
     while (levels_.back().size() > 1) {
-        const std::vector<Boxes>& below = levels_.back();
-        std::vector<Boxes> level(nodes_over(below.size()), nothing);
-        std::vector<Slabs> slabs(level.size());
-        for (std::size_t k = 0; k < below.size(); ++k) {
-            for (int axis = 0; axis < 3; ++axis) {
-                level[k / fan_out].low[axis][place_in_node(k)] =
-                    below[k].low[axis].minCoeff();
-                level[k / fan_out].high[axis][place_in_node(k)] =
-                    below[k].high[axis].maxCoeff();
-            }
-            slabs[k / fan_out][k % fan_out] = slab_around(below[k], slabs_.back()[k]);
-        }
-        levels_.push_back(std::move(level));
-        slabs_.push_back(std::move(slabs));
+        add_level(levels_.back().size());
+        const std::vector<FourEnclosures>& below = levels_[levels_.size() - 2];
+        for (std::size_t node = 0; node < below.size(); ++node)
+            enclose_node(below[node], levels_.back()[node / fan_out],
+                         place_in_node(node));
     }
+}
+
+// Adds a level of nodes above `count` children.
+void TriangleTree::add_level(std::size_t count)
+{
+    levels_.emplace_back();
+    const std::size_t nodes = (count + fan_out - 1) / fan_out;
+    reserve_in_large_pages(levels_.back(), nodes);
+    levels_.back().resize(nodes);
 }
 
 // The box and the slab of a leaf. The slab is normal to the sum of the triangles' areas.
@@ -447,67 +374,66 @@ void TriangleTree::enclose_leaf(std::size_t leaf)
         sum += (b - a).cross(c - a);
         box.extend(a).extend(b).extend(c);
     }
-    Boxes& boxes = levels_[0][leaf / fan_out];
+    FourEnclosures& node = levels_[0][leaf / fan_out];
+    const Eigen::Index part = place_in_node(leaf);
     for (int axis = 0; axis < 3; ++axis) {
-        boxes.low[axis][place_in_node(leaf)] = rounded_down(box.min()[axis] - margin);
-        boxes.high[axis][place_in_node(leaf)] = -rounded_down(-box.max()[axis] - margin);
+        node.low[axis][part] = rounded_down(box.min()[axis] - margin);
+        node.high[axis][part] = -rounded_down(-box.max()[axis] - margin);
     }
     const Eigen::Vector3f normal = unit_or_zero(sum);
     Extent along;
     for (const Triangle& triangle : leaves_[leaf].corners)
         for (const Vec3& corner : corners_of(triangle, mesh_->points()))
             along.include(normal.cast<double>().dot(corner));
-    slabs_[0][leaf / fan_out][leaf % fan_out] = {normal, rounded_down(along.low - margin),
-                                                 -rounded_down(-along.high - margin)};
+    set_slab(node, part, normal, along.low, along.high);
 }
 
-Eigen::AlignedBox3d TriangleTree::Boxes::of(Eigen::Index child) const
+// The box and the slab around the boxes and slabs of a node. The normal of the slab is a
+// multiple of a child's normal and a rest. Along the former, the child's slab limits the
+// child; along the rest, its box does.
+void TriangleTree::enclose_node(const FourEnclosures& node, FourEnclosures& parent,
+                                Eigen::Index part) const
 {
-    return {Vec3{low[0][child], low[1][child], low[2][child]},
-            Vec3{high[0][child], high[1][child], high[2][child]}};
-}
-
-// The slab around the boxes and slabs of a node. The normal of the result is a multiple
-// of a child's normal and a rest. Along the former, the child's slab limits the child;
-// along the rest, its box does.
-TriangleTree::Slab TriangleTree::slab_around(const Boxes& boxes, const Slabs& slabs) const
-{
-    const double margin = box_margin_share * largest_coordinate_;
     Vec3 sum = Vec3::Zero();
-    for (const Slab& slab : slabs)
-        sum += slab.normal.cast<double>();
+    for (Eigen::Index k = 0; k < 4; ++k)
+        sum += node.normal_of(k);
+    for (int axis = 0; axis < 3; ++axis) {
+        parent.low[axis][part] = node.low[axis].minCoeff();
+        parent.high[axis][part] = node.high[axis].maxCoeff();
+    }
     const Eigen::Vector3f normal = unit_or_zero(sum);
     Extent along;
-    for (std::size_t k = 0; k < fan_out; ++k) {
-        const Eigen::AlignedBox3d box = boxes.of(place_in_node(k));
+    for (Eigen::Index k = 0; k < 4; ++k) {
+        const Eigen::AlignedBox3d box = node.box_of(k);
         if (box.isEmpty())
             continue;
-        const Vec3 child = slabs[k].normal.cast<double>();
-        const double share = normal.cast<double>().dot(child);
-        const Vec3 rest = normal.cast<double>() - share * child;
+        const Vec3 own = node.normal_of(k);
+        const double share = normal.cast<double>().dot(own);
+        const Vec3 rest = normal.cast<double>() - share * own;
         const double middle = rest.dot(box.center());
         const double reach = rest.cwiseAbs().dot(box.sizes()) / 2;
-        for (const double side : {slabs[k].low, slabs[k].high}) {
+        for (const float side : {node.slab_low[k], node.slab_high[k]}) {
             along.include(share * side + middle - reach);
             along.include(share * side + middle + reach);
         }
     }
-    return {normal, rounded_down(along.low - margin),
-            -rounded_down(-along.high - margin)};
+    set_slab(parent, part, normal, along.low, along.high);
 }
 
-// In mm; 0 if there are no leaves.
-double TriangleTree::mean_leaf_diagonal() const
+void TriangleTree::set_slab(FourEnclosures& node, Eigen::Index part,
+                            const Eigen::Vector3f& normal, double low, double high) const
 {
-    double sum = 0;
-    for (std::size_t leaf = 0; leaf < leaves_.size(); ++leaf)
-        sum += levels_[0][leaf / fan_out].of(place_in_node(leaf)).diagonal().norm();
-    return leaves_.empty() ? 0 : sum / static_cast<double>(leaves_.size());
+    const double margin = box_margin_share * largest_coordinate_;
+    for (int axis = 0; axis < 3; ++axis)
+        node.normal[axis][part] = normal[axis];
+    node.slab_low[part] = rounded_down(low - margin);
+    node.slab_high[part] = -rounded_down(-high - margin);
 }
 
 // Prefetches a node, and its leaves if it has leaves, or the points of a leaf if the level
 // is -1. Searches at scattered places find few of them in the nearest caches.
-void TriangleTree::prefetch(std::int32_t level, std::size_t node) const
+[[gnu::always_inline]] inline void TriangleTree::prefetch(std::int32_t level,
+                                                          std::size_t node) const
 {
     if (level < 0) {
         for (const Triangle& triangle : leaves_[node].corners)
@@ -515,12 +441,23 @@ void TriangleTree::prefetch(std::int32_t level, std::size_t node) const
                 __builtin_prefetch(&mesh_->points()[corner]);
         return;
     }
-    const Boxes& boxes = levels_[level][node];
-    __builtin_prefetch(&boxes.low);
-    __builtin_prefetch(&boxes.high[2]);
+    prefetch_lines(levels_[level][node]);
     const std::size_t end = level == 0 ? (node + 1) * fan_out : 0;
     for (std::size_t leaf = node * fan_out; leaf < std::min(end, leaves_.size()); ++leaf)
         __builtin_prefetch(&leaves_[leaf]);
+}
+
+// Prefetches the nodes below the node that is searched next, so that they arrive while it
+// is searched. The levels above `highest_cold_level` are in the nearest caches.
+[[gnu::always_inline]] inline void TriangleTree::prefetch_below(std::int32_t level,
+                                                                std::size_t node) const
+{
+    if (level < 1 || level > highest_cold_level)
+        return;
+    const std::vector<FourEnclosures>& below = levels_[level - 1];
+    const std::size_t end = std::min((node + 1) * fan_out, below.size());
+    for (std::size_t child = node * fan_out; child < end; ++child)
+        prefetch_lines(below[child]);
 }
 
 // Traverses the tree from the root. Children are visited in the order of their bounds,
@@ -541,18 +478,12 @@ void TriangleTree::ask(Query& query) const
         const Child next = waiting[--count];
         if (next.bound > query.limit())
             continue;
-        const std::size_t above = next.level + 1;  // the level of its parent
-        const std::size_t parent = next.node / fan_out;
-        if (next.bound > 0 && query.limit() > far_square_ &&
-            query.is_beyond(levels_[above][parent], slabs_[above][parent],
-                            next.node % fan_out))
-            continue;
         if (next.level < 0) {
             query.look_at(*mesh_, leaves_[next.node]);
             continue;
         }
         const std::size_t before = count;
-        const Eigen::Array4d bounds = query.bounds(levels_[next.level][next.node]);
+        const std::array<double, 4> bounds = query.bounds(levels_[next.level][next.node]);
         for (std::uint32_t k = 0; k < fan_out; ++k) {
             if (!(bounds[k] <= query.limit() && bounds[k] < infinity))
                 continue;
@@ -562,6 +493,8 @@ void TriangleTree::ask(Query& query) const
             waiting[place] = {bounds[k], next.node * 4 + k, next.level - 1};
             prefetch(next.level - 1, waiting[place].node);
         }
+        if (count > before)
+            prefetch_below(next.level - 1, waiting[count - 1].node);
     }
 }
 

@@ -14,6 +14,8 @@
 
 namespace endmill {
 
+struct FourEnclosures;
+
 /// The point of a mesh that is nearest to a given place.
 struct NearestPoint {
     Vec3 point;            ///< mm
@@ -46,9 +48,10 @@ Vec3 nearest_on_triangle(const Vec3& place, const std::array<Vec3, 3>& corners);
 /// for n triangles.
 ///
 /// The tree is a hierarchy of bounding boxes, and of slabs for the nearest point. It keeps
-/// 31 bytes a triangle and refers to the mesh, which must outlive it. It is a tuned kernel: its leaves and nodes have four
-/// children, which are tested together in vector registers. It shares no code with the
-/// trees of other modules, which have other shapes and other items.
+/// 32 bytes a triangle and refers to the mesh, which must outlive it. It is a tuned
+/// kernel: its leaves and nodes have four children, which are tested together in vector
+/// registers. It shares no code with the trees of other modules, which have other shapes
+/// and other items.
 ///
 /// A result depends only on the mesh and the query, not on earlier queries. If several
 /// triangles are equally good, the one with the lowest number is returned. Lengths are
@@ -61,6 +64,12 @@ public:
     explicit TriangleTree(const TriangleMesh& mesh);
     // deleted: the mesh would not outlive the tree
     explicit TriangleTree(TriangleMesh&&) = delete;
+    // in the source, where the nodes are complete
+    ~TriangleTree();
+    TriangleTree(const TriangleTree& other);
+    TriangleTree(TriangleTree&& other) noexcept;
+    TriangleTree& operator=(const TriangleTree& other);
+    TriangleTree& operator=(TriangleTree&& other) noexcept;
 
     /// The point of the mesh that is nearest to `place`.
     /// \param place in mm.
@@ -94,23 +103,6 @@ public:
                  double greatest_t = std::numeric_limits<double>::infinity()) const;
 
 private:
-    // The boxes of four children, rounded outwards. The boxes of missing children are
-    // empty.
-    struct Boxes {
-        std::array<Eigen::Array4f, 3> low;  // along each axis, in mm
-        std::array<Eigen::Array4f, 3> high;
-
-        // The box of one child.
-        Eigen::AlignedBox3d of(Eigen::Index child) const;
-    };
-    // All x with low <= normal . x <= high. A smooth part of a mesh fits a slab far more
-    // closely than a box.
-    struct Slab {
-        Eigen::Vector3f normal = Eigen::Vector3f::Zero();
-        float low = 0;  // mm
-        float high = 0;
-    };
-    using Slabs = std::array<Slab, 4>;  // around four children
     // Four triangles that are near each other, stored together so that a search reads
     // them from one cache line.
     struct alignas(64) Leaf {
@@ -123,23 +115,25 @@ private:
     void arrange();
     void enclose();
     void enclose_leaf(std::size_t leaf);
-    Slab slab_around(const Boxes& boxes, const Slabs& slabs) const;
+    void enclose_node(const FourEnclosures& node, FourEnclosures& parent,
+                      Eigen::Index part) const;
+    void set_slab(FourEnclosures& node, Eigen::Index part, const Eigen::Vector3f& normal,
+                  double low, double high) const;
+    void add_level(std::size_t count);
     RayQuery query(const Ray& ray, double greatest_t) const;
     template <typename Query>
     void ask(Query& query) const;
-    double mean_leaf_diagonal() const;
     void prefetch(std::int32_t level, std::size_t node) const;
+    void prefetch_below(std::int32_t level, std::size_t node) const;
 
     const TriangleMesh* mesh_;
     double largest_coordinate_ = 0;  // mm
-    double far_square_ = 0;          // mm^2, from which slabs are worth a test
     // Neighbouring leaves are near each other. The last triangle is repeated until the
     // last leaf is complete.
     std::vector<Leaf> leaves_;
-    // The boxes of each level, from the leaves upwards. The last level is one node, or
-    // none.
-    std::vector<std::vector<Boxes>> levels_;
-    std::vector<std::vector<Slabs>> slabs_;  // around the same children as the boxes
+    // The nodes of each level, from those above the leaves upwards; each encloses its
+    // children. The last level is one node, or none.
+    std::vector<std::vector<FourEnclosures>> levels_;
 };
 
 }  // namespace endmill

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/mesh/detail/nearest_bounds.h"
+
+#include <cstring>
+#include <limits>
+
+#include "endmill/core/detail/widest_registers.h"
+
+// A convex part is beyond every plane that is normal to a direction and passes through
+// the part's first point along that direction. The bound is the distance to such a plane.
+// It holds for every direction, and is close if the direction leads to the nearest point
+// of the part: rounding of the direction does no harm.
+
+namespace endmill {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+// The least normal number, added to a squared length so that it is not 0.
+constexpr double not_zero = std::numeric_limits<double>::min();
+// Share by which a bound is reduced for the rounding of squares.
+constexpr double rounding_share = 1e-13;
+// (d - margin)^2 is at least d^2 - 2 d margin, and 2 d is at most d^2 / r + r for every r.
+// Here r is margin / margin_share: many margins, so that the share of d^2 is small.
+constexpr double margin_share = 1e-7;
+
+// Four numbers in registers. Everything that uses them is inlined, so that it is compiled
+// for the registers of the caller.
+class Four {
+public:
+    [[gnu::always_inline]] Four(double value) : values_{Vector{} + value} {}
+    [[gnu::always_inline]] Four(double a, double b, double c, double d)
+        : values_{a, b, c, d}
+    {
+    }
+    [[gnu::always_inline]] explicit Four(const Eigen::Array4f& floats)
+    {
+        FloatVector values;
+        std::memcpy(&values, floats.data(), sizeof values);
+        values_ = __builtin_convertvector(values, Vector);
+    }
+
+    [[gnu::always_inline]] std::array<double, 4> numbers() const
+    {
+        std::array<double, 4> numbers;
+        std::memcpy(numbers.data(), &values_, sizeof values_);
+        return numbers;
+    }
+
+    [[gnu::always_inline]] Four operator-() const { return Four{-values_}; }
+    [[gnu::always_inline]] friend Four operator+(const Four& a, const Four& b)
+    {
+        return Four{a.values_ + b.values_};
+    }
+    [[gnu::always_inline]] friend Four operator-(const Four& a, const Four& b)
+    {
+        return Four{a.values_ - b.values_};
+    }
+    [[gnu::always_inline]] friend Four operator*(const Four& a, const Four& b)
+    {
+        return Four{a.values_ * b.values_};
+    }
+    [[gnu::always_inline]] friend Four operator/(const Four& a, const Four& b)
+    {
+        return Four{a.values_ / b.values_};
+    }
+    [[gnu::always_inline]] friend Four smaller(const Four& a, const Four& b)
+    {
+        return Four{a.values_ < b.values_ ? a.values_ : b.values_};
+    }
+    // b where a is no number
+    [[gnu::always_inline]] friend Four larger(const Four& a, const Four& b)
+    {
+        return Four{a.values_ > b.values_ ? a.values_ : b.values_};
+    }
+
+private:
+    using Vector = double __attribute__((vector_size(4 * sizeof(double))));
+    using FloatVector = float __attribute__((vector_size(4 * sizeof(float))));
+
+    [[gnu::always_inline]] explicit Four(const Vector& values) : values_{values} {}
+
+    Vector values_;
+};
+
+// Four points or directions, by coordinate.
+struct FourVectors {
+    std::array<Four, 3> of{0, 0, 0};  // along each axis
+};
+
+[[gnu::always_inline]] inline Four dot(const FourVectors& a, const FourVectors& b)
+{
+    return a.of[0] * b.of[0] + a.of[1] * b.of[1] + a.of[2] * b.of[2];
+}
+
+// The squared distance to planes. \param along product of the direction and the vector
+// from the place to the first point; `square` of the direction's length.
+[[gnu::always_inline]] inline Four square_to_plane(const Four& along, const Four& square,
+                                                   double margin)
+{
+    const Four ahead = larger(along, 0);
+    return (1 - rounding_share - margin_share) * (ahead * (ahead / (square + not_zero))) -
+           margin / margin_share * margin;
+}
+
+// Boxes, seen from a place.
+struct SeenBoxes {
+    FourVectors low;
+    FourVectors high;
+};
+
+[[gnu::always_inline]] inline Four squares_to_boxes(const SeenBoxes& seen)
+{
+    Four squares = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Four away = larger(larger(seen.low.of[axis], -seen.high.of[axis]), 0);
+        squares = squares + away * away;
+    }
+    return (1 - rounding_share) * squares;
+}
+
+// The direction leads from the place to its foot on the slab, moved into the box. It is
+// the sum of a multiple of the slab's normal, along which the slab limits the part, and a
+// rest, along which the box does.
+[[gnu::always_inline]] inline Four squares_to_slabs(const FourEnclosures& parts,
+                                                    const SeenBoxes& seen,
+                                                    const Vec3& place, double margin)
+{
+    FourVectors normal;
+    for (int axis = 0; axis < 3; ++axis)
+        normal.of[axis] = Four{parts.normal[axis]};
+    const Four height =
+        normal.of[0] * place.x() + normal.of[1] * place.y() + normal.of[2] * place.z();
+    const Four low = Four{parts.slab_low} - height;
+    const Four high = Four{parts.slab_high} - height;
+    const Four to_slab = larger(low, smaller(high, 0));
+    FourVectors direction;
+    for (int axis = 0; axis < 3; ++axis)
+        direction.of[axis] = smaller(larger(to_slab * normal.of[axis], seen.low.of[axis]),
+                                     seen.high.of[axis]);
+    const Four share = dot(direction, normal);
+    Four along = smaller(share * low, share * high);
+    for (int axis = 0; axis < 3; ++axis) {
+        const Four rest = direction.of[axis] - share * normal.of[axis];
+        along = along + smaller(rest * seen.low.of[axis], rest * seen.high.of[axis]);
+    }
+    return square_to_plane(along, dot(direction, direction), margin);
+}
+
+// One corner of four triangles, seen from a place.
+[[gnu::always_inline]] inline FourVectors corners(
+    std::span<const Vec3> points, const std::array<Triangle, 4>& triangles, int corner,
+    const Vec3& place)
+{
+    const Vec3& a = points[triangles[0][corner]];
+    const Vec3& b = points[triangles[1][corner]];
+    const Vec3& c = points[triangles[2][corner]];
+    const Vec3& d = points[triangles[3][corner]];
+    FourVectors seen;
+    for (int axis = 0; axis < 3; ++axis)
+        seen.of[axis] = Four{a[axis], b[axis], c[axis], d[axis]} - place[axis];
+    return seen;
+}
+
+}  // namespace
+
+FourEnclosures::FourEnclosures()
+    : slab_low{Eigen::Array4f::Zero()},
+      slab_high{Eigen::Array4f::Zero()}
+{
+    constexpr float none = std::numeric_limits<float>::infinity();
+    low.fill(Eigen::Array4f::Constant(none));
+    high.fill(Eigen::Array4f::Constant(-none));
+    normal.fill(Eigen::Array4f::Zero());
+}
+
+Eigen::AlignedBox3d FourEnclosures::box_of(Eigen::Index part) const
+{
+    return {Vec3{low[0][part], low[1][part], low[2][part]},
+            Vec3{high[0][part], high[1][part], high[2][part]}};
+}
+
+Vec3 FourEnclosures::normal_of(Eigen::Index part) const
+{
+    return {normal[0][part], normal[1][part], normal[2][part]};
+}
+
+ENDMILL_WIDEST_REGISTERS
+std::array<double, 4> bound_squares(const FourEnclosures& parts, const Vec3& place,
+                                    double margin, double limit)
+{
+    SeenBoxes seen;
+    for (int axis = 0; axis < 3; ++axis) {
+        seen.low.of[axis] = Four{parts.low[axis]} - place[axis];
+        seen.high.of[axis] = Four{parts.high[axis]} - place[axis];
+    }
+    const Four to_boxes = squares_to_boxes(seen);
+    const std::array<double, 4> bounds = to_boxes.numbers();
+    int near = 0;
+    for (const double bound : bounds)
+        near += bound <= limit && bound < infinity ? 1 : 0;
+    if (near < 2)
+        return bounds;
+    // no number for missing parts
+    const Four to_slabs = squares_to_slabs(parts, seen, place, margin);
+    return larger(to_slabs, to_boxes).numbers();
+}
+
+// The direction leads to the centre of a triangle. The box is the better bound for a
+// triangle that is large for its distance.
+ENDMILL_WIDEST_REGISTERS
+std::array<double, 4> bound_squares(std::span<const Vec3> points,
+                                    const std::array<Triangle, 4>& triangles,
+                                    const Vec3& place, double margin)
+{
+    const FourVectors a = corners(points, triangles, 0, place);
+    const FourVectors b = corners(points, triangles, 1, place);
+    const FourVectors c = corners(points, triangles, 2, place);
+    FourVectors centre;
+    Four to_boxes = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        centre.of[axis] = a.of[axis] + b.of[axis] + c.of[axis];
+        const Four low = smaller(smaller(a.of[axis], b.of[axis]), c.of[axis]);
+        const Four high = larger(larger(a.of[axis], b.of[axis]), c.of[axis]);
+        const Four away = larger(larger(low, -high) - margin, 0);
+        to_boxes = to_boxes + away * away;
+    }
+    const Four along = smaller(smaller(dot(centre, a), dot(centre, b)), dot(centre, c));
+    const Four to_triangles = larger(square_to_plane(along, dot(centre, centre), margin),
+                                     (1 - rounding_share) * to_boxes);
+    return to_triangles.numbers();
+}
+
+}  // namespace endmill
