@@ -18,11 +18,11 @@ constexpr double pi = std::numbers::pi;
 
 // Share of the height at which passes are laid. The pitch of a pass is limited by its worst
 // place only, so that passes can be mended there.
-constexpr double planar_share = 0.99;
+constexpr double planar_share = 0.985;
 // Share of the height by which a sample may miss its cover.
 constexpr double planar_slack_share = 0.002;
 // Samples across a strip for the search of the direction, and for the result.
-constexpr double search_samples_across = 4;
+constexpr double search_samples_across = 2.5;
 constexpr double planar_samples_across = 8;
 // The search uses about so many samples. If strips are too narrow for that, it uses a
 // greater height.
@@ -36,8 +36,10 @@ constexpr std::size_t valleys = 3;
 constexpr int golden_steps = 4;
 // Directions that are laid on the fine net.
 constexpr std::size_t laid_directions = 3;
-// Directions that differ by less are the same, rad.
-constexpr double least_turn = 0.25 * pi / 180;
+// Directions of parameter lines that differ by less are the same, and directions that are
+// laid on the fine net differ by more, rad.
+constexpr double same_turn = 0.01 * pi / 180;
+constexpr double least_turn = 2 * pi / 180;
 // Share of the work until the direction is found.
 constexpr double searched_share = 0.6;
 
@@ -122,7 +124,9 @@ private:
     {
         Coverage coverage{samples_, cutter_, planar_share * height_};
         const std::vector<LaidPass> passes =
-            SectionMarch{coverage, Angle::radians(angle), planar_slack_share * height_}.passes();
+            SectionMarch{coverage, Angle::radians(angle), planar_slack_share * height_,
+                         SectionContacts::OnNet}
+                .passes();
         const PassLengths lengths = pass_lengths(passes, cutter_.radius());
         const double travel = options_->distance == TravelKind::Tip ? lengths.tip_mm
                                                                     : lengths.contact_mm;
@@ -158,7 +162,7 @@ private:
                 const double angle = half_turn(std::atan2(way.y(), way.x()));
                 const bool is_known =
                     std::any_of(angles.begin(), angles.end(), [&](double other) {
-                        return std::abs(other - angle) < least_turn;
+                        return std::abs(other - angle) < same_turn;
                     });
                 if (!is_known)
                     angles.push_back(angle);
@@ -261,7 +265,8 @@ PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
         for (std::size_t k = begin; k < end; ++k) {
             Coverage coverage{samples, cutter, planar_share * height};
             laid[k] = SectionMarch{coverage, Angle::radians(angles[k]),
-                                   planar_slack_share * height}
+                                   planar_slack_share * height,
+                                   SectionContacts::OnSurface}
                           .passes();
             const PassLengths lengths = pass_lengths(laid[k], cutter.radius());
             travel[k] = options.distance == TravelKind::Tip ? lengths.tip_mm

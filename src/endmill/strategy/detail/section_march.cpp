@@ -31,10 +31,12 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-SectionMarch::SectionMarch(Coverage& coverage, Angle direction, double slack)
+SectionMarch::SectionMarch(Coverage& coverage, Angle direction, double slack,
+                           SectionContacts contacts)
     : coverage_{&coverage},
       samples_{&coverage.samples()},
       slack_{slack},
+      contacts_{contacts},
       sine_{std::sin(direction.radians())},
       cosine_{std::cos(direction.radians())},
       strip_{strip_width(coverage.cutter(), coverage.height())},
@@ -91,8 +93,8 @@ SampleEdge SectionMarch::front_place(std::int32_t covered, std::int32_t uncovere
 }
 
 // Finds the samples whose balls reach a place, and those around them, as far as they lie
-// ahead.
-void SectionMarch::walk_reach(const SampleEdge& place)
+// ahead. It ends where it has found one beyond the limit.
+void SectionMarch::walk_reach(const SampleEdge& place, double limit)
 {
     const double radius = coverage_->cutter().radius();
     const Vec3 point = raised(place);
@@ -100,7 +102,10 @@ void SectionMarch::walk_reach(const SampleEdge& place)
                          samples_->spacing() / 2;
     inside_.clear();
     around_.clear();
+    bool is_beyond_limit = false;
     walk_.from(std::array{place.from, place.to}, [&](std::int32_t i) {
+        if (is_beyond_limit)
+            return false;
         const Vec3 centre = coverage_->centre(i);
         const double x = point.x() - centre.x();
         const double y = point.y() - centre.y();
@@ -108,16 +113,19 @@ void SectionMarch::walk_reach(const SampleEdge& place)
         beyond_[i] = beyond_reach(x * x + y * y + z * z, radius) - slack_;
         const bool is_inside = beyond_[i] <= 0 && offsets_[i] >= least;
         (is_inside ? inside_ : around_).push_back(i);
+        is_beyond_limit = is_inside && offsets_[i] >= limit;
         return is_inside;
     });
 }
 
 // A lower bound of the farthest offset, from the edges of the net: the distance of a ball
-// is convex along an edge.
-double SectionMarch::nearly_farthest(const SampleEdge& place)
+// is convex along an edge. If it is beyond the limit, any value beyond it.
+double SectionMarch::nearly_farthest(const SampleEdge& place, double limit)
 {
-    walk_reach(place);
+    walk_reach(place, limit);
     double offset = -unlimited;
+    if (!inside_.empty() && offsets_[inside_.back()] >= limit)
+        return offsets_[inside_.back()];
     for (const std::int32_t i : inside_) {
         offset = std::max(offset, offsets_[i]);
         for (const std::int32_t neighbour : samples_->neighbours(i))
@@ -135,7 +143,7 @@ double SectionMarch::farthest(const Demand& demand)
 {
     const double radius = coverage_->cutter().radius();
     const Vec3 point = raised(demand.place);
-    walk_reach(demand.place);
+    walk_reach(demand.place, unlimited);
     std::vector<std::int32_t> triangles;
     for (const std::vector<std::int32_t>* own : {&inside_, &around_})
         for (const std::int32_t i : *own)
@@ -177,34 +185,53 @@ double SectionMarch::farthest(const Demand& demand)
     return low;
 }
 
-// Adds the places beside an uncovered sample that the next pass must cover: on the edges to
-// covered samples, or the sample itself where a part of the surface begins.
-void SectionMarch::add_demands(std::int32_t uncovered, std::vector<Demand>& demands)
+// The covered neighbour of an uncovered sample from which the front is nearest to the last
+// pass; -1 if none is covered.
+std::int32_t SectionMarch::nearest_covered(std::int32_t uncovered) const
 {
-    bool is_beginning = true;
-    bool is_left = false;
+    std::int32_t nearest = -1;
+    double least = unlimited;
+    const double gap_there = coverage_->gaps()[uncovered] - slack_;
     for (const std::int32_t neighbour : samples_->neighbours(uncovered)) {
-        is_beginning = is_beginning && is_uncovered(neighbour) &&
-                       offsets_[neighbour] >= offsets_[uncovered];
         if (is_uncovered(neighbour))
             continue;
-        const SampleEdge place = front_place(neighbour, uncovered);
-        const double offset = nearly_farthest(place);
-        if (offset > last_ + least_advance * strip_)
-            demands.push_back({place, offset});
-        else
-            is_left = true;
+        const double gap = coverage_->gaps()[neighbour] - slack_;
+        const double offset = std::lerp(offsets_[neighbour], offsets_[uncovered],
+                                        gap / (gap - gap_there));
+        if (offset < least) {
+            least = offset;
+            nearest = neighbour;
+        }
     }
-    if (is_beginning) {
-        const SampleEdge place{uncovered, uncovered, 0};
-        const double offset = nearly_farthest(place);
-        if (offset > last_ + least_advance * strip_)
-            demands.push_back({place, offset});
-        else
-            is_left = true;
-    }
-    if (is_left && offsets_[uncovered] <= last_)
+    return nearest;
+}
+
+// Whether a part of the surface begins at an uncovered sample without covered neighbours.
+bool SectionMarch::is_beginning(std::int32_t uncovered) const
+{
+    const std::span<const std::int32_t> around = samples_->neighbours(uncovered);
+    return std::all_of(around.begin(), around.end(), [&](std::int32_t neighbour) {
+        return offsets_[neighbour] >= offsets_[uncovered];
+    });
+}
+
+// The place beside an uncovered sample that the next pass must cover, with its farthest
+// offset as far as it is below the limit: on the front, or the sample itself where a part of
+// the surface begins. The sample is lost if no further pass covers the place.
+std::optional<SectionMarch::Demand> SectionMarch::demand_at(std::int32_t uncovered,
+                                                            double limit)
+{
+    const std::int32_t covered = nearest_covered(uncovered);
+    if (covered < 0 && !is_beginning(uncovered))
+        return std::nullopt;
+    const SampleEdge place = covered < 0 ? SampleEdge{uncovered, uncovered, 0}
+                                         : front_place(covered, uncovered);
+    const double offset = nearly_farthest(place, limit);
+    if (offset > last_ + least_advance * strip_)
+        return offset < limit ? std::optional{Demand{place, offset}} : std::nullopt;
+    if (offsets_[uncovered] <= last_)
         is_lost_[uncovered] = true;
+    return std::nullopt;
 }
 
 std::vector<SectionMarch::Demand> SectionMarch::demands()
@@ -218,10 +245,10 @@ std::vector<SectionMarch::Demand> SectionMarch::demands()
         const std::int32_t i = order_[k];
         if (!is_uncovered(i) || is_lost_[i])
             continue;
-        const std::size_t before = found.size();
-        add_demands(i, found);
-        for (std::size_t n = before; n < found.size(); ++n)
-            limit = std::min(limit, found[n].farthest + 2 * samples_->spacing());
+        if (const std::optional<Demand> demand = demand_at(i, limit)) {
+            found.push_back(*demand);
+            limit = std::min(limit, demand->farthest + 2 * samples_->spacing());
+        }
     }
     return found;
 }
@@ -246,6 +273,16 @@ double SectionMarch::next_offset()
 // the straight line, so the first contact may miss the plane.
 PassContact SectionMarch::contact_on(const SampleEdge& place, double offset) const
 {
+    if (contacts_ == SectionContacts::OnNet) {
+        const std::int32_t near = place.share < 0.5 ? place.from : place.to;
+        const auto between = [&](const Vec3& from, const Vec3& to) -> Vec3 {
+            return (1 - place.share) * from + place.share * to;
+        };
+        const CutterContact contact{
+            between(samples_->point(place.from), samples_->point(place.to)),
+            between(samples_->normal(place.from), samples_->normal(place.to))};
+        return {{0, 0, contact}, 0, near};
+    }
     const PassContact contact = samples_->contact(place);
     const double share =
         place.share + (offset - offset_of(contact.at.contact.point)) /

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,12 @@
 #include "endmill/strategy/detail/coverage.h"
 
 namespace endmill {
+
+/// Where the contacts of a section lie.
+enum class SectionContacts {
+    OnSurface,  ///< on the surface
+    OnNet,      ///< between samples, without parameters, which is quicker
+};
 
 /// Lays passes in parallel upright planes, front by front.
 ///
@@ -23,7 +30,9 @@ public:
     /// \param coverage  what is covered so far; passes are added to it.
     /// \param direction of the passes, from +x towards +y.
     /// \param slack     samples with a gap of at most this many mm count as covered.
-    SectionMarch(Coverage& coverage, Angle direction, double slack);
+    /// \param contacts  where they lie.
+    SectionMarch(Coverage& coverage, Angle direction, double slack,
+                 SectionContacts contacts);
 
     /// The passes from the lowest offset to the highest. What they leave uncovered in
     /// spite of all is not covered by any further pass of the direction.
@@ -43,11 +52,13 @@ private:
     }
     Vec3 raised(const SampleEdge& place) const;
     SampleEdge front_place(std::int32_t covered, std::int32_t uncovered) const;
-    void walk_reach(const SampleEdge& place);
-    double nearly_farthest(const SampleEdge& place);
+    void walk_reach(const SampleEdge& place, double limit);
+    double nearly_farthest(const SampleEdge& place, double limit);
     double farthest(const Demand& demand);
+    std::int32_t nearest_covered(std::int32_t uncovered) const;
+    bool is_beginning(std::int32_t uncovered) const;
+    std::optional<Demand> demand_at(std::int32_t uncovered, double limit);
     std::vector<Demand> demands();
-    void add_demands(std::int32_t uncovered, std::vector<Demand>& demands);
     double next_offset();
     double centred_last(double offset);
     std::vector<LaidPass> sections(double offset) const;
@@ -59,6 +70,7 @@ private:
     Coverage* coverage_;
     const PartSamples* samples_;
     double slack_;
+    SectionContacts contacts_;
     double sine_;                      // of the direction
     double cosine_;                    // of it
     double strip_;                     // greatest width of a strip on a plane, mm
