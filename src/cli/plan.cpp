@@ -91,6 +91,7 @@ void report_gouge(const KnownGouge& gouge, const PlanOptions& options)
 
 ExitCode run_plan(PlanOptions options)
 {
+    complete_strategy(options);
     refuse_idle_plan_options(options);
     require_within_extent("--safe-height", options.safe_height, options.common.limits);
     require_within_extent("--cutter", options.cutter_diameter, options.common.limits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/plan_options.h"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -178,11 +179,11 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
                               "parameter along which the passes run (default both)");
     add_choice<PlanStrategy>(
         command, "--strategy", options.strategy, strategies,
-        "how passes are laid. iso (default): along u and along v, compared; iso-u, "
-        "iso-v: "
-        "along one of them; iso-scallop: each as far from the passes before it as the "
-        "scallop height allows; best: the shortest of these. Except with iso, --scallop "
-        "limits all remaining stock");
+        "how passes are laid. best (default): the shortest of the others; iso-u, iso-v: "
+        "along parameter lines; iso-scallop: each as far from the passes before it as "
+        "the "
+        "scallop height allows; iso: along u and along v, compared (default with an "
+        "option of it). Except with iso, --scallop limits all remaining stock");
     add_choice<bool>(
         command, "--bound", options.is_bounded, bounds,
         "lower bound of the length, with which a path by a --strategy other than iso is "
@@ -236,7 +237,22 @@ void refuse_for_strategy(const PlanOptions& options)
                           ": expected a tolerance above 0, or --strategy iso"};
 }
 
+// Whether an option was given that only passes along parameter lines have.
+bool has_iso_option(const PlanOptions& options)
+{
+    return options.mode == Planner::Paper || options.requested.inner == 0.0 ||
+           std::ranges::any_of(iso_options, [&](const char* name) {
+               return options.common.given.contains(name);
+           });
+}
+
 }  // namespace
+
+void complete_strategy(PlanOptions& options)
+{
+    if (!options.common.given.contains("--strategy") && has_iso_option(options))
+        options.strategy = PlanStrategy::Iso;
+}
 
 void refuse_idle_plan_options(const PlanOptions& options)
 {

@@ -35,6 +35,7 @@ struct PlanOptions {
     std::optional<double> feed_mm_per_min;
     PlanDirection direction = PlanDirection::Both;
     Planner mode = Planner::Verified;
+    /// How passes are laid.
     PlanStrategy strategy = PlanStrategy::Iso;
     std::optional<Angle> pass_direction;  ///< of PlanStrategy::Planar; best if empty
     bool is_bounded = true;  ///< whether a path by a strategy is compared with the bound
@@ -47,6 +48,10 @@ struct PlanOptions {
 
 /// Adds every option of `plan` to `command`.
 void add_plan_options(CLI::App& command, PlanOptions& options);
+
+/// Chooses Iso if no strategy was given, but an option of it: a direction, the outer
+/// tolerance, `--mode paper` or the like.
+void complete_strategy(PlanOptions& options);
 
 /// \throws DomainError naming an option that has no effect in the mode or with the
 /// others, or a tolerance of 0 that the mode cannot keep.

@@ -65,6 +65,18 @@ ChosenPlan chosen_plan(const PlanTask& task, const StrategyOptions& options)
     return {std::move(best.plan), std::move(best.tried)};
 }
 
+// Length of the moves clear of the part, by tips, mm.
+double lifted_length(const ToolPath& path)
+{
+    double sum = 0;
+    for (std::size_t k = 1; k < path.points.size(); ++k) {
+        const Move move = path.points[k].move;
+        if (move != Move::Cut && move != Move::Link)
+            sum += (path.points[k].location.tip - path.points[k - 1].location.tip).norm();
+    }
+    return sum;
+}
+
 Json tried_json(const std::vector<TriedStrategy>& tried)
 {
     Json list = Json::array();
@@ -95,9 +107,11 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
                  {"cut_contact_mm", economy.cut.contact_mm},
                  {"cut_tip_mm", economy.cut.tip_mm},
                  {"link_mm", economy.link.tip_mm},
+                 {"lifted_mm", lifted_length(covering.path)},
                  {"lifted_links", covering.lifted_links},
                  {"scallop_mm", limits.scallop_height},
-                 {"inner_tolerance_mm", limits.inner_tolerance}};
+                 {"inner_tolerance_mm", limits.inner_tolerance},
+                 {"outer_tolerance_mm", 0}};
     if (!chosen.tried.empty())
         summary["tried"] = tried_json(chosen.tried);
     if (options.feed_mm_per_min) {

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "endmill/surface/tool_side.h"
 #include "test_surfaces.h"
 
 namespace endmill {
@@ -19,30 +18,29 @@ LaidPass straight_pass(const PartSamples& samples, int contacts)
 
 TEST(PassMoves, AStraightPassIsOneMove)
 {
-    const std::vector<Surface> surfaces{test::plane(20, 10)};
-    const std::vector<double> sides{1};
-    const PartSamples samples{surfaces, sides, 1, 100'000};
-    const ClearMoves clear{surfaces, sides, BallCutter{5}, Vec3::UnitZ(), 0.01};
+    const Part plane = std::vector<Surface>{test::plane(20, 10)};
+    const CoveredPart part{plane, BallCutter{5}, 0.01};
+    const PartSamples samples = part.samples(1, 100'000);
     LaidPass pass = straight_pass(samples, 21);
-    const auto pieces = divided_into_moves(pass, samples, clear, {0.9, 0.05});
+    const auto pieces = divided_into_moves(pass, samples, part, {0.9, 0.05});
     ASSERT_EQ(pieces.size(), 1u);
     EXPECT_EQ(pieces[0].contacts.size(), 2u);
     pass.contacts[7].is_required = true;
-    EXPECT_EQ(divided_into_moves(pass, samples, clear, {0.9, 0.05})[0].contacts.size(),
+    EXPECT_EQ(divided_into_moves(pass, samples, part, {0.9, 0.05})[0].contacts.size(),
               3u);
 }
 
 TEST(PassMoves, KeepTheInnerToleranceOnASaddle)
 {
     const std::vector<Surface> surfaces{test::saddle(60, 20)};
-    const std::vector<double> sides = tool_side_signs(surfaces, Vec3::UnitZ());
-    const PartSamples samples{surfaces, sides, 1, 100'000};
+    const Part saddle = surfaces;
     const BallCutter ball{5};
+    const CoveredPart part{saddle, ball, 0.01};
+    const PartSamples samples = part.samples(1, 100'000);
     const GougeTest gouge{surfaces, ball, Vec3::UnitZ()};
-    const ClearMoves clear{surfaces, sides, ball, Vec3::UnitZ(), 0.01};
     const LaidPass pass = straight_pass(samples, 41);
     std::size_t moves = 0;
-    for (const LaidPass& piece : divided_into_moves(pass, samples, clear, {0.4, 0.05}))
+    for (const LaidPass& piece : divided_into_moves(pass, samples, part, {0.4, 0.05}))
         for (std::size_t k = 0; k + 1 < piece.contacts.size(); ++k, ++moves) {
             const BallMove move{ball_centre(piece.contacts[k].at, ball),
                                 ball_centre(piece.contacts[k + 1].at, ball)};

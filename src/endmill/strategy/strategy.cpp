@@ -12,7 +12,6 @@
 #include "endmill/strategy/detail/covering_path.h"
 #include "endmill/strategy/detail/iso_scallop.h"
 #include "endmill/strategy/detail/planar.h"
-#include "endmill/surface/tool_side.h"
 #include "endmill/verification/verification.h"
 
 namespace endmill {
@@ -103,9 +102,7 @@ CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& 
     if ((options.link.axis - Vec3::UnitZ()).norm() > unit_vector_rounding)
         throw GeometryError{std::string{strategy_name(strategy)} +
                             " plans along the axis +z only"};
-    const std::vector<double> sides = tool_side_signs(*surfaces, options.link.axis);
-    require_reachable(*surfaces, options.link.axis, sides);
-    const CoveredPart covered{*surfaces, sides};
+    const CoveredPart covered{part, cutter, options.inner_tolerance};
     if (strategy == Strategy::Planar) {
         PlanarPasses planar =
             planar_passes(covered, cutter, with_progress(options, 0, laid_share));

@@ -24,14 +24,14 @@ constexpr int mending_rounds = 10;
 
 // All passes divided into moves, in their order.
 std::vector<LaidPass> divided(std::span<const LaidPass> passes,
-                              const PartSamples& samples, const ClearMoves& clear,
+                              const PartSamples& samples, const CoveredPart& part,
                               double height)
 {
     const MoveLimits limits{layout_share * height, move_share * height};
     std::vector<std::vector<LaidPass>> parts(passes.size());
     parallel_for(passes.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
-            parts[k] = divided_into_moves(passes[k], samples, clear, limits);
+            parts[k] = divided_into_moves(passes[k], samples, part, limits);
     });
     std::vector<LaidPass> pieces;
     for (std::vector<LaidPass>& own : parts)
@@ -179,12 +179,10 @@ CoveringPath covering_path(LaidPasses laid, const CoveredPart& part,
                            const BallCutter& cutter, const StrategyOptions& options)
 {
     const double height = options.scallop_height;
-    const ClearMoves clear{part.surfaces, part.sides, cutter, options.link.axis,
-                           options.inner_tolerance};
     std::vector<LaidPass> pieces;
     std::vector<UncoveredTriangle> uncovered;
     for (int round = 0;; ++round) {
-        pieces = divided(laid.passes, laid.samples, clear, height);
+        pieces = divided(laid.passes, laid.samples, part, height);
         uncovered = uncovered_by(pieces, laid.samples, cutter, height);
         if (uncovered.empty() || round == mending_rounds)
             break;
@@ -207,9 +205,8 @@ CoveringPath covering_path(LaidPasses laid, const CoveredPart& part,
                                   place.at.at.contact.point});
     }
     const auto is_clear = [&](const SurfaceContact& from, const SurfaceContact& to) {
-        FinerPieces finer;
-        return clear.is_clear({ball_centre(from, cutter), ball_centre(to, cutter)},
-                              finer);
+        MoveTestState state;
+        return part.is_clear(ball_centre(from, cutter), ball_centre(to, cutter), state);
     };
     LinkedPath linked = link_pieces(in_cutting_order(pieces, cutter, options.link),
                                     cutter, options.link, is_clear);

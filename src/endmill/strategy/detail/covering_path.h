@@ -2,10 +2,9 @@
 #pragma once
 
 #include <cmath>
-#include <span>
 #include <vector>
 
-#include "endmill/strategy/detail/part_samples.h"
+#include "endmill/strategy/detail/covered_part.h"
 #include "endmill/strategy/strategy.h"
 
 namespace endmill {
@@ -13,12 +12,6 @@ namespace endmill {
 /// Share of the scallop height at which passes are laid out. The rest is for what lies
 /// between samples and for the chords of moves.
 inline constexpr double layout_share = 0.97;
-
-/// Surfaces for which a strategy plans.
-struct CoveredPart {
-    std::span<const Surface> surfaces;  ///< at least one
-    std::span<const double> sides;      ///< from tool_side_signs, one for each surface
-};
 
 /// Passes, and the samples on which they are laid.
 struct LaidPasses {
@@ -35,7 +28,7 @@ inline double strip_width(const BallCutter& cutter, double height)
 /// Makes a path from passes. It divides them into few straight moves, bends passes towards
 /// places that their moves miss, and orders and links the pieces.
 /// \param laid    passes that cover the samples at `layout_share` of the scallop height.
-/// \param part    surfaces and the sides of the tool.
+/// \param part    on whose samples they were laid.
 /// \param cutter  the ball.
 /// \param options height, tolerance, links and progress.
 /// \throws GeometryError if the ball fits nowhere.

@@ -152,11 +152,10 @@ LaidPasses iso_scallop_passes(const CoveredPart& part, const BallCutter& cutter,
 {
     const double height = options.scallop_height;
     const double width = strip_width(cutter, height);
-    const PartSamples few{part.surfaces, part.sides, width / few_samples_across,
-                          options.most_samples};
+    const PartSamples few =
+        part.samples(width / few_samples_across, options.most_samples);
     const std::vector<MarchStart> starts = best_starts(few, cutter, options);
-    PartSamples samples{part.surfaces, part.sides, width / samples_across,
-                        options.most_samples};
+    PartSamples samples = part.samples(width / samples_across, options.most_samples);
     std::vector<Trial> trials(starts.size());
     ShareCounter counter{options.progress, ranked_share, 1, starts.size()};
     parallel_for(starts.size(), [&](std::size_t begin, std::size_t end) {

@@ -9,7 +9,7 @@ namespace endmill {
 /// Several starts are tried on few samples, and the best of them on many. The result with
 /// the shortest passes is returned.
 /// Source: docs/methods/iso-scallop.md, section 2.
-/// \param part     surfaces and the sides of the tool.
+/// \param part     on whose samples passes are laid.
 /// \param cutter   the ball.
 /// \param options  height, limits and progress.
 /// \throws LimitError if the part needs too many samples.

@@ -49,9 +49,9 @@ constexpr int most_halvings = 6;
 // The contacts of a pass, with more of them where the move between two is not clear.
 class ClearContacts {
 public:
-    ClearContacts(const PartSamples& samples, const ClearMoves& clear)
+    ClearContacts(const PartSamples& samples, const CoveredPart& part)
         : samples_{&samples},
-          clear_{&clear}
+          part_{&part}
     {
     }
 
@@ -70,9 +70,8 @@ private:
     {
         const PassContact from = contacts_.back();
         const bool can_halve = halvings > 0 && samples_->is_joined(from, to);
-        if (can_halve && !clear_->is_clear({ball_centre(from.at, clear_->cutter()),
-                                            ball_centre(to.at, clear_->cutter())},
-                                           finer_)) {
+        if (can_halve && !part_->is_clear(ball_centre(from.at, part_->cutter()),
+                                          ball_centre(to.at, part_->cutter()), state_)) {
             lead_to(samples_->between(from, to, 0.5), halvings - 1);
             lead_to(to, halvings - 1);
         } else {
@@ -81,29 +80,29 @@ private:
     }
 
     const PartSamples* samples_;
-    const ClearMoves* clear_;
-    FinerPieces finer_;
+    const CoveredPart* part_;
+    MoveTestState state_;
     std::vector<PassContact> contacts_;
 };
 
 }  // namespace
 
 std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples& samples,
-                                         const ClearMoves& clear,
+                                         const CoveredPart& part,
                                          const MoveLimits& limits)
 {
-    const double radius = clear.cutter().radius();
-    const std::vector<PassContact> contacts = ClearContacts{samples, clear}.of(pass);
+    const double radius = part.cutter().radius();
+    const std::vector<PassContact> contacts = ClearContacts{samples, part}.of(pass);
     std::vector<Demands> demands;
     demands.reserve(contacts.size());
     for (std::size_t k = 0; k < contacts.size(); ++k)
         demands.push_back(demands_at(contacts, k, radius, limits.covered_height));
-    FinerPieces finer;
+    MoveTestState state;
     const auto centre = [&](std::size_t k) {
-        return ball_centre(contacts[k].at, clear.cutter());
+        return ball_centre(contacts[k].at, part.cutter());
     };
     const auto is_clear = [&](std::size_t from, std::size_t to) {
-        return clear.is_clear({centre(from), centre(to)}, finer);
+        return part.is_clear(centre(from), centre(to), state);
     };
     const auto passes_required = [&](std::size_t from, std::size_t to) {
         return std::any_of(

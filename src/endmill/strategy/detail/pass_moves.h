@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "endmill/planning/detail/verified_pass.h"
+#include "endmill/strategy/detail/covered_part.h"
 #include "endmill/strategy/detail/front_march.h"
 
 namespace endmill {
@@ -23,7 +23,7 @@ struct MoveLimits {
 /// \return the pieces of the pass; the pass is interrupted where no move is clear.
 /// \param samples of the part on which the pass was laid.
 std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples& samples,
-                                         const ClearMoves& clear,
+                                         const CoveredPart& part,
                                          const MoveLimits& limits);
 
 }  // namespace endmill
