@@ -43,6 +43,10 @@ constexpr double least_turn = 2 * pi / 180;
 // Share of the work until the direction is found.
 constexpr double searched_share = 0.6;
 
+// Distance of samples that no part exceeds, mm.
+constexpr double no_spacing = 1e9;
+
+// The direction between 0 and half a turn.
 double half_turn(double angle)
 {
     const double rest = std::fmod(angle, pi);
@@ -63,24 +67,26 @@ class DirectionSearch {
 public:
     DirectionSearch(const CoveredPart& part, const BallCutter& cutter,
                     const StrategyOptions& options)
-        : part_{&part},
-          options_{&options},
+        : options_{&options},
           cutter_{cutter},
           height_{search_height(part, cutter, options)},
-          samples_{part.surfaces, part.sides,
-                   strip_width(cutter, height_) / search_samples_across,
-                   options.most_samples}
+          samples_{part.samples(strip_width(cutter, height_) / search_samples_across,
+                                options.most_samples)}
     {
     }
 
     /// All directions that were tried, by rising angle.
-    std::vector<TriedDirection> search()
+    /// \param further_angles directions to try, rad, beside those of the search.
+    std::vector<TriedDirection> search(std::span<const double> further_angles)
     {
         std::vector<double> angles;
         for (std::size_t k = 0; k < equal_steps; ++k)
             angles.push_back(static_cast<double>(k) * pi / equal_steps);
-        const std::vector<double> parameter = parameter_directions();
-        angles.insert(angles.end(), parameter.begin(), parameter.end());
+        for (const double angle : further_angles)
+            if (std::none_of(angles.begin(), angles.end(), [&](double other) {
+                    return std::abs(other - angle) < same_turn;
+                }))
+                angles.push_back(angle);
         known_ = costs(angles);
         const std::vector<std::size_t> best = best_valleys();
         std::vector<std::vector<TriedDirection>> further(best.size());
@@ -105,7 +111,7 @@ private:
     {
         const double radius = cutter.radius();
         // the area by the first net of each patch
-        const PartSamples first{part.surfaces, part.sides, 1e9, options.most_samples};
+        const PartSamples first = part.samples(no_spacing, options.most_samples);
         double area = 0;
         for (const auto& [a, b, c] : first.triangles())
             area += (first.point(b) - first.point(a))
@@ -149,28 +155,6 @@ private:
         return found;
     }
 
-    // The directions of the parameter lines through the middle of each surface.
-    std::vector<double> parameter_directions() const
-    {
-        std::vector<double> angles;
-        for (const Surface& surface : part_->surfaces) {
-            const Interval u = surface.range(Parameter::U);
-            const Interval v = surface.range(Parameter::V);
-            const SurfaceTangents middle =
-                surface.tangents((u.low + u.high) / 2, (v.low + v.high) / 2);
-            for (const Vec3& way : {middle.du, middle.dv}) {
-                const double angle = half_turn(std::atan2(way.y(), way.x()));
-                const bool is_known =
-                    std::any_of(angles.begin(), angles.end(), [&](double other) {
-                        return std::abs(other - angle) < same_turn;
-                    });
-                if (!is_known)
-                    angles.push_back(angle);
-            }
-        }
-        return angles;
-    }
-
     // Equal steps at which the travel is less than at both neighbours; the best few.
     std::vector<std::size_t> best_valleys() const
     {
@@ -212,7 +196,6 @@ private:
         return tried;
     }
 
-    const CoveredPart* part_;
     const StrategyOptions* options_;
     BallCutter cutter_;
     double height_;
@@ -240,8 +223,26 @@ std::vector<double> best_directions(std::vector<TriedDirection> known)
 
 }  // namespace
 
+std::vector<Angle> parameter_directions(const Part& part)
+{
+    std::vector<Angle> directions;
+    const auto* surfaces = std::get_if<std::vector<Surface>>(&part);
+    if (!surfaces)
+        return directions;
+    for (const Surface& surface : *surfaces) {
+        const Interval u = surface.range(Parameter::U);
+        const Interval v = surface.range(Parameter::V);
+        const SurfaceTangents middle =
+            surface.tangents((u.low + u.high) / 2, (v.low + v.high) / 2);
+        for (const Vec3& way : {middle.du, middle.dv})
+            directions.push_back(Angle::radians(half_turn(std::atan2(way.y(), way.x()))));
+    }
+    return directions;
+}
+
 PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
-                           const StrategyOptions& options)
+                           const StrategyOptions& options,
+                           std::span<const Angle> further)
 {
     const double height = options.scallop_height;
     std::vector<ComparedDirection> compared;
@@ -249,16 +250,18 @@ PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
     if (options.direction) {
         angles.push_back(options.direction->radians());
     } else {
+        std::vector<double> further_angles;
+        for (const Angle direction : further)
+            further_angles.push_back(half_turn(direction.radians()));
         const std::vector<TriedDirection> known =
-            DirectionSearch{part, cutter, options}.search();
+            DirectionSearch{part, cutter, options}.search(further_angles);
         for (const TriedDirection& one : known)
             compared.push_back({Angle::radians(one.angle), one.lengths.contact_mm,
                                 one.lengths.tip_mm, one.passes});
         angles = best_directions(known);
     }
-    PartSamples samples{part.surfaces, part.sides,
-                        strip_width(cutter, height) / planar_samples_across,
-                        options.most_samples};
+    PartSamples samples = part.samples(
+        strip_width(cutter, height) / planar_samples_across, options.most_samples);
     std::vector<std::vector<LaidPass>> laid(angles.size());
     std::vector<double> travel(angles.size());
     parallel_for(angles.size(), [&](std::size_t begin, std::size_t end) {

@@ -9,6 +9,7 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/strategy/detail/coverage.h"
+#include "endmill/strategy/detail/level_lines.h"
 
 namespace endmill {
 
