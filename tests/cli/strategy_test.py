@@ -96,14 +96,13 @@ class UprightPlanes(ProgramTest):
     def test_given_direction_is_followed_and_not_compared(self):
         part = self.file(plane(size=PLANE_SIZE))
         self.summary("plan", part, *BALL, "--direction", "best", "--bound", "none", "-o", "out")
-        facts = self.summary("plan", part, *BALL, "--direction-deg", "30", "--bound", "none", "-o", "out", "--force")
-        self.assertEqual((facts["strategy"], facts["direction_deg"]), ("planar", 30))
+        facts = self.summary("plan", part, *BALL, "--direction-deg", "45", "--bound", "none", "-o", "out", "--force")
+        self.assertEqual((facts["strategy"], facts["direction_deg"]), ("planar", 45))
         self.assertFalse((self.folder / "out/angles.csv").exists())
         self.assertFalse((self.folder / "out/angles.svg").exists())
         with (self.folder / "out/toolpath.csv").open() as file:
             cuts = [point for point in csv.DictReader(file) if point["move"] == "cut"]
-        offsets = {round(float(point["contact_y_mm"]) * math.cos(math.pi / 6)
-                         - float(point["contact_x_mm"]) / 2, 6) for point in cuts}
+        offsets = {round(float(point["contact_y_mm"]) - float(point["contact_x_mm"]), 6) for point in cuts}
         self.assertEqual(len(offsets), facts["passes"])
 
     def test_directions_are_refused_where_they_have_no_effect(self):

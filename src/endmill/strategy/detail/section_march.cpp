@@ -42,6 +42,7 @@ SectionMarch::SectionMarch(Coverage& coverage, Angle direction, double slack,
       strip_{strip_width(coverage.cutter(), coverage.height())},
       offsets_(samples_->size()),
       order_(samples_->size()),
+      is_border_(samples_->size(), false),
       is_lost_(samples_->size(), false),
       walk_{*samples_},
       beyond_(samples_->size())
@@ -49,6 +50,9 @@ SectionMarch::SectionMarch(Coverage& coverage, Angle direction, double slack,
     // twins must agree, so that lines continue from one to the other
     for (std::size_t i = 0; i < samples_->size(); ++i)
         offsets_[i] = offset_of(samples_->point(samples_->representative(i)));
+    for (const MeshEdge& edge : samples_->border())
+        for (const std::int32_t i : edge)
+            is_border_[i] = true;
     std::iota(order_.begin(), order_.end(), 0);
     std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
         return offsets_[a] != offsets_[b] ? offsets_[a] < offsets_[b] : a < b;
@@ -206,32 +210,48 @@ std::int32_t SectionMarch::nearest_covered(std::int32_t uncovered) const
     return nearest;
 }
 
-// Whether a part of the surface begins at an uncovered sample without covered neighbours.
+// Whether a part of the surface begins at an uncovered sample, and nothing is covered there.
 bool SectionMarch::is_beginning(std::int32_t uncovered) const
 {
     const std::span<const std::int32_t> around = samples_->neighbours(uncovered);
     return std::all_of(around.begin(), around.end(), [&](std::int32_t neighbour) {
-        return offsets_[neighbour] >= offsets_[uncovered];
+        return is_uncovered(neighbour) && offsets_[neighbour] >= offsets_[uncovered];
     });
 }
 
-// The place beside an uncovered sample that the next pass must cover, with its farthest
-// offset as far as it is below the limit: on the front, or the sample itself where a part of
-// the surface begins. The sample is lost if no further pass covers the place.
-std::optional<SectionMarch::Demand> SectionMarch::demand_at(std::int32_t uncovered,
-                                                            double limit)
+// Adds the place as a demand if its farthest offset is below the limit. Whether a further
+// pass covers it.
+bool SectionMarch::add_demand(const SampleEdge& place, Demands& demands)
 {
-    const std::int32_t covered = nearest_covered(uncovered);
-    if (covered < 0 && !is_beginning(uncovered))
-        return std::nullopt;
-    const SampleEdge place = covered < 0 ? SampleEdge{uncovered, uncovered, 0}
-                                         : front_place(covered, uncovered);
-    const double offset = nearly_farthest(place, limit);
-    if (offset > last_ + least_advance * strip_)
-        return offset < limit ? std::optional{Demand{place, offset}} : std::nullopt;
-    if (offsets_[uncovered] <= last_)
+    const double offset = nearly_farthest(place, demands.limit);
+    if (offset <= last_ + least_advance * strip_)
+        return false;
+    if (offset < demands.limit) {
+        demands.open.push_back({place, offset});
+        demands.limit = std::min(demands.limit, offset + 2 * samples_->spacing());
+    }
+    return true;
+}
+
+// Adds the places beside an uncovered sample that the next pass must cover: on the front, or
+// the sample itself where a part of the surface begins. The sample is lost if no further
+// pass covers one of them.
+void SectionMarch::add_demands_at(std::int32_t uncovered, Demands& demands)
+{
+    bool is_reached = true;
+    if (is_border_[uncovered]) {
+        // passes end here, so that each place of the front may be the decisive one
+        for (const std::int32_t neighbour : samples_->neighbours(uncovered))
+            if (!is_uncovered(neighbour))
+                is_reached =
+                    add_demand(front_place(neighbour, uncovered), demands) && is_reached;
+    } else if (const std::int32_t covered = nearest_covered(uncovered); covered >= 0) {
+        is_reached = add_demand(front_place(covered, uncovered), demands);
+    }
+    if (is_beginning(uncovered))
+        is_reached = add_demand({uncovered, uncovered, 0}, demands) && is_reached;
+    if (!is_reached && offsets_[uncovered] <= last_)
         is_lost_[uncovered] = true;
-    return std::nullopt;
 }
 
 std::vector<SectionMarch::Demand> SectionMarch::demands()
@@ -239,18 +259,12 @@ std::vector<SectionMarch::Demand> SectionMarch::demands()
     while (first_ < order_.size() &&
            (!is_uncovered(order_[first_]) || is_lost_[order_[first_]]))
         ++first_;
-    std::vector<Demand> found;
-    double limit = unlimited;
-    for (std::size_t k = first_; k < order_.size() && offsets_[order_[k]] < limit; ++k) {
-        const std::int32_t i = order_[k];
-        if (!is_uncovered(i) || is_lost_[i])
-            continue;
-        if (const std::optional<Demand> demand = demand_at(i, limit)) {
-            found.push_back(*demand);
-            limit = std::min(limit, demand->farthest + 2 * samples_->spacing());
-        }
-    }
-    return found;
+    Demands found{{}, unlimited};
+    for (std::size_t k = first_;
+         k < order_.size() && offsets_[order_[k]] < found.limit; ++k)
+        if (is_uncovered(order_[k]) && !is_lost_[order_[k]])
+            add_demands_at(order_[k], found);
+    return std::move(found.open);
 }
 
 // The offset of the next pass; infinite if there is none.

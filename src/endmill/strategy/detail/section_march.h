@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -46,6 +45,12 @@ private:
         double farthest;  // a lower bound
     };
 
+    // Demands, and the offset from which further ones do not matter.
+    struct Demands {
+        std::vector<Demand> open;
+        double limit;
+    };
+
     bool is_uncovered(std::int32_t i) const { return coverage_->gaps()[i] > slack_; }
     double offset_of(const Vec3& point) const
     {
@@ -58,7 +63,8 @@ private:
     double farthest(const Demand& demand);
     std::int32_t nearest_covered(std::int32_t uncovered) const;
     bool is_beginning(std::int32_t uncovered) const;
-    std::optional<Demand> demand_at(std::int32_t uncovered, double limit);
+    bool add_demand(const SampleEdge& place, Demands& demands);
+    void add_demands_at(std::int32_t uncovered, Demands& demands);
     std::vector<Demand> demands();
     double next_offset();
     double centred_last(double offset);
@@ -78,6 +84,7 @@ private:
     std::vector<double> offsets_;      // of the samples, mm
     std::vector<std::int32_t> order_;  // samples by offset
     std::size_t first_ = 0;            // in order_; all before it are covered or lost
+    std::vector<bool> is_border_;      // samples on the border
     std::vector<bool> is_lost_;        // samples that no further pass covers
     double last_ = -std::numeric_limits<double>::infinity();  // offset of the last pass
     SampleWalk walk_;
