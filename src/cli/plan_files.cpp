@@ -239,6 +239,8 @@ void replace_earlier_plans(OutputFolder& folder)
         for (const char* name :
              {"toolpath.csv", "toolpath.vtp", "toolpath.svg", "summary.json"})
             folder.remove_unless_written(prefix + name);
+    for (const char* name : {"angles.csv", "angles.svg"})
+        folder.remove_unless_written(name);
 }
 
 PlanResult write_plan(const PlanTask& task, OutputFolder& folder)

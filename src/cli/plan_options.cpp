@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::array directions{Choice<PlanDirection>{"both", PlanDirection::Both},
                                 Choice<PlanDirection>{"u", PlanDirection::U},
-                                Choice<PlanDirection>{"v", PlanDirection::V}};
+                                Choice<PlanDirection>{"v", PlanDirection::V},
+                                Choice<PlanDirection>{"best", PlanDirection::Best}};
 constexpr std::array governing{Choice<Governing>{"min", Governing::Min},
                                Choice<Governing>{"dense-min", Governing::DenseMin},
                                Choice<Governing>{"mean", Governing::Mean},
@@ -57,7 +58,7 @@ constexpr std::array strategies{
 constexpr std::array bounds{Choice<bool>{"estimated", true}, Choice<bool>{"none", false}};
 
 // Options of passes along parameter lines only.
-constexpr std::array iso_options{"--direction", "--outer-tolerance", "--stop-at-borders",
+constexpr std::array iso_options{"--outer-tolerance", "--stop-at-borders",
                                  "--count-links"};
 
 // Policies of mode paper only. Mode verified chooses points and passes by the motion of
@@ -162,6 +163,24 @@ void add_tolerances(CLI::App& command, PlanOptions& options)
 
 }  // namespace
 
+namespace {
+
+void add_direction_angle(CLI::App& command, PlanOptions& options)
+{
+    command
+        .add_option_function<std::string>(
+            "--direction-deg",
+            [&options](const std::string& word) {
+                options.pass_direction = Angle::degrees(number_argument(
+                    "--direction-deg", word, NumberDomain::from_to(-360, 360)));
+            },
+            "direction of the passes of --strategy planar in degrees, from +x towards +y "
+            "(default: the best)")
+        ->type_name("DEG");
+}
+
+}  // namespace
+
 void add_plan_options(CLI::App& command, PlanOptions& options)
 {
     command
@@ -180,11 +199,15 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
         ->type_name("CUTTER");
     add_tolerances(command, options);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
-                              "parameter along which the passes run (default both)");
+                              "direction of the passes. With --strategy iso, the "
+                              "parameter along which they run: both (default), u or v. "
+                              "With --strategy planar: best (default), the one with the "
+                              "shortest passes");
+    add_direction_angle(command, options);
     add_choice<StrategyChoice>(
         command, "--strategy", options.strategy, strategies,
         "how passes are laid. best (default): the shortest of the others; iso-u, iso-v: "
-        "along parameter lines; iso-scallop: each as far from the passes before it as "
+        "along parameter lines; planar: in parallel upright planes; iso-scallop: each as far from the passes before it as "
         "the "
         "scallop height allows; iso: along u and along v, compared (default with an "
         "option of it). Except with iso, --scallop limits all remaining stock");
@@ -228,10 +251,29 @@ void refuse_zero_tolerances(const PlanOptions& options)
         inner == 0.0 ? "--inner-tolerance" : "--outer-tolerance")};
 }
 
+// Directions that the strategies other than iso do not have.
+void refuse_directions(const PlanOptions& options, const std::string& chosen)
+{
+    if (options.strategy != StrategyChoice::Planar) {
+        refuse_idle_options(options.common, std::array{"--direction-deg"}, chosen,
+                            "--strategy planar");
+        refuse_idle_options(options.common, std::array{"--direction"}, chosen,
+                            options.direction == PlanDirection::Best ? "--strategy planar"
+                                                                     : "--strategy iso");
+    } else if (options.direction != PlanDirection::Best) {
+        refuse_idle_options(options.common, std::array{"--direction"}, chosen,
+                            "--direction best, --direction-deg or --strategy iso");
+    } else if (options.pass_direction) {
+        refuse_idle_options(options.common, std::array{"--direction"}, "--direction-deg",
+                            "one of the two");
+    }
+}
+
 // What the strategies other than iso cannot do.
 void refuse_for_strategy(const PlanOptions& options)
 {
     const std::string chosen = "--strategy " + strategy_word(options.strategy);
+    refuse_directions(options, chosen);
     refuse_idle_options(options.common, iso_options, chosen, "--strategy iso");
     if (options.mode == Planner::Paper)
         throw DomainError{"--mode paper with " + chosen +
@@ -242,10 +284,30 @@ void refuse_for_strategy(const PlanOptions& options)
                           ": expected a tolerance above 0, or --strategy iso"};
 }
 
+// What iso cannot do.
+void refuse_for_iso(const PlanOptions& options)
+{
+    const std::string chosen = "--strategy iso";
+    refuse_idle_options(options.common, std::array{"--bound"}, chosen,
+                        "another --strategy");
+    refuse_idle_options(options.common, std::array{"--direction-deg"}, chosen,
+                        "--strategy planar");
+    if (options.direction == PlanDirection::Best)
+        refuse_idle_options(options.common, std::array{"--direction"}, chosen,
+                            "--strategy planar, or --direction both, u or v");
+}
+
+// Whether a direction was given that only upright planes have.
+bool has_planar_option(const PlanOptions& options)
+{
+    return options.pass_direction || options.direction == PlanDirection::Best;
+}
+
 // Whether an option was given that only passes along parameter lines have.
 bool has_iso_option(const PlanOptions& options)
 {
     return options.mode == Planner::Paper || options.requested.inner == 0.0 ||
+           options.common.given.contains("--direction") ||
            std::ranges::any_of(iso_options, [&](const char* name) {
                return options.common.given.contains(name);
            });
@@ -255,7 +317,11 @@ bool has_iso_option(const PlanOptions& options)
 
 void complete_strategy(PlanOptions& options)
 {
-    if (!options.common.given.contains("--strategy") && has_iso_option(options))
+    if (options.common.given.contains("--strategy"))
+        return;
+    if (has_planar_option(options))
+        options.strategy = StrategyChoice::Planar;
+    else if (has_iso_option(options))
         options.strategy = StrategyChoice::Iso;
 }
 
@@ -266,8 +332,7 @@ void refuse_idle_plan_options(const PlanOptions& options)
     if (options.strategy != StrategyChoice::Iso)
         refuse_for_strategy(options);
     else
-        refuse_idle_options(common, std::array{"--bound"}, "--strategy iso",
-                            "another --strategy");
+        refuse_for_iso(options);
     if (options.mode == Planner::Verified)
         refuse_idle_options(common, paper_options, "--mode verified", "--mode paper");
     if (options.mode == Planner::Verified && options.requested.inner &&

@@ -12,8 +12,8 @@
 
 namespace endmill {
 
-/// The parameter along which the passes run.
-enum class PlanDirection { U, V, Both };
+/// The parameter along which the passes run, or the best direction of upright planes.
+enum class PlanDirection { U, V, Both, Best };
 
 /// The strategies that the command offers.
 enum class StrategyChoice {
@@ -50,8 +50,8 @@ struct PlanOptions {
 /// Adds every option of `plan` to `command`.
 void add_plan_options(CLI::App& command, PlanOptions& options);
 
-/// Chooses Iso if no strategy was given, but an option of it: a direction, the outer
-/// tolerance, `--mode paper` or the like.
+/// Chooses Iso if no strategy was given, but an option of it: a parameter, the outer
+/// tolerance, `--mode paper` or the like. Chooses Planar likewise for a direction of it.
 void complete_strategy(PlanOptions& options);
 
 /// \throws DomainError naming an option that has no effect in the mode or with the

@@ -2,6 +2,7 @@
 #include "cli/plan_strategy.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,8 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/axonometric_figure.h"
+#include "endmill/figures/travel_svg.h"
+#include "endmill/files/csv.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/vtk.h"
 #include "endmill/planning/economy.h"
@@ -114,6 +117,8 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
                  {"scallop_mm", limits.scallop_height},
                  {"inner_tolerance_mm", limits.inner_tolerance},
                  {"outer_tolerance_mm", 0}};
+    if (covering.direction)
+        summary["direction_deg"] = covering.direction->written_degrees();
     if (!chosen.tried.empty())
         summary["tried"] = tried_json(chosen.tried);
     if (options.feed_mm_per_min) {
@@ -271,6 +276,33 @@ void warn_of_unreached(const CoveringPath& plan, const CommonOptions& options)
                                   shown(plan.unreached_mm2)));
 }
 
+std::string angles_csv(const std::vector<ComparedDirection>& compared)
+{
+    CsvTable table{{"angle_deg", "cut_contact_mm", "cut_tip_mm", "passes"}};
+    for (const auto& [direction, cut_contact_mm, cut_tip_mm, passes] : compared)
+        table.add_row({direction.written_degrees(), cut_contact_mm, cut_tip_mm,
+                       static_cast<std::int64_t>(passes)});
+    return table.text();
+}
+
+// Writes the lengths in all directions that were compared.
+void write_directions(const CoveringPath& covering, const Json& s, OutputFolder& folder)
+{
+    if (covering.compared.empty())
+        return;
+    std::vector<DirectionTravel> travel;
+    for (const auto& [direction, cut_contact_mm, cut_tip_mm, passes] : covering.compared)
+        travel.push_back({direction, cut_contact_mm, cut_tip_mm});
+    TravelFigure figure;
+    figure.title = s["name"].get<std::string>() + ": length of passes in upright planes";
+    figure.captions = {
+        fmt::format("{}, scallop height {:g} mm; on a coarse net; chosen: {:.4g} degrees",
+                    s["cutter"].get<std::string>(), s["scallop_mm"].get<double>(),
+                    covering.direction->degrees())};
+    folder.write("angles.csv", angles_csv(covering.compared));
+    folder.write("angles.svg", direction_travel_svg(travel, figure));
+}
+
 }  // namespace
 
 PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
@@ -305,6 +337,7 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     folder.write("toolpath.vtp", tool_path_vtp(covering.path));
     folder.write("toolpath.svg",
                  tool_path_svg(covering.path, strategy_figure(summary), surfaces));
+    write_directions(covering, summary, folder);
     folder.write("summary.json", summary.dump(2) + "\n");
     PlanResult result{
         summary, report(summary, covering, limits), covering.uncovered.size(), {}};

@@ -12,3 +12,4 @@
 #include "endmill/figures/section_svg.h"
 #include "endmill/figures/setup_figures.h"
 #include "endmill/figures/tool_path_svg.h"
+#include "endmill/figures/travel_svg.h"

@@ -30,7 +30,7 @@ def cut_length(path):
 class Strategies(ProgramTest):
     def test_every_strategy_covers_and_verify_agrees(self):
         part = SURFACES / "saddle.json"
-        for strategy in ("iso-u", "iso-v", "iso-scallop"):
+        for strategy in ("iso-u", "iso-v", "planar", "iso-scallop"):
             with self.subTest(strategy=strategy):
                 facts = self.summary("plan", part, *BALL, "--strategy", strategy, "--bound", "none", "-o", strategy)
                 self.assertEqual(facts["strategy"], strategy)
@@ -46,7 +46,7 @@ class Strategies(ProgramTest):
                 facts = self.summary("plan", SURFACES / "saddle.json", *BALL, "--strategy", "best", "--bound", "none",
                                      "--distance", distance, "-o", distance)
                 lengths = {one["strategy"]: one["cut_mm"] for one in facts["tried"]}
-                self.assertGreaterEqual(set(lengths), {"iso-u", "iso-v", "iso-scallop"})
+                self.assertGreaterEqual(set(lengths), {"iso-u", "iso-v", "planar", "iso-scallop"})
                 self.assertEqual(facts[key], min(lengths.values()))
                 self.assertEqual(lengths[facts["strategy"]], facts[key])
                 alone = self.summary("plan", SURFACES / "saddle.json", *BALL, "--strategy", "iso-v", "--bound", "none",
@@ -75,6 +75,48 @@ class Strategies(ProgramTest):
         self.assertIsNone(facts["bound_mm"])
         self.assertIsNone(facts["travel_over_bound"])
         self.assertIn("lower bound   none", done.stdout)
+
+
+class UprightPlanes(ProgramTest):
+    def test_best_direction_is_the_least_of_those_compared(self):
+        facts = self.summary("plan", self.file(plane(size=PLANE_SIZE)), *BALL, "--strategy", "planar", "--bound", "none",
+                             "-o", "out")
+        with (self.folder / "out/angles.csv").open() as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(list(rows[0]), ["angle_deg", "cut_contact_mm", "cut_tip_mm", "passes"])
+        angles = [float(row["angle_deg"]) for row in rows]
+        self.assertEqual(angles, sorted(angles))
+        for step in range(36):
+            self.assertTrue(any(abs(angle - 5 * step) < 1e-9 for angle in angles), step)
+        # strips across 60 mm: 12 of 40 mm; across 40 mm: 8 of 60 mm
+        self.assertEqual(facts["cut_contact_mm"], 480)
+        self.assertIn(facts["direction_deg"], (0, 90))
+        self.assertIn("by contacts", (self.folder / "out/angles.svg").read_text())
+
+    def test_given_direction_is_followed_and_not_compared(self):
+        part = self.file(plane(size=PLANE_SIZE))
+        self.summary("plan", part, *BALL, "--direction", "best", "--bound", "none", "-o", "out")
+        facts = self.summary("plan", part, *BALL, "--direction-deg", "45", "--bound", "none", "-o", "out", "--force")
+        self.assertEqual((facts["strategy"], facts["direction_deg"]), ("planar", 45))
+        self.assertFalse((self.folder / "out/angles.csv").exists())
+        self.assertFalse((self.folder / "out/angles.svg").exists())
+        with (self.folder / "out/toolpath.csv").open() as file:
+            cuts = [point for point in csv.DictReader(file) if point["move"] == "cut"]
+        offsets = {round(float(point["contact_y_mm"]) - float(point["contact_x_mm"]), 6) for point in cuts}
+        self.assertEqual(len(offsets), facts["passes"])
+
+    def test_directions_are_refused_where_they_have_no_effect(self):
+        part = self.file(plane())
+        for options, expected in ((["--strategy", "planar", "--direction", "u"], "--direction best"),
+                                  (["--strategy", "iso-scallop", "--direction-deg", "3"], "--strategy planar"),
+                                  (["--strategy", "iso", "--direction-deg", "3"], "--strategy planar"),
+                                  (["--strategy", "iso", "--direction", "best"], "--strategy planar"),
+                                  (["--direction", "best", "--direction-deg", "3"], "one of the two")):
+            with self.subTest(options=options):
+                done = endmill("plan", part, *options, "-o", "out", cwd=self.folder)
+                self.assert_refused(done, 2, "--direction", expected)
+        self.assert_refused(endmill("plan", part, "--direction-deg", "nan", "-o", "out", cwd=self.folder), 2,
+                            "--direction-deg", "360")
 
 
 class Defaults(ProgramTest):

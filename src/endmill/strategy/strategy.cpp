@@ -109,7 +109,8 @@ CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& 
         part, cutter, {options.inner_tolerance, options.scallop_height}};
     if (strategy == Strategy::Planar) {
         PlanarPasses planar =
-            planar_passes(covered, cutter, with_progress(options, 0, laid_share));
+            planar_passes(covered, cutter, with_progress(options, 0, laid_share),
+                          parameter_directions(part));
         CoveringPath path = covering_path(std::move(planar.laid), covered, cutter,
                                           with_progress(options, laid_share, 1));
         path.direction = planar.direction;

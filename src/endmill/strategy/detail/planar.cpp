@@ -18,11 +18,11 @@ constexpr double pi = std::numbers::pi;
 
 // Share of the height at which passes are laid. The pitch of a pass is limited by its worst
 // place only, so that passes can be mended there.
-constexpr double planar_share = 0.99;
+constexpr double planar_share = 0.985;
 // Share of the height by which a sample may miss its cover.
 constexpr double planar_slack_share = 0.002;
 // Samples across a strip for the search of the direction, and for the result.
-constexpr double search_samples_across = 4;
+constexpr double search_samples_across = 2.5;
 constexpr double planar_samples_across = 8;
 // The search uses about so many samples. If strips are too narrow for that, it uses a
 // greater height.
@@ -36,11 +36,17 @@ constexpr std::size_t valleys = 3;
 constexpr int golden_steps = 4;
 // Directions that are laid on the fine net.
 constexpr std::size_t laid_directions = 3;
-// Directions that differ by less are the same, rad.
-constexpr double least_turn = 0.25 * pi / 180;
+// Directions of parameter lines that differ by less are the same, and directions that are
+// laid on the fine net differ by more, rad.
+constexpr double same_turn = 0.01 * pi / 180;
+constexpr double least_turn = 2 * pi / 180;
 // Share of the work until the direction is found.
 constexpr double searched_share = 0.6;
 
+// Distance of samples that no part exceeds, mm.
+constexpr double no_spacing = 1e9;
+
+// The direction between 0 and half a turn.
 double half_turn(double angle)
 {
     const double rest = std::fmod(angle, pi);
@@ -61,8 +67,7 @@ class DirectionSearch {
 public:
     DirectionSearch(const CoveredPart& part, const BallCutter& cutter,
                     const StrategyOptions& options)
-        : part_{&part},
-          options_{&options},
+        : options_{&options},
           cutter_{cutter},
           height_{search_height(part, cutter, options)},
           samples_{part.samples(strip_width(cutter, height_) / search_samples_across,
@@ -71,13 +76,17 @@ public:
     }
 
     /// All directions that were tried, by rising angle.
-    std::vector<TriedDirection> search()
+    /// \param further_angles directions to try, rad, beside those of the search.
+    std::vector<TriedDirection> search(std::span<const double> further_angles)
     {
         std::vector<double> angles;
         for (std::size_t k = 0; k < equal_steps; ++k)
             angles.push_back(static_cast<double>(k) * pi / equal_steps);
-        const std::vector<double> parameter = parameter_directions();
-        angles.insert(angles.end(), parameter.begin(), parameter.end());
+        for (const double angle : further_angles)
+            if (std::none_of(angles.begin(), angles.end(), [&](double other) {
+                    return std::abs(other - angle) < same_turn;
+                }))
+                angles.push_back(angle);
         known_ = costs(angles);
         const std::vector<std::size_t> best = best_valleys();
         std::vector<std::vector<TriedDirection>> further(best.size());
@@ -102,7 +111,7 @@ private:
     {
         const double radius = cutter.radius();
         // the area by the first net of each patch
-        const PartSamples first = part.samples(1e9, options.most_samples);
+        const PartSamples first = part.samples(no_spacing, options.most_samples);
         double area = 0;
         for (const auto& [a, b, c] : first.triangles())
             area += (first.point(b) - first.point(a))
@@ -111,7 +120,8 @@ private:
                     2;
         const double half_strip = std::min(
             search_samples_across * std::sqrt(2 * area / search_samples) / 2, radius);
-        const double few = radius - std::sqrt(radius * radius - half_strip * half_strip);
+        const double few =
+            radius - std::sqrt(radius * radius - half_strip * half_strip);
         return std::max(options.scallop_height,
                         std::min(few, greatest_search_height * radius));
     }
@@ -120,11 +130,12 @@ private:
     {
         Coverage coverage{samples_, cutter_, planar_share * height_};
         const std::vector<LaidPass> passes =
-            SectionMarch{coverage, Angle::radians(angle), planar_slack_share * height_}
+            SectionMarch{coverage, Angle::radians(angle), planar_slack_share * height_,
+                         SectionContacts::OnNet}
                 .passes();
         const PassLengths lengths = pass_lengths(passes, cutter_.radius());
-        const double travel =
-            options_->distance == TravelKind::Tip ? lengths.tip_mm : lengths.contact_mm;
+        const double travel = options_->distance == TravelKind::Tip ? lengths.tip_mm
+                                                                    : lengths.contact_mm;
         return {angle, travel, lengths, passes.size()};
     }
 
@@ -136,33 +147,12 @@ private:
             for (std::size_t k = begin; k < end; ++k) {
                 found[k] = cost(angles[k]);
                 if (options_->progress)
-                    options_->progress(
-                        searched_share * static_cast<double>(++done) /
-                        (static_cast<double>(angles.size()) + valleys * golden_steps));
+                    options_->progress(searched_share * static_cast<double>(++done) /
+                                       (static_cast<double>(angles.size()) +
+                                        valleys * golden_steps));
             }
         });
         return found;
-    }
-
-    // The directions of the parameter lines through the middle of each surface.
-    std::vector<double> parameter_directions() const
-    {
-        std::vector<double> angles;
-        for (const Surface& surface : part_->surfaces()) {
-            const Interval u = surface.range(Parameter::U);
-            const Interval v = surface.range(Parameter::V);
-            const SurfaceTangents middle =
-                surface.tangents((u.low + u.high) / 2, (v.low + v.high) / 2);
-            for (const Vec3& way : {middle.du, middle.dv}) {
-                const double angle = half_turn(std::atan2(way.y(), way.x()));
-                const bool is_known = std::any_of(
-                    angles.begin(), angles.end(),
-                    [&](double other) { return std::abs(other - angle) < least_turn; });
-                if (!is_known)
-                    angles.push_back(angle);
-            }
-        }
-        return angles;
     }
 
     // Equal steps at which the travel is less than at both neighbours; the best few.
@@ -206,7 +196,6 @@ private:
         return tried;
     }
 
-    const CoveredPart* part_;
     const StrategyOptions* options_;
     BallCutter cutter_;
     double height_;
@@ -234,8 +223,26 @@ std::vector<double> best_directions(std::vector<TriedDirection> known)
 
 }  // namespace
 
+std::vector<Angle> parameter_directions(const Part& part)
+{
+    std::vector<Angle> directions;
+    const auto* surfaces = std::get_if<std::vector<Surface>>(&part);
+    if (!surfaces)
+        return directions;
+    for (const Surface& surface : *surfaces) {
+        const Interval u = surface.range(Parameter::U);
+        const Interval v = surface.range(Parameter::V);
+        const SurfaceTangents middle =
+            surface.tangents((u.low + u.high) / 2, (v.low + v.high) / 2);
+        for (const Vec3& way : {middle.du, middle.dv})
+            directions.push_back(Angle::radians(half_turn(std::atan2(way.y(), way.x()))));
+    }
+    return directions;
+}
+
 PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
-                           const StrategyOptions& options)
+                           const StrategyOptions& options,
+                           std::span<const Angle> further)
 {
     const double height = options.scallop_height;
     std::vector<ComparedDirection> compared;
@@ -243,8 +250,11 @@ PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
     if (options.direction) {
         angles.push_back(options.direction->radians());
     } else {
+        std::vector<double> further_angles;
+        for (const Angle direction : further)
+            further_angles.push_back(half_turn(direction.radians()));
         const std::vector<TriedDirection> known =
-            DirectionSearch{part, cutter, options}.search();
+            DirectionSearch{part, cutter, options}.search(further_angles);
         for (const TriedDirection& one : known)
             compared.push_back({Angle::radians(one.angle), one.lengths.contact_mm,
                                 one.lengths.tip_mm, one.passes});
@@ -258,11 +268,12 @@ PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
         for (std::size_t k = begin; k < end; ++k) {
             Coverage coverage{samples, cutter, planar_share * height};
             laid[k] = SectionMarch{coverage, Angle::radians(angles[k]),
-                                   planar_slack_share * height}
+                                   planar_slack_share * height,
+                                   SectionContacts::OnSurface}
                           .passes();
             const PassLengths lengths = pass_lengths(laid[k], cutter.radius());
-            travel[k] =
-                options.distance == TravelKind::Tip ? lengths.tip_mm : lengths.contact_mm;
+            travel[k] = options.distance == TravelKind::Tip ? lengths.tip_mm
+                                                            : lengths.contact_mm;
         }
     });
     const auto best = static_cast<std::size_t>(

@@ -31,16 +31,19 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-SectionMarch::SectionMarch(Coverage& coverage, Angle direction, double slack)
+SectionMarch::SectionMarch(Coverage& coverage, Angle direction, double slack,
+                           SectionContacts contacts)
     : coverage_{&coverage},
       samples_{&coverage.samples()},
       slack_{slack},
+      contacts_{contacts},
       is_planar_{true},
       sine_{std::sin(direction.radians())},
       cosine_{std::cos(direction.radians())},
       strip_{strip_width(coverage.cutter(), coverage.height())},
       offsets_(samples_->size()),
       order_(samples_->size()),
+      is_border_(samples_->size(), false),
       is_lost_(samples_->size(), false),
       walk_{*samples_},
       beyond_(samples_->size())
@@ -55,10 +58,12 @@ SectionMarch::SectionMarch(Coverage& coverage, std::vector<double> offsets, doub
     : coverage_{&coverage},
       samples_{&coverage.samples()},
       slack_{slack},
+      contacts_{SectionContacts::OnSurface},
       is_planar_{false},
       strip_{strip_width(coverage.cutter(), coverage.height())},
       offsets_{std::move(offsets)},
       order_(samples_->size()),
+      is_border_(samples_->size(), false),
       is_lost_(samples_->size(), false),
       walk_{*samples_},
       beyond_(samples_->size())
@@ -66,9 +71,12 @@ SectionMarch::SectionMarch(Coverage& coverage, std::vector<double> offsets, doub
     sort_samples();
 }
 
-// Fills order_.
+// Fills order_ and is_border_.
 void SectionMarch::sort_samples()
 {
+    for (const MeshEdge& edge : samples_->border())
+        for (const std::int32_t i : edge)
+            is_border_[i] = true;
     std::iota(order_.begin(), order_.end(), 0);
     std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
         return offsets_[a] != offsets_[b] ? offsets_[a] < offsets_[b] : a < b;
@@ -113,16 +121,19 @@ SampleEdge SectionMarch::front_place(std::int32_t covered, std::int32_t uncovere
 }
 
 // Finds the samples whose balls reach a place, and those around them, as far as they lie
-// ahead.
-void SectionMarch::walk_reach(const SampleEdge& place)
+// ahead. It ends where it has found one beyond the limit.
+void SectionMarch::walk_reach(const SampleEdge& place, double limit)
 {
     const double radius = coverage_->cutter().radius();
     const Vec3 point = raised(place);
-    const double least =
-        std::min(offsets_[place.from], offsets_[place.to]) - samples_->spacing() / 2;
+    const double least = std::min(offsets_[place.from], offsets_[place.to]) -
+                         samples_->spacing() / 2;
     inside_.clear();
     around_.clear();
+    bool is_beyond_limit = false;
     walk_.from(std::array{place.from, place.to}, [&](std::int32_t i) {
+        if (is_beyond_limit)
+            return false;
         const Vec3 centre = coverage_->centre(i);
         const double x = point.x() - centre.x();
         const double y = point.y() - centre.y();
@@ -130,23 +141,27 @@ void SectionMarch::walk_reach(const SampleEdge& place)
         beyond_[i] = beyond_reach(x * x + y * y + z * z, radius) - slack_;
         const bool is_inside = beyond_[i] <= 0 && offsets_[i] >= least;
         (is_inside ? inside_ : around_).push_back(i);
+        is_beyond_limit = is_inside && offsets_[i] >= limit;
         return is_inside;
     });
 }
 
 // A lower bound of the farthest offset, from the edges of the net: the distance of a ball
-// is convex along an edge.
-double SectionMarch::nearly_farthest(const SampleEdge& place)
+// is convex along an edge. If it is beyond the limit, any value beyond it.
+double SectionMarch::nearly_farthest(const SampleEdge& place, double limit)
 {
-    walk_reach(place);
+    walk_reach(place, limit);
     double offset = -unlimited;
+    if (!inside_.empty() && offsets_[inside_.back()] >= limit)
+        return offsets_[inside_.back()];
     for (const std::int32_t i : inside_) {
         offset = std::max(offset, offsets_[i]);
         for (const std::int32_t neighbour : samples_->neighbours(i))
             if (offsets_[neighbour] > offsets_[i] && beyond_[neighbour] > 0)
                 offset = std::max(
-                    offset, std::lerp(offsets_[i], offsets_[neighbour],
-                                      beyond_[i] / (beyond_[i] - beyond_[neighbour])));
+                    offset,
+                    std::lerp(offsets_[i], offsets_[neighbour],
+                              beyond_[i] / (beyond_[i] - beyond_[neighbour])));
     }
     return offset;
 }
@@ -156,7 +171,7 @@ double SectionMarch::farthest(const Demand& demand)
 {
     const double radius = coverage_->cutter().radius();
     const Vec3 point = raised(demand.place);
-    walk_reach(demand.place);
+    walk_reach(demand.place, unlimited);
     std::vector<std::int32_t> triangles;
     for (const std::vector<std::int32_t>* own : {&inside_, &around_})
         for (const std::int32_t i : *own)
@@ -198,33 +213,68 @@ double SectionMarch::farthest(const Demand& demand)
     return low;
 }
 
-// Adds the places beside an uncovered sample that the next pass must cover: on the edges to
-// covered samples, or the sample itself where a part of the surface begins.
-void SectionMarch::add_demands(std::int32_t uncovered, std::vector<Demand>& demands)
+// The covered neighbour of an uncovered sample from which the front is nearest to the last
+// pass; -1 if none is covered.
+std::int32_t SectionMarch::nearest_covered(std::int32_t uncovered) const
 {
-    bool is_beginning = true;
-    bool is_left = false;
+    std::int32_t nearest = -1;
+    double least = unlimited;
+    const double gap_there = coverage_->gaps()[uncovered] - slack_;
     for (const std::int32_t neighbour : samples_->neighbours(uncovered)) {
-        is_beginning = is_beginning && is_uncovered(neighbour) &&
-                       offsets_[neighbour] >= offsets_[uncovered];
         if (is_uncovered(neighbour))
             continue;
-        const SampleEdge place = front_place(neighbour, uncovered);
-        const double offset = nearly_farthest(place);
-        if (offset > last_ + least_advance * strip_)
-            demands.push_back({place, offset});
-        else
-            is_left = true;
+        const double gap = coverage_->gaps()[neighbour] - slack_;
+        const double offset = std::lerp(offsets_[neighbour], offsets_[uncovered],
+                                        gap / (gap - gap_there));
+        if (offset < least) {
+            least = offset;
+            nearest = neighbour;
+        }
     }
-    if (is_beginning) {
-        const SampleEdge place{uncovered, uncovered, 0};
-        const double offset = nearly_farthest(place);
-        if (offset > last_ + least_advance * strip_)
-            demands.push_back({place, offset});
-        else
-            is_left = true;
+    return nearest;
+}
+
+// Whether a part of the surface begins at an uncovered sample, and nothing is covered there.
+bool SectionMarch::is_beginning(std::int32_t uncovered) const
+{
+    const std::span<const std::int32_t> around = samples_->neighbours(uncovered);
+    return std::all_of(around.begin(), around.end(), [&](std::int32_t neighbour) {
+        return is_uncovered(neighbour) && offsets_[neighbour] >= offsets_[uncovered];
+    });
+}
+
+// Adds the place as a demand if its farthest offset is below the limit. Whether a further
+// pass covers it.
+bool SectionMarch::add_demand(const SampleEdge& place, Demands& demands)
+{
+    const double offset = nearly_farthest(place, demands.limit);
+    if (offset <= last_ + least_advance * strip_)
+        return false;
+    if (offset < demands.limit) {
+        demands.open.push_back({place, offset});
+        demands.limit = std::min(demands.limit, offset + 2 * samples_->spacing());
     }
-    if (is_left && offsets_[uncovered] <= last_)
+    return true;
+}
+
+// Adds the places beside an uncovered sample that the next pass must cover: on the front, or
+// the sample itself where a part of the surface begins. The sample is lost if no further
+// pass covers one of them.
+void SectionMarch::add_demands_at(std::int32_t uncovered, Demands& demands)
+{
+    bool is_reached = true;
+    if (is_border_[uncovered]) {
+        // passes end here, so that each place of the front may be the decisive one
+        for (const std::int32_t neighbour : samples_->neighbours(uncovered))
+            if (!is_uncovered(neighbour))
+                is_reached =
+                    add_demand(front_place(neighbour, uncovered), demands) && is_reached;
+    } else if (const std::int32_t covered = nearest_covered(uncovered); covered >= 0) {
+        is_reached = add_demand(front_place(covered, uncovered), demands);
+    }
+    if (is_beginning(uncovered))
+        is_reached = add_demand({uncovered, uncovered, 0}, demands) && is_reached;
+    if (!is_reached && offsets_[uncovered] <= last_)
         is_lost_[uncovered] = true;
 }
 
@@ -233,26 +283,21 @@ std::vector<SectionMarch::Demand> SectionMarch::demands()
     while (first_ < order_.size() &&
            (!is_uncovered(order_[first_]) || is_lost_[order_[first_]]))
         ++first_;
-    std::vector<Demand> found;
-    double limit = unlimited;
-    for (std::size_t k = first_; k < order_.size() && offsets_[order_[k]] < limit; ++k) {
-        const std::int32_t i = order_[k];
-        if (!is_uncovered(i) || is_lost_[i])
-            continue;
-        const std::size_t before = found.size();
-        add_demands(i, found);
-        for (std::size_t n = before; n < found.size(); ++n)
-            limit = std::min(limit, found[n].farthest + 2 * samples_->spacing());
-    }
-    return found;
+    Demands found{{}, unlimited};
+    for (std::size_t k = first_;
+         k < order_.size() && offsets_[order_[k]] < found.limit; ++k)
+        if (is_uncovered(order_[k]) && !is_lost_[order_[k]])
+            add_demands_at(order_[k], found);
+    return std::move(found.open);
 }
 
 // The offset of the next pass; infinite if there is none.
 double SectionMarch::next_offset()
 {
     std::vector<Demand> open = demands();
-    std::sort(open.begin(), open.end(),
-              [](const Demand& a, const Demand& b) { return a.farthest < b.farthest; });
+    std::sort(open.begin(), open.end(), [](const Demand& a, const Demand& b) {
+        return a.farthest < b.farthest;
+    });
     double offset = unlimited;
     for (const Demand& demand : open) {
         if (demand.farthest >= offset)
@@ -266,11 +311,22 @@ double SectionMarch::next_offset()
 // the straight line, so the first contact may miss the plane.
 PassContact SectionMarch::contact_on(const SampleEdge& place, double offset) const
 {
+    if (contacts_ == SectionContacts::OnNet) {
+        const std::int32_t near = place.share < 0.5 ? place.from : place.to;
+        const auto between = [&](const Vec3& from, const Vec3& to) -> Vec3 {
+            return (1 - place.share) * from + place.share * to;
+        };
+        const CutterContact contact{
+            between(samples_->point(place.from), samples_->point(place.to)),
+            between(samples_->normal(place.from), samples_->normal(place.to))};
+        return {{0, 0, contact}, 0, near};
+    }
     const PassContact contact = samples_->contact(place);
     if (!is_planar_)
         return contact;
-    const double share = place.share + (offset - offset_of(contact.at.contact.point)) /
-                                           (offsets_[place.to] - offsets_[place.from]);
+    const double share =
+        place.share + (offset - offset_of(contact.at.contact.point)) /
+                          (offsets_[place.to] - offsets_[place.from]);
     if (!(std::abs(share - place.share) > least_correction) || share < 0 || share > 1)
         return contact;
     return samples_->contact({place.from, place.to, share});
@@ -306,7 +362,8 @@ std::vector<LaidPass> SectionMarch::sections(double offset) const
     std::vector<LaidPass> found;
     if (begin == end)
         return found;
-    for (const LevelLine& line : level_lines(*samples_, offsets_, {begin, end}, offset))
+    for (const LevelLine& line :
+         level_lines(*samples_, offsets_, {begin, end}, offset))
         found.push_back(pass_on(line, offset));
     return found;
 }

@@ -12,6 +12,12 @@
 
 namespace endmill {
 
+/// Where the contacts of a section lie.
+enum class SectionContacts {
+    OnSurface,  ///< on the surface
+    OnNet,      ///< between samples, without parameters, which is quicker
+};
+
 /// Lays passes in parallel upright planes, front by front.
 ///
 /// The offset of a point is t = -x sin a + y cos a. Each pass is the section of the part
@@ -24,7 +30,9 @@ public:
     /// \param coverage  what is covered so far; passes are added to it.
     /// \param direction of the passes, from +x towards +y.
     /// \param slack     samples with a gap of at most this many mm count as covered.
-    SectionMarch(Coverage& coverage, Angle direction, double slack);
+    /// \param contacts  where they lie.
+    SectionMarch(Coverage& coverage, Angle direction, double slack,
+                 SectionContacts contacts);
 
     /// Lays passes along the level lines of any values instead.
     /// \param offsets of the samples, mm; equal at one place. Their gradient is about 1.
@@ -41,6 +49,12 @@ private:
         double farthest;  // a lower bound
     };
 
+    // Demands, and the offset from which further ones do not matter.
+    struct Demands {
+        std::vector<Demand> open;
+        double limit;
+    };
+
     void sort_samples();
     bool is_uncovered(std::int32_t i) const { return coverage_->gaps()[i] > slack_; }
     double offset_of(const Vec3& point) const
@@ -49,11 +63,14 @@ private:
     }
     Vec3 raised(const SampleEdge& place) const;
     SampleEdge front_place(std::int32_t covered, std::int32_t uncovered) const;
-    void walk_reach(const SampleEdge& place);
-    double nearly_farthest(const SampleEdge& place);
+    void walk_reach(const SampleEdge& place, double limit);
+    double nearly_farthest(const SampleEdge& place, double limit);
     double farthest(const Demand& demand);
+    std::int32_t nearest_covered(std::int32_t uncovered) const;
+    bool is_beginning(std::int32_t uncovered) const;
+    bool add_demand(const SampleEdge& place, Demands& demands);
+    void add_demands_at(std::int32_t uncovered, Demands& demands);
     std::vector<Demand> demands();
-    void add_demands(std::int32_t uncovered, std::vector<Demand>& demands);
     double next_offset();
     double centred_last(double offset);
     std::vector<LaidPass> sections(double offset) const;
@@ -65,6 +82,7 @@ private:
     Coverage* coverage_;
     const PartSamples* samples_;
     double slack_;
+    SectionContacts contacts_;
     bool is_planar_;                   // whether the sections are plane
     double sine_ = 0;                  // of the direction of plane sections
     double cosine_ = 0;                // of it
@@ -72,6 +90,7 @@ private:
     std::vector<double> offsets_;      // of the samples, mm
     std::vector<std::int32_t> order_;  // samples by offset
     std::size_t first_ = 0;            // in order_; all before it are covered or lost
+    std::vector<bool> is_border_;      // samples on the border
     std::vector<bool> is_lost_;        // samples that no further pass covers
     double last_ = -std::numeric_limits<double>::infinity();  // offset of the last pass
     SampleWalk walk_;
