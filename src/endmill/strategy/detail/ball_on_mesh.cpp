@@ -117,12 +117,21 @@ bool BallOnMesh::is_accessible(const CutterContact& contact, double distance) co
 
 bool BallOnMesh::is_clear(const Vec3& from, const Vec3& to) const
 {
-    const Vec3 to_tip = cutter_.radius() * Vec3::UnitZ();
-    if (drop_.is_clear(from - to_tip, to - to_tip, tolerance_))
-        return true;
-    const Vec3 to_core_tip = core_.cutter().radius() * Vec3::UnitZ();
-    return core_.is_clear(from - to_core_tip, to - to_core_tip,
-                          core_tolerance_share * tolerance_);
+    const double radius = core_.cutter().radius();
+    const double tolerance = core_tolerance_share * tolerance_;
+    const Vec3 to_core_tip = radius * Vec3::UnitZ();
+    if (distance_ > 0) {
+        const Vec3 to_tip = cutter_.radius() * Vec3::UnitZ();
+        if (drop_.is_clear(from - to_tip, to - to_tip, tolerance_))
+            return true;
+    } else {
+        // most moves that gouge do so in the middle
+        const Vec3 middle = (from + to) / 2;
+        const auto found = core_.contact(middle.head<2>());
+        if (found && found->tip_z > middle.z() - radius + tolerance)
+            return false;
+    }
+    return core_.is_clear(from - to_core_tip, to - to_core_tip, tolerance);
 }
 
 }  // namespace endmill
