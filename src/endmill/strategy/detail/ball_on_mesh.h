@@ -8,31 +8,44 @@
 
 namespace endmill {
 
+/// Which edges a mesh has.
+enum class MeshEdges {
+    Smooth,  ///< it approximates a smooth surface
+    Sharp,   ///< there are sharp edges
+};
+
 /// Where a ball along +z can be on a mesh. An immutable value that refers to the mesh; all
 /// threads may use it.
+///
+/// The depth of a gouge is measured along the normals of the part. On a smooth part it is
+/// the depth from the nearest place of the centre. At a sharp edge above a wall the ball
+/// and its shank cut a thin strip from the facet above as deep as the wall is high.
+/// Therefore the ball keeps a small distance from a mesh with sharp edges, and a move
+/// enters it only as far as the tolerance along the axis, or not at all.
 class BallOnMesh {
 public:
     /// \param mesh      the whole part; it must outlive this object.
     /// \param cutter    the ball, radius R.
     /// \param tolerance greatest depth in mm by which the ball may enter the mesh; above 0
     ///        and below R.
-    BallOnMesh(const TriangleMesh& mesh, const BallCutter& cutter, double tolerance);
+    /// \param edges     of the facets that face the tool.
+    BallOnMesh(const TriangleMesh& mesh, const BallCutter& cutter, double tolerance,
+               MeshEdges edges);
 
     /// The contact of the ball nearest to a wanted one. It is the wanted one if the ball
-    /// enters the mesh there by at most half the tolerance and touches it. Otherwise the
-    /// ball moves away from the facets that it enters, until it touches them; in a concave
-    /// corner it touches both sides. If that fails, it is lowered along the axis from above
-    /// over the wanted place.
-    /// \param wanted point on or near the mesh, and unit normal.
+    /// enters the mesh there by at most half the tolerance. Otherwise the ball moves away
+    /// from the facets that it enters, until it touches them; in a concave corner it
+    /// touches both sides. If that fails, it is lowered from above over the wanted place.
+    /// On a mesh with sharp edges the point lies at the distance of the ball off the mesh.
+    /// \param wanted point on the mesh, and unit normal.
     CutterContact seated(const CutterContact& wanted) const;
 
     /// Whether the ball comes within `distance` mm of a point of the mesh along its normal
     /// without entering the mesh; see is_accessible in drop_cutter/clearance.h.
     bool is_accessible(const CutterContact& contact, double distance) const;
 
-    /// Whether a straight move of the centre enters the mesh nowhere by more than the
-    /// tolerance. The shank above the ball is part of the tool. The depth is measured along
-    /// the axis or from the nearest place of the centre.
+    /// Whether a straight move of the centre keeps the tolerance. The shank above the ball
+    /// is part of the tool.
     bool is_clear(const Vec3& from, const Vec3& to) const;
 
     /// The point of the mesh nearest to a place, mm.
@@ -46,9 +59,11 @@ private:
 
     BallCutter cutter_;
     double tolerance_;
+    double distance_;  // that the ball keeps from the mesh, mm
+    double entered_;   // a centre nearer to the mesh than this enters it, mm
     TriangleTree tree_;
     DropCutter drop_;
-    DropCutter core_;  // a ball about the same centre, smaller by most of the tolerance
+    DropCutter core_;  // a ball about the same centre that must not enter the mesh
 };
 
 }  // namespace endmill

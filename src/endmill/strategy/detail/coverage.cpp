@@ -140,11 +140,9 @@ std::vector<MissedPlace> Coverage::missed(std::span<const std::int32_t> triangle
         });
     };
     const auto middle = [&](const Corner& a, const Corner& b) {
-        const PassContact at = samples_->between(a.at, b.at, 0.5);
-        const CutterContact& contact = at.at.contact;
-        return Corner{at, samples_->is_straight()
-                              ? Vec3{(a.raised + b.raised) / 2}
-                              : Vec3{contact.point + height_ * contact.normal}};
+        const PassContact at = samples_->place_between(a.at, b.at);
+        const auto& [point, normal] = at.at.contact;
+        return Corner{at, point + height_ * normal};
     };
     const auto search = [&](const auto& self, const std::array<Corner, 3>& corners,
                             int depth) -> void {
@@ -173,7 +171,7 @@ std::vector<MissedPlace> Coverage::missed(std::span<const std::int32_t> triangle
         for (int k = 0; k < 3; ++k) {
             const std::int32_t i = triangle[k];
             is_whole = is_whole && gaps_[i] <= slack && samples_->is_wanted(i);
-            corners[k] = {samples_->contact({i, i, 0}), raised_[i]};
+            corners[k] = {samples_->place(i), raised_[i]};
             moves.push_back(nearest_move_[i]);
         }
         if (!is_whole || is_covered(corners))

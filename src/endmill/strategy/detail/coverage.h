@@ -60,7 +60,7 @@ private:
 
 /// A place that no move covers.
 struct MissedPlace {
-    PassContact at;  ///< the contact there
+    PassContact at;  ///< the place; a ball touching it may enter a mesh elsewhere
     double gap;      ///< mm
 };
 

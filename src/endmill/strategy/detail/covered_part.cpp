@@ -16,10 +16,13 @@ constexpr double net_share = 0.25;
 CoveredPart::Source CoveredPart::source_of(const Part& part, const BallCutter& cutter,
                                            const CoverLimits& limits)
 {
-    if (const auto* mesh = std::get_if<TriangleMesh>(&part))
-        return CoveredMesh{
-            mesh_net(*mesh, net_share * strip_width(cutter, limits.scallop_height)),
-            std::make_shared<const BallOnMesh>(*mesh, cutter, limits.tolerance)};
+    if (const auto* mesh = std::get_if<TriangleMesh>(&part)) {
+        MeshNet net =
+            mesh_net(*mesh, net_share * strip_width(cutter, limits.scallop_height));
+        const MeshEdges edges = net.has_creases ? MeshEdges::Sharp : MeshEdges::Smooth;
+        return CoveredMesh{std::move(net), std::make_shared<const BallOnMesh>(
+                                               *mesh, cutter, limits.tolerance, edges)};
+    }
     const auto& surfaces = std::get<std::vector<Surface>>(part);
     std::vector<double> sides = tool_side_signs(surfaces, Vec3::UnitZ());
     require_reachable(surfaces, Vec3::UnitZ(), sides);

@@ -353,21 +353,21 @@ void PartSamples::join()
     at_samples_ = net_triangles_at(triangles_, size());
 }
 
-// The place of a mesh between two samples.
-CutterContact PartSamples::mesh_place(const SampledMesh& mesh, const SampleEdge& at) const
+// The place of a mesh between two others in one triangle.
+CutterContact PartSamples::mesh_place(const SampledMesh& mesh, const CutterContact& from,
+                                      const CutterContact& to, double share)
 {
-    Vec3 point = points_[at.from] + at.share * (points_[at.to] - points_[at.from]);
-    if (mesh.is_coarser && at.from != at.to)
+    Vec3 point = from.point + share * (to.point - from.point);
+    if (mesh.is_coarser && from.point != to.point)
         point = mesh.ball->nearest(point);
-    const Vec3 normal = (1 - at.share) * normals_[at.from] + at.share * normals_[at.to];
-    return {point, normal.norm() > 0 ? normal.normalized() : normals_[at.from]};
+    const Vec3 normal = (1 - share) * from.normal + share * to.normal;
+    return {point, normal.norm() > 0 ? normal.normalized() : from.normal};
 }
 
-// The contact of the ball with a mesh at or beside a place.
-PassContact PartSamples::seated(const SampledMesh& mesh, const CutterContact& at,
-                                std::int32_t near)
+CutterContact PartSamples::mesh_place(const SampledMesh& mesh, const SampleEdge& at) const
 {
-    return mesh_contact(mesh.ball->seated(at), near);
+    return mesh_place(mesh, {points_[at.from], normals_[at.from]},
+                      {points_[at.to], normals_[at.to]}, at.share);
 }
 
 PassContact PartSamples::contact(const SurfacePoint& at, std::int32_t near) const
@@ -387,8 +387,9 @@ PassContact PartSamples::contact(const SampleEdge& place) const
 {
     const std::int32_t near = place.share < 0.5 ? place.from : place.to;
     if (const auto* mesh = std::get_if<SampledMesh>(&source_))
-        return place.from == place.to ? mesh_contact(seats_[near], near)
-                                      : seated(*mesh, mesh_place(*mesh, place), near);
+        return place.from == place.to
+                   ? mesh_contact(seats_[near], near)
+                   : mesh_contact(mesh->ball->seated(mesh_place(*mesh, place)), near);
     const SurfacePoint& from = parameters_[place.from];
     const SurfacePoint& to = parameters_[place.to];
     return contact(
@@ -396,18 +397,30 @@ PassContact PartSamples::contact(const SampleEdge& place) const
         near);
 }
 
+PassContact PartSamples::place(std::size_t i) const
+{
+    const auto near = static_cast<std::int32_t>(i);
+    const CutterContact at{points_[i], normals_[i]};
+    return {{parameters_[i].u, parameters_[i].v, at}, surface_of_[i], near};
+}
+
+PassContact PartSamples::place_between(const PassContact& from,
+                                       const PassContact& to) const
+{
+    if (const auto* mesh = std::get_if<SampledMesh>(&source_))
+        return mesh_contact(mesh_place(*mesh, from.at.contact, to.at.contact, 0.5),
+                            to.near);
+    return between(from, to, 0.5);
+}
+
 PassContact PartSamples::between(const PassContact& from, const PassContact& to,
                                  double share) const
 {
     const std::int32_t near = share < 0.5 ? from.near : to.near;
     if (const auto* mesh = std::get_if<SampledMesh>(&source_)) {
-        const auto& [point, normal] = from.at.contact;
-        const CutterContact& other = to.at.contact;
-        const Vec3 mean = (1 - share) * normal + share * other.normal;
-        return seated(*mesh,
-                      {(1 - share) * point + share * other.point,
-                       mean.norm() > 0 ? mean.normalized() : normal},
-                      near);
+        CutterContact at = mesh_place(*mesh, from.at.contact, to.at.contact, share);
+        at.point = mesh->ball->nearest(at.point);
+        return mesh_contact(mesh->ball->seated(at), near);
     }
     return contact(
         {std::lerp(from.at.u, to.at.u, share), std::lerp(from.at.v, to.at.v, share)},

@@ -89,9 +89,6 @@ public:
     /// not be.
     bool is_wanted(std::size_t i) const { return is_wanted_.empty() || is_wanted_[i]; }
 
-    /// Whether the part runs straight between samples, as a mesh does.
-    bool is_straight() const { return std::holds_alternative<SampledMesh>(source_); }
-
     /// Area in mm^2 of the triangles with a sample that need not be covered.
     double unwanted_area() const;
 
@@ -113,8 +110,16 @@ public:
     /// Edges on the border of the part: those of one triangle that have no twin.
     std::span<const MeshEdge> border() const { return border_; }
 
-    /// The contact at a place between samples, on the surface itself.
+    /// The contact at a place between samples, on the surface itself. On a mesh it is the
+    /// nearest contact at which the ball does not enter the mesh.
     PassContact contact(const SampleEdge& place) const;
+
+    /// Point and normal of the part at sample i.
+    PassContact place(std::size_t i) const;
+
+    /// Point and normal of the part half way between two places in one triangle. On a
+    /// surface it is the contact.
+    PassContact place_between(const PassContact& from, const PassContact& to) const;
 
     /// The contact at the parameters `at` of a surface.
     /// \pre the part is not a mesh.
@@ -157,9 +162,9 @@ private:
     void number_by_place();
     void join();
     void seat();
+    static CutterContact mesh_place(const SampledMesh& mesh, const CutterContact& from,
+                                    const CutterContact& to, double share);
     CutterContact mesh_place(const SampledMesh& mesh, const SampleEdge& at) const;
-    static PassContact seated(const SampledMesh& mesh, const CutterContact& at,
-                              std::int32_t near);
 
     std::variant<SampledSurfaces, SampledMesh> source_;
     double spacing_;
