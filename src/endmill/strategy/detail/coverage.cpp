@@ -102,8 +102,8 @@ double Coverage::gap_at(const SampleEdge& place) const
     double gap = radius;
     for (const std::int32_t i : {place.from, place.to})
         if (const std::int32_t move = nearest_move_[i]; move >= 0)
-            gap = std::min(gap,
-                           beyond_reach(moves_[move].squared_distance(there), radius));
+            gap =
+                std::min(gap, beyond_reach(moves_[move].squared_distance(there), radius));
     return gap;
 }
 

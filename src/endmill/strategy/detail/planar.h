@@ -11,7 +11,7 @@ namespace endmill {
 /// Passes in parallel upright planes.
 struct PlanarPasses {
     LaidPasses laid;
-    Angle direction;                           ///< of the passes, from +x towards +y
+    Angle direction;                          ///< of the passes, from +x towards +y
     std::vector<ComparedDirection> compared;  ///< by rising angle; none if it was given
 };
 
