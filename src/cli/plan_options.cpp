@@ -207,7 +207,8 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_choice<StrategyChoice>(
         command, "--strategy", options.strategy, strategies,
         "how passes are laid. best (default): the shortest of the others; iso-u, iso-v: "
-        "along parameter lines; planar: in parallel upright planes; iso-scallop: each as far from the passes before it as "
+        "along parameter lines; planar: in parallel upright planes; iso-scallop: each as "
+        "far from the passes before it as "
         "the "
         "scallop height allows; iso: along u and along v, compared (default with an "
         "option of it). Except with iso, --scallop limits all remaining stock");

@@ -18,6 +18,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/axonometric_figure.h"
+#include "endmill/figures/tool_path_svg.h"
 #include "endmill/figures/travel_svg.h"
 #include "endmill/files/csv.h"
 #include "endmill/files/path_file.h"

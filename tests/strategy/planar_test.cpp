@@ -49,8 +49,8 @@ TEST(PlanPlanar, DoesNotDependOnTheDirectionOfTheAxes)
     x(0, 1) = -std::sin(turn);
     test::Polynomial y = test::monomial(1, 0, std::sin(turn));
     y(0, 1) = std::cos(turn);
-    const std::vector<Surface> surfaces{test::polynomial_surface(
-        {x, y, test::Polynomial::Zero()}, {{0, 47}, {0, 30}})};
+    const std::vector<Surface> surfaces{
+        test::polynomial_surface({x, y, test::Polynomial::Zero()}, {{0, 47}, {0, 30}})};
     const StrategyPlan plan = planar(surfaces, options_of(surfaces));
     EXPECT_EQ(plan.verdict, Verdict::Clean);
     EXPECT_NEAR(plan.economy.cut.contact_mm, 270, 0.005 * 270);

@@ -11,8 +11,7 @@
 namespace endmill {
 namespace {
 
-std::vector<LaidPass> passes_of(Coverage& coverage,
-                                Angle direction)
+std::vector<LaidPass> passes_of(Coverage& coverage, Angle direction)
 {
     return SectionMarch{coverage, direction, 1e-6, SectionContacts::OnSurface}.passes();
 }
@@ -30,13 +29,12 @@ TEST(SectionMarch, LaysPassesAStripApartOnAPlane)
     const std::vector<double> sides{1};
     const PartSamples samples{surfaces, sides, 0.75, 100'000};
     Coverage coverage{samples, BallCutter{5}, 1};
-    const std::vector<LaidPass> passes =
-        passes_of(coverage, Angle::degrees(0));
+    const std::vector<LaidPass> passes = passes_of(coverage, Angle::degrees(0));
     ASSERT_EQ(passes.size(), 7u);
     for (std::size_t k = 0; k + 1 < passes.size(); ++k)
         for (const PassContact& contact : passes[k].contacts) {
-            EXPECT_NEAR(contact.at.contact.point.y(),
-                        3 + 6 * static_cast<double>(k), 0.02 * double(k + 1));
+            EXPECT_NEAR(contact.at.contact.point.y(), 3 + 6 * static_cast<double>(k),
+                        0.02 * double(k + 1));
             EXPECT_LE(contact.at.contact.point.y(), 3 + 6 * double(k) + 1e-4);
         }
     EXPECT_TRUE(is_covered(coverage));
@@ -50,8 +48,7 @@ TEST(SectionMarch, KeepsContactsInThePlanesOfTheDirection)
     const PartSamples samples{surfaces, sides, 0.5, 100'000};
     Coverage coverage{samples, BallCutter{4}, 0.3};
     const double angle = 0.6;
-    const std::vector<LaidPass> passes =
-        passes_of(coverage, Angle::radians(angle));
+    const std::vector<LaidPass> passes = passes_of(coverage, Angle::radians(angle));
     double before = -1e9;
     for (const LaidPass& pass : passes) {
         const auto offset = [&](const PassContact& contact) {
@@ -64,8 +61,8 @@ TEST(SectionMarch, KeepsContactsInThePlanesOfTheDirection)
         EXPECT_GE(own, before - 1e-4);
         before = own;
     }
-    const auto covered = std::ranges::count_if(coverage.gaps(),
-                                               [](double gap) { return gap <= 0.003; });
+    const auto covered =
+        std::ranges::count_if(coverage.gaps(), [](double gap) { return gap <= 0.003; });
     EXPECT_EQ(covered, static_cast<std::ptrdiff_t>(samples.size()));
 }
 

@@ -24,9 +24,9 @@ std::string direction_travel_svg(std::span<const DirectionTravel> travel,
         contact.emplace_back(one.contact_mm);
         tip.emplace_back(one.tip_mm);
     }
-    const std::vector<ChartPanel> panels{{"length, mm",
-                                          {{"by contacts", contact_style, contact},
-                                           {"by tips", tip_style, tip}}}};
+    const std::vector<ChartPanel> panels{
+        {"length, mm",
+         {{"by contacts", contact_style, contact}, {"by tips", tip_style, tip}}}};
     return stacked_chart({figure.title, figure.captions, "direction of passes, degrees"},
                          places, panels);
 }

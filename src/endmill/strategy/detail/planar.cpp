@@ -120,8 +120,7 @@ private:
                     2;
         const double half_strip = std::min(
             search_samples_across * std::sqrt(2 * area / search_samples) / 2, radius);
-        const double few =
-            radius - std::sqrt(radius * radius - half_strip * half_strip);
+        const double few = radius - std::sqrt(radius * radius - half_strip * half_strip);
         return std::max(options.scallop_height,
                         std::min(few, greatest_search_height * radius));
     }
@@ -134,8 +133,8 @@ private:
                          SectionContacts::OnNet}
                 .passes();
         const PassLengths lengths = pass_lengths(passes, cutter_.radius());
-        const double travel = options_->distance == TravelKind::Tip ? lengths.tip_mm
-                                                                    : lengths.contact_mm;
+        const double travel =
+            options_->distance == TravelKind::Tip ? lengths.tip_mm : lengths.contact_mm;
         return {angle, travel, lengths, passes.size()};
     }
 
@@ -147,9 +146,9 @@ private:
             for (std::size_t k = begin; k < end; ++k) {
                 found[k] = cost(angles[k]);
                 if (options_->progress)
-                    options_->progress(searched_share * static_cast<double>(++done) /
-                                       (static_cast<double>(angles.size()) +
-                                        valleys * golden_steps));
+                    options_->progress(
+                        searched_share * static_cast<double>(++done) /
+                        (static_cast<double>(angles.size()) + valleys * golden_steps));
             }
         });
         return found;
@@ -241,8 +240,7 @@ std::vector<Angle> parameter_directions(const Part& part)
 }
 
 PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
-                           const StrategyOptions& options,
-                           std::span<const Angle> further)
+                           const StrategyOptions& options, std::span<const Angle> further)
 {
     const double height = options.scallop_height;
     std::vector<ComparedDirection> compared;
@@ -267,13 +265,13 @@ PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
     parallel_for(angles.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             Coverage coverage{samples, cutter, planar_share * height};
-            laid[k] = SectionMarch{coverage, Angle::radians(angles[k]),
-                                   planar_slack_share * height,
-                                   SectionContacts::OnSurface}
-                          .passes();
+            laid[k] =
+                SectionMarch{coverage, Angle::radians(angles[k]),
+                             planar_slack_share * height, SectionContacts::OnSurface}
+                    .passes();
             const PassLengths lengths = pass_lengths(laid[k], cutter.radius());
-            travel[k] = options.distance == TravelKind::Tip ? lengths.tip_mm
-                                                            : lengths.contact_mm;
+            travel[k] =
+                options.distance == TravelKind::Tip ? lengths.tip_mm : lengths.contact_mm;
         }
     });
     const auto best = static_cast<std::size_t>(

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "endmill/strategy/detail/covering_path.h"
 #include "endmill/strategy/detail/level_lines.h"
 #include "endmill/strategy/detail/reach.h"
 
@@ -40,7 +39,8 @@ SectionMarch::SectionMarch(Coverage& coverage, Angle direction, double slack,
       is_planar_{true},
       sine_{std::sin(direction.radians())},
       cosine_{std::cos(direction.radians())},
-      strip_{strip_width(coverage.cutter(), coverage.height())},
+      strip_{2 * std::sqrt(coverage.height() *
+                           (2 * coverage.cutter().radius() - coverage.height()))},
       offsets_(samples_->size()),
       order_(samples_->size()),
       is_border_(samples_->size(), false),
@@ -126,8 +126,8 @@ void SectionMarch::walk_reach(const SampleEdge& place, double limit)
 {
     const double radius = coverage_->cutter().radius();
     const Vec3 point = raised(place);
-    const double least = std::min(offsets_[place.from], offsets_[place.to]) -
-                         samples_->spacing() / 2;
+    const double least =
+        std::min(offsets_[place.from], offsets_[place.to]) - samples_->spacing() / 2;
     inside_.clear();
     around_.clear();
     bool is_beyond_limit = false;
@@ -159,9 +159,8 @@ double SectionMarch::nearly_farthest(const SampleEdge& place, double limit)
         for (const std::int32_t neighbour : samples_->neighbours(i))
             if (offsets_[neighbour] > offsets_[i] && beyond_[neighbour] > 0)
                 offset = std::max(
-                    offset,
-                    std::lerp(offsets_[i], offsets_[neighbour],
-                              beyond_[i] / (beyond_[i] - beyond_[neighbour])));
+                    offset, std::lerp(offsets_[i], offsets_[neighbour],
+                                      beyond_[i] / (beyond_[i] - beyond_[neighbour])));
     }
     return offset;
 }
@@ -224,8 +223,8 @@ std::int32_t SectionMarch::nearest_covered(std::int32_t uncovered) const
         if (is_uncovered(neighbour))
             continue;
         const double gap = coverage_->gaps()[neighbour] - slack_;
-        const double offset = std::lerp(offsets_[neighbour], offsets_[uncovered],
-                                        gap / (gap - gap_there));
+        const double offset =
+            std::lerp(offsets_[neighbour], offsets_[uncovered], gap / (gap - gap_there));
         if (offset < least) {
             least = offset;
             nearest = neighbour;
@@ -284,8 +283,8 @@ std::vector<SectionMarch::Demand> SectionMarch::demands()
            (!is_uncovered(order_[first_]) || is_lost_[order_[first_]]))
         ++first_;
     Demands found{{}, unlimited};
-    for (std::size_t k = first_;
-         k < order_.size() && offsets_[order_[k]] < found.limit; ++k)
+    for (std::size_t k = first_; k < order_.size() && offsets_[order_[k]] < found.limit;
+         ++k)
         if (is_uncovered(order_[k]) && !is_lost_[order_[k]])
             add_demands_at(order_[k], found);
     return std::move(found.open);
@@ -295,9 +294,8 @@ std::vector<SectionMarch::Demand> SectionMarch::demands()
 double SectionMarch::next_offset()
 {
     std::vector<Demand> open = demands();
-    std::sort(open.begin(), open.end(), [](const Demand& a, const Demand& b) {
-        return a.farthest < b.farthest;
-    });
+    std::sort(open.begin(), open.end(),
+              [](const Demand& a, const Demand& b) { return a.farthest < b.farthest; });
     double offset = unlimited;
     for (const Demand& demand : open) {
         if (demand.farthest >= offset)
@@ -321,12 +319,11 @@ PassContact SectionMarch::contact_on(const SampleEdge& place, double offset) con
             between(samples_->normal(place.from), samples_->normal(place.to))};
         return {{0, 0, contact}, 0, near};
     }
-    const PassContact contact = samples_->contact(place);
+    PassContact contact = samples_->contact(place);
     if (!is_planar_)
         return contact;
-    const double share =
-        place.share + (offset - offset_of(contact.at.contact.point)) /
-                          (offsets_[place.to] - offsets_[place.from]);
+    const double share = place.share + (offset - offset_of(contact.at.contact.point)) /
+                                           (offsets_[place.to] - offsets_[place.from]);
     if (!(std::abs(share - place.share) > least_correction) || share < 0 || share > 1)
         return contact;
     return samples_->contact({place.from, place.to, share});
@@ -362,8 +359,7 @@ std::vector<LaidPass> SectionMarch::sections(double offset) const
     std::vector<LaidPass> found;
     if (begin == end)
         return found;
-    for (const LevelLine& line :
-         level_lines(*samples_, offsets_, {begin, end}, offset))
+    for (const LevelLine& line : level_lines(*samples_, offsets_, {begin, end}, offset))
         found.push_back(pass_on(line, offset));
     return found;
 }
