@@ -65,7 +65,8 @@ void complete(PlanOptions& options, double diameter, double highest)
         throw DomainError{"--scallop " + to_text(planning.scallop_height) +
                           ": expected a height below the ball's diameter, " +
                           to_text(diameter) + " mm"};
-    if (options.strategy != PlanStrategy::Iso && planning.scallop_height >= diameter / 2)
+    if (options.strategy != StrategyChoice::Iso &&
+        planning.scallop_height >= diameter / 2)
         throw DomainError{"--scallop " + to_text(planning.scallop_height) +
                           ": expected a height below the ball's radius, " +
                           to_text(diameter / 2) + " mm, with --strategy " +
@@ -101,8 +102,8 @@ void report_gouge(const KnownGouge& gouge, const PlanOptions& options)
 PlanContext mesh_context(PartFile& file, PlanOptions& options)
 {
     const std::string& path = options.part.path;
-    if (options.strategy != PlanStrategy::IsoScallop &&
-        options.strategy != PlanStrategy::Best)
+    if (options.strategy != StrategyChoice::IsoScallop &&
+        options.strategy != StrategyChoice::Best)
         throw DomainError{
             path + ": found a mesh; --strategy " + strategy_word(options.strategy) +
             " expects a surface file (endmill-surface/1), or for a mesh --strategy "
@@ -143,6 +144,7 @@ PlanContext surface_context(const PartFile& file, PlanOptions& options,
 
 ExitCode run_plan(PlanOptions options)
 {
+    complete_strategy(options);
     refuse_idle_plan_options(options);
     require_within_extent("--safe-height", options.safe_height, options.common.limits);
     require_within_extent("--cutter", options.cutter_diameter, options.common.limits);
@@ -168,7 +170,7 @@ ExitCode run_plan(PlanOptions options)
         file.part,
         surfaces ? std::span<const Surface>{*surfaces} : std::span<const Surface>{},
         context, options};
-    const PlanResult result = options.strategy == PlanStrategy::Iso
+    const PlanResult result = options.strategy == StrategyChoice::Iso
                                   ? write_plan(task, folder)
                                   : write_strategy_plan(task, folder);
     folder.publish();

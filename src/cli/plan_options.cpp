@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/plan_options.h"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -45,11 +46,13 @@ constexpr std::array modes{Choice<Planner>{"verified", Planner::Verified},
                            Choice<Planner>{"paper", Planner::Paper}};
 
 constexpr std::array strategies{
-    Choice<PlanStrategy>{"best", PlanStrategy::Best},
-    Choice<PlanStrategy>{"iso", PlanStrategy::Iso},
-    Choice<PlanStrategy>{"iso-u", PlanStrategy::IsoU},
-    Choice<PlanStrategy>{"iso-v", PlanStrategy::IsoV},
-    Choice<PlanStrategy>{"iso-scallop", PlanStrategy::IsoScallop}};
+    Choice<StrategyChoice>{"best", StrategyChoice::Best},
+    Choice<StrategyChoice>{"iso", StrategyChoice::Iso},
+    Choice<StrategyChoice>{"iso-u", StrategyChoice::IsoU},
+    Choice<StrategyChoice>{"iso-v", StrategyChoice::IsoV},
+    Choice<StrategyChoice>{"planar", StrategyChoice::Planar},
+    Choice<StrategyChoice>{"iso-scallop", StrategyChoice::IsoScallop},
+    Choice<StrategyChoice>{"field", StrategyChoice::Field}};
 
 constexpr std::array bounds{Choice<bool>{"estimated", true}, Choice<bool>{"none", false}};
 
@@ -178,13 +181,13 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_tolerances(command, options);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
                               "parameter along which the passes run (default both)");
-    add_choice<PlanStrategy>(
+    add_choice<StrategyChoice>(
         command, "--strategy", options.strategy, strategies,
-        "how passes are laid. iso (default): along u and along v, compared; iso-u, "
-        "iso-v: "
-        "along one of them; iso-scallop: each as far from the passes before it as the "
-        "scallop height allows; best: the shortest of these. Except with iso, --scallop "
-        "limits all remaining stock");
+        "how passes are laid. best (default): the shortest of the others; iso-u, iso-v: "
+        "along parameter lines; iso-scallop: each as far from the passes before it as "
+        "the "
+        "scallop height allows; iso: along u and along v, compared (default with an "
+        "option of it). Except with iso, --scallop limits all remaining stock");
     add_choice<bool>(
         command, "--bound", options.is_bounded, bounds,
         "lower bound of the length, with which a path by a --strategy other than iso is "
@@ -239,13 +242,28 @@ void refuse_for_strategy(const PlanOptions& options)
                           ": expected a tolerance above 0, or --strategy iso"};
 }
 
+// Whether an option was given that only passes along parameter lines have.
+bool has_iso_option(const PlanOptions& options)
+{
+    return options.mode == Planner::Paper || options.requested.inner == 0.0 ||
+           std::ranges::any_of(iso_options, [&](const char* name) {
+               return options.common.given.contains(name);
+           });
+}
+
 }  // namespace
+
+void complete_strategy(PlanOptions& options)
+{
+    if (!options.common.given.contains("--strategy") && has_iso_option(options))
+        options.strategy = StrategyChoice::Iso;
+}
 
 void refuse_idle_plan_options(const PlanOptions& options)
 {
     const CommonOptions& common = options.common;
     refuse_zero_tolerances(options);
-    if (options.strategy != PlanStrategy::Iso)
+    if (options.strategy != StrategyChoice::Iso)
         refuse_for_strategy(options);
     else
         refuse_idle_options(common, std::array{"--bound"}, "--strategy iso",
@@ -260,15 +278,15 @@ void refuse_idle_plan_options(const PlanOptions& options)
     if (options.planning.cross_curvature == CrossCurvature::Exact)
         refuse_idle_options(common, std::array{"--cross-step"}, "--cross-curvature exact",
                             "--cross-curvature chord");
-    if (options.strategy == PlanStrategy::Iso &&
+    if (options.strategy == StrategyChoice::Iso &&
         options.direction != PlanDirection::Both && !options.feed_mm_per_min)
         refuse_idle_options(common, std::array{"--distance"}, "one --direction",
                             "--direction both or --feed");
 }
 
-std::string strategy_word(PlanStrategy strategy)
+std::string strategy_word(StrategyChoice strategy)
 {
-    return std::string{word_for<PlanStrategy>(strategy, strategies)};
+    return std::string{word_for<StrategyChoice>(strategy, strategies)};
 }
 
 std::string mode_word(Planner mode)

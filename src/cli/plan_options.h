@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/surface_facts.h"
+#include "endmill/core/angle.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/planned_path.h"
 
@@ -15,11 +16,13 @@ namespace endmill {
 enum class PlanDirection { U, V, Both };
 
 /// The strategies that the command offers.
-enum class PlanStrategy {
+enum class StrategyChoice {
     Iso,         ///< along parameter lines, both directions or one of them
     IsoU,        ///< Strategy::IsoU
     IsoV,        ///< Strategy::IsoV
+    Planar,      ///< Strategy::Planar
     IsoScallop,  ///< Strategy::IsoScallop
+    Field,       ///< Strategy::Field
     Best,        ///< the shortest of all strategies
 };
 
@@ -33,7 +36,9 @@ struct PlanOptions {
     std::optional<double> feed_mm_per_min;
     PlanDirection direction = PlanDirection::Both;
     Planner mode = Planner::Verified;
-    PlanStrategy strategy = PlanStrategy::Iso;
+    /// How passes are laid.
+    StrategyChoice strategy = StrategyChoice::Iso;
+    std::optional<Angle> pass_direction;  ///< of StrategyChoice::Planar; best if empty
     bool is_bounded = true;  ///< whether a path by a strategy is compared with the bound
     TravelKind distance = TravelKind::Contact;
     CountedMoves counted = CountedMoves::CutsAndLinks;
@@ -45,6 +50,10 @@ struct PlanOptions {
 /// Adds every option of `plan` to `command`.
 void add_plan_options(CLI::App& command, PlanOptions& options);
 
+/// Chooses Iso if no strategy was given, but an option of it: a direction, the outer
+/// tolerance, `--mode paper` or the like.
+void complete_strategy(PlanOptions& options);
+
 /// \throws DomainError naming an option that has no effect in the mode or with the
 /// others, or a tolerance of 0 that the mode cannot keep.
 void refuse_idle_plan_options(const PlanOptions& options);
@@ -52,7 +61,7 @@ void refuse_idle_plan_options(const PlanOptions& options);
 /// The word for `mode` in summaries.
 std::string mode_word(Planner mode);
 /// The word for `strategy` in summaries.
-std::string strategy_word(PlanStrategy strategy);
+std::string strategy_word(StrategyChoice strategy);
 
 /// The options of the planner along `along`.
 PlannerOptions planner_options(const PlanOptions& options, Parameter along);

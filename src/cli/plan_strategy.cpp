@@ -31,17 +31,21 @@ namespace {
 constexpr double bounding_share = 0.1;
 
 // The strategy of a plan; nothing if the best is searched for.
-std::optional<Strategy> chosen_strategy(PlanStrategy strategy)
+std::optional<Strategy> chosen_strategy(StrategyChoice strategy)
 {
     switch (strategy) {
-        case PlanStrategy::IsoU:
+        case StrategyChoice::IsoU:
             return Strategy::IsoU;
-        case PlanStrategy::IsoV:
+        case StrategyChoice::IsoV:
             return Strategy::IsoV;
-        case PlanStrategy::IsoScallop:
+        case StrategyChoice::Planar:
+            return Strategy::Planar;
+        case StrategyChoice::IsoScallop:
             return Strategy::IsoScallop;
-        case PlanStrategy::Iso:
-        case PlanStrategy::Best:
+        case StrategyChoice::Field:
+            return Strategy::Field;
+        case StrategyChoice::Iso:
+        case StrategyChoice::Best:
             break;
     }
     return std::nullopt;
@@ -61,6 +65,18 @@ ChosenPlan chosen_plan(const PlanTask& task, const StrategyOptions& options)
         return {plan_by_strategy(*strategy, part, cutter, options), {}};
     BestPlan best = plan_by_best_strategy(part, cutter, options);
     return {std::move(best.plan), std::move(best.tried)};
+}
+
+// Length of the moves clear of the part, by tips, mm.
+double lifted_length(const ToolPath& path)
+{
+    double sum = 0;
+    for (std::size_t k = 1; k < path.points.size(); ++k) {
+        const Move move = path.points[k].move;
+        if (move != Move::Cut && move != Move::Link)
+            sum += (path.points[k].location.tip - path.points[k - 1].location.tip).norm();
+    }
+    return sum;
 }
 
 Json tried_json(const std::vector<TriedStrategy>& tried)
@@ -93,9 +109,11 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
                  {"cut_contact_mm", economy.cut.contact_mm},
                  {"cut_tip_mm", economy.cut.tip_mm},
                  {"link_mm", economy.link.tip_mm},
+                 {"lifted_mm", lifted_length(covering.path)},
                  {"lifted_links", covering.lifted_links},
                  {"scallop_mm", limits.scallop_height},
-                 {"inner_tolerance_mm", limits.inner_tolerance}};
+                 {"inner_tolerance_mm", limits.inner_tolerance},
+                 {"outer_tolerance_mm", 0}};
     if (!chosen.tried.empty())
         summary["tried"] = tried_json(chosen.tried);
     if (options.feed_mm_per_min) {
@@ -266,6 +284,7 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     strategy.most_points = options.planning.most_points;
     strategy.most_samples = most_part_samples(options.common.limits.max_memory_gib);
     strategy.distance = options.distance;
+    strategy.direction = options.pass_direction;
     ProgressLine progress{"planning", options.common, bounding_share};
     strategy.progress = progress.shower();
     ChosenPlan chosen = chosen_plan(task, strategy);

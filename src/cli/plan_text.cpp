@@ -39,7 +39,7 @@ std::string cross_curvature_text(const PlanOptions& options)
 std::string settings_text(const PlanContext& context, const PlanOptions& options)
 {
     const std::string tolerance =
-        options.strategy != PlanStrategy::Iso
+        options.strategy != StrategyChoice::Iso
             ? fmt::format("strategy {}, inner tolerance {} mm",
                           strategy_word(options.strategy),
                           shown_limit(options.motion.inner))

@@ -291,14 +291,14 @@ class Output(ProgramTest):
         self.assertIn("standard output", done.stderr)
 
     def test_too_many_points_are_refused_before_planning(self):
-        done = endmill("plan", SURFACES / "net_rot24_7D.json", "--chord-tolerance", "1e-9", "-o", "out",
+        done = endmill("plan", SURFACES / "net_rot24_7D.json", "--strategy", "iso", "--chord-tolerance", "1e-9", "-o", "out",
                        cwd=self.folder)
         self.assert_refused(done, 6, "CL points would need about", "GiB", "--max-memory")
         self.assert_nothing_left()
 
     def test_interrupt_leaves_nothing(self):
         for number in (signal.SIGINT, signal.SIGTERM):
-            with subprocess.Popen([ENDMILL, "plan", SURFACES / "net_rot24_7D.json", "--chord-tolerance", "5e-4",
+            with subprocess.Popen([ENDMILL, "plan", SURFACES / "net_rot24_7D.json", "--strategy", "iso", "--chord-tolerance", "5e-4",
                                    "-o", "out"], cwd=self.folder, stderr=subprocess.PIPE,
                                   stdout=subprocess.PIPE) as process:
                 while not list(self.folder.glob(".endmill-*")) and process.poll() is None:
@@ -312,7 +312,7 @@ class Output(ProgramTest):
         """Also a hard limit, at which the system kills."""
         for limit in ((1, 1), (1, resource.RLIM_INFINITY)):
             with self.subTest(limit=limit):
-                done = endmill("plan", SURFACES / "net_rot24_7D.json", "--chord-tolerance", "5e-4", "-o", "out",
+                done = endmill("plan", SURFACES / "net_rot24_7D.json", "--strategy", "iso", "--chord-tolerance", "5e-4", "-o", "out",
                                cwd=self.folder, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, limit))
                 self.assertEqual(done.returncode, 128 + signal.SIGXCPU, done.stderr)
                 self.assert_nothing_left()

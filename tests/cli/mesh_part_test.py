@@ -151,7 +151,7 @@ class SeveralPatches(ProgramTest):
 
     def test_plan_covers_each_patch_and_lifts_between_them(self):
         out = self.folder / "out"
-        facts = self.summary("plan", self.file(patches(LEFT, RIGHT)), "--cutter", "ball:6",
+        facts = self.summary("plan", self.file(patches(LEFT, RIGHT)), "--strategy", "iso", "--cutter", "ball:6",
                              "--mode", "paper", "--direction", "u", "-o", out)
         with open(out / "toolpath.csv", encoding="utf-8") as file:
             rows = list(csv.DictReader(file))

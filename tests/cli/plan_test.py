@@ -16,7 +16,7 @@ from program import ENDMILL, SURFACES, ProgramTest, endmill, plane
 PAPER = ["--mode", "paper"]
 TOLERANCES = ["--cutter", "ball:10", "--chord-tolerance", "0.5", "--scallop", "1"]
 BALL = [*TOLERANCES, *PAPER]
-COARSE = ["--cutter", "ball:20", "--chord-tolerance", "0.3"]  # quick
+COARSE = ["--cutter", "ball:20", "--chord-tolerance", "0.3", "--strategy", "iso"]  # quick
 NET = SURFACES / "net_rot24_7D.json"
 
 
@@ -285,7 +285,7 @@ class BetterMode(ProgramTest):
         self.assertNotIn("missed", line)
 
     def test_verified_run_has_no_better_mode(self):
-        self.assertEqual(self.line(self.file(plane(size=(60, 30)))), "")
+        self.assertEqual(self.line(self.file(plane(size=(60, 30))), "--strategy", "iso"), "")
 
 
 class IdleOptions(ProgramTest):
@@ -316,7 +316,7 @@ class IdleOptions(ProgramTest):
 
 class PlanOnTheExample(ProgramTest):
     def test_defaults_are_sensible_and_reported(self):
-        done = endmill("plan", NET, cwd=self.folder)
+        done = endmill("plan", NET, "--strategy", "iso", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         for word in ("radius below 10.009 mm", "ball:20", "mode verified", "scallop height 0.01 mm", "along u",
                      "recommended", "net_rot24_7D-plan"):

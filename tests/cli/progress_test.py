@@ -9,7 +9,7 @@ from program import ENDMILL, ROOT, SURFACES, ProgramTest, on_terminal
 
 NET = SURFACES / "net_rot24_7D.json"
 # Commands that take more than a second, and words that their progress line must show.
-LONG = ((("plan", NET, "--chord-tolerance", "0.05"), ("planning:", "along u", "along v", "%")),
+LONG = ((("plan", NET, "--strategy", "iso", "--chord-tolerance", "0.05"), ("planning:", "along u", "along v", "%")),
         (("trim", SURFACES / "valley.json", "--cutter", "ball:20", "--method", "all", "--grid", "400"),
          ("method ", "method winding: ")),
         (("setup", ROOT / "datasets/meshes/teapot-288.off", "--machine", "W/caxyBz/T", "--mode", "set", "--sphere",
@@ -27,7 +27,7 @@ class Progress(ProgramTest):
                 self.assertEqual(shown.rsplit("\r\x1b[K", 1)[1].strip(), "", shown[-200:])
 
     def test_time_left_is_estimated_from_the_share(self):
-        _, shown = on_terminal(self.folder, "plan", NET, "--chord-tolerance", "0.02", "-o", "left")
+        _, shown = on_terminal(self.folder, "plan", NET, "--strategy", "iso", "--chord-tolerance", "0.02", "-o", "left")
         self.assertRegex(shown, r" \d+ %, \d+ s, about \d+ (s|min) left")
         self.assertNotRegex(shown, r"passes 0 %, \d+ s, about")
 
@@ -40,7 +40,7 @@ class Progress(ProgramTest):
 
     def stopped_for_ten_seconds(self, *options):
         """The lines on standard error of a plan that is no terminal's and lasts more than ten seconds."""
-        with subprocess.Popen([ENDMILL, "plan", NET, "--chord-tolerance", "0.02", *options], cwd=self.folder,
+        with subprocess.Popen([ENDMILL, "plan", NET, "--strategy", "iso", "--chord-tolerance", "0.02", *options], cwd=self.folder,
                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
             time.sleep(0.5)
             process.send_signal(signal.SIGSTOP)
@@ -63,8 +63,8 @@ class Progress(ProgramTest):
         # a few passes, each of which takes long
         cylinder = (SURFACES / "cylinder.json", "--cutter", "ball:15", "--inner-tolerance", "1e-7")
         for work, arguments in (
-                ("planning", ("plan", SURFACES / "sheared-plane.json", "--chord-tolerance", "1e-5")),
-                ("planning", ("plan", *cylinder)),
+                ("planning", ("plan", SURFACES / "sheared-plane.json", "--strategy", "iso", "--chord-tolerance", "1e-5")),
+                ("planning", ("plan", "--strategy", "iso", *cylinder)),
                 ("(slicing the offset|writing the sections)", ("trim", SURFACES / "valley.json", "--cutter", "ball:20",
                                                                "--planes", "12000")),
                 ("comparing the methods", ("trim", SURFACES / "plane.json", "--cutter", "ball:6", "--planes", "3", "--grid",
@@ -78,7 +78,7 @@ class Progress(ProgramTest):
                 self.assertRegex(first, rf"^endmill: {work}: .*, \d+ s, about .* left$")
 
     def test_quiet_or_quick_work_shows_no_line(self):
-        status, shown = on_terminal(self.folder, "plan", NET, "--chord-tolerance", "0.05", "--quiet", "-o", "quiet")
+        status, shown = on_terminal(self.folder, "plan", NET, "--strategy", "iso", "--chord-tolerance", "0.05", "--quiet", "-o", "quiet")
         self.assertEqual((status, shown), (0, ""))
         self.assertEqual(on_terminal(self.folder, "cite"), (0, ""))
 

@@ -15,7 +15,7 @@ INTERPRETER_ROUNDING = 5e-5  # it prints four decimals
 ROUNDING_OF_DOUBLES = 1e-9
 MOVE = re.compile(r"(STRAIGHT_TRAVERSE|STRAIGHT_FEED)\((\S+), (\S+), (\S+),")
 FINE = ["--chord-tolerance", "0.05", "--scallop", "0.5"]
-COARSE = ["--cutter", "ball:15", "--chord-tolerance", "0.5", "--scallop", "0.5"]
+COARSE = ["--strategy", "iso", "--cutter", "ball:15", "--chord-tolerance", "0.5", "--scallop", "0.5"]
 
 
 def path_of(table):

@@ -41,7 +41,9 @@ PLAN = ["--cutter", "ball:20", "--scallop", "1"]
 # output folder. A new command joins by one line.
 COMMANDS = {
     "sample": ["sample", SURFACE, "--chord-tolerance", "1", "-o", "FOLDER"],
-    "plan": ["plan", PLANE, *PLAN, "-o", "FOLDER"],
+    "plan": ["plan", PLANE, "--strategy", "iso", *PLAN, "-o", "FOLDER"],
+    "plan --strategy best": ["plan", PLANE, "--strategy", "best", "--bound", "none", "--cutter", "ball:60", "--scallop",
+                             "5", "-o", "FOLDER"],
     "trim": ["trim", MESH, "--cutter", "ball:6", "--planes", "5", "--grid", "20", "-o", "FOLDER"],
     "trim --method all": ["trim", PLANE, "--method", "all", "--cutter", "ball:6", "--planes", "3", "--grid", "9",
                           "-o", "FOLDER"],
@@ -188,7 +190,7 @@ class FaultTest(unittest.TestCase):
             raise unittest.SkipTest("ENDMILL_FAILING_CALLS does not name the library of failing calls")
         cls.place = Path(tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, cls.place)
-        subprocess.run([ENDMILL, "plan", PLANE, *PLAN, "--quiet", "-o", cls.place / "path"], check=True)
+        subprocess.run([ENDMILL, "plan", PLANE, "--strategy", "iso", *PLAN, "--quiet", "-o", cls.place / "path"], check=True)
 
     def setUp(self):
         self.runs = 0

@@ -11,7 +11,9 @@
 #include "endmill/core/tolerance.h"
 #include "endmill/drop_cutter/clearance.h"
 #include "endmill/strategy/detail/covering_path.h"
+#include "endmill/strategy/detail/field.h"
 #include "endmill/strategy/detail/iso_scallop.h"
+#include "endmill/strategy/detail/planar.h"
 #include "endmill/verification/verification.h"
 
 namespace endmill {
@@ -105,8 +107,19 @@ CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& 
                             " plans along the axis +z only"};
     const CoveredPart covered{
         part, cutter, {options.inner_tolerance, options.scallop_height}};
-    LaidPasses laid =
-        iso_scallop_passes(covered, cutter, with_progress(options, 0, laid_share));
+    if (strategy == Strategy::Planar) {
+        PlanarPasses planar =
+            planar_passes(covered, cutter, with_progress(options, 0, laid_share));
+        CoveringPath path = covering_path(std::move(planar.laid), covered, cutter,
+                                          with_progress(options, laid_share, 1));
+        path.direction = planar.direction;
+        path.compared = std::move(planar.compared);
+        return path;
+    }
+    const StrategyOptions laying = with_progress(options, 0, laid_share);
+    LaidPasses laid = strategy == Strategy::Field
+                          ? field_passes(covered, cutter, laying)
+                          : iso_scallop_passes(covered, cutter, laying);
     return covering_path(std::move(laid), covered, cutter,
                          with_progress(options, laid_share, 1));
 }
@@ -141,24 +154,7 @@ struct Candidate {
     double travel;  // mm
 };
 
-constexpr std::array every_strategy{Strategy::IsoU, Strategy::IsoV, Strategy::IsoScallop};
-
 }  // namespace
-
-std::string_view strategy_name(Strategy strategy)
-{
-    switch (strategy) {
-        case Strategy::IsoU:
-            return "iso-u";
-        case Strategy::IsoV:
-            return "iso-v";
-        case Strategy::Planar:
-            return "planar";
-        case Strategy::IsoScallop:
-            return "iso-scallop";
-    }
-    return "";
-}
 
 std::size_t most_part_samples(double memory_gib)
 {

@@ -97,6 +97,19 @@ std::vector<std::int32_t> Coverage::newly_covered(double slack) const
     return covered;
 }
 
+double Coverage::gap_at(const SampleEdge& place) const
+{
+    const double radius = cutter_.radius();
+    const Vec3 there =
+        (1 - place.share) * raised(place.from) + place.share * raised(place.to);
+    double gap = radius;
+    for (const std::int32_t i : {place.from, place.to})
+        if (const std::int32_t move = nearest_move_[i]; move >= 0)
+            gap =
+                std::min(gap, beyond_reach(moves_[move].squared_distance(there), radius));
+    return gap;
+}
+
 namespace {
 
 // A corner of a part of a triangle.

@@ -108,6 +108,9 @@ public:
     std::vector<MissedPlace> missed(std::span<const std::int32_t> triangles,
                                     double slack) const;
 
+    /// The least gap at a place between samples by the nearest moves of the two, mm.
+    double gap_at(const SampleEdge& place) const;
+
     std::span<const double> gaps() const { return gaps_; }  ///< of all samples, mm
     const PartSamples& samples() const { return *samples_; }
     const BallCutter& cutter() const { return cutter_; }

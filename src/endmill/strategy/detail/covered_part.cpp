@@ -53,4 +53,11 @@ bool CoveredPart::is_clear(const Vec3& from, const Vec3& to, MoveTestState& stat
     return std::get<CoveredSurfaces>(source_).clear.is_clear({from, to}, state.finer);
 }
 
+std::span<const Surface> CoveredPart::surfaces() const
+{
+    if (const auto* own = std::get_if<CoveredSurfaces>(&source_))
+        return *own->surfaces;
+    return {};
+}
+
 }  // namespace endmill

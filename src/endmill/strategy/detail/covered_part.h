@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -60,6 +61,7 @@ public:
     bool is_clear(const Vec3& from, const Vec3& to, MoveTestState& state) const;
 
     const BallCutter& cutter() const { return cutter_; }  ///< the ball
+    std::span<const Surface> surfaces() const;  ///< of the part; none if it is a mesh
 
 private:
     struct CoveredSurfaces {

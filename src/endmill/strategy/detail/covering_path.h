@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "endmill/strategy/detail/covered_part.h"
-#include "endmill/strategy/strategy.h"
+#include "endmill/strategy/strategy_options.h"
 
 namespace endmill {
 

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/strategy/detail/planar.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "endmill/core/parallel.h"
+#include "endmill/strategy/detail/section_march.h"
+
+namespace endmill {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Share of the height at which passes are laid. The pitch of a pass is limited by its worst
+// place only, so that passes can be mended there.
+constexpr double planar_share = 0.99;
+// Share of the height by which a sample may miss its cover.
+constexpr double planar_slack_share = 0.002;
+// Samples across a strip for the search of the direction, and for the result.
+constexpr double search_samples_across = 4;
+constexpr double planar_samples_across = 8;
+// The search uses about so many samples. If strips are too narrow for that, it uses a
+// greater height.
+constexpr double search_samples = 60'000;
+// The greatest height of the search, as a share of the radius.
+constexpr double greatest_search_height = 0.25;
+// Equal steps of the direction over half a turn, 5 degrees.
+constexpr std::size_t equal_steps = 36;
+// Valleys of the travel in which the search continues, and its steps.
+constexpr std::size_t valleys = 3;
+constexpr int golden_steps = 4;
+// Directions that are laid on the fine net.
+constexpr std::size_t laid_directions = 3;
+// Directions that differ by less are the same, rad.
+constexpr double least_turn = 0.25 * pi / 180;
+// Share of the work until the direction is found.
+constexpr double searched_share = 0.6;
+
+double half_turn(double angle)
+{
+    const double rest = std::fmod(angle, pi);
+    const double positive = rest < 0 ? rest + pi : rest;
+    return positive < pi ? positive : 0;
+}
+
+// What passes in a direction cost.
+struct TriedDirection {
+    double angle;  // rad, from 0 to below pi
+    double travel;
+    PassLengths lengths;
+    std::size_t passes;
+};
+
+// Finds the cost of directions on a coarse net.
+class DirectionSearch {
+public:
+    DirectionSearch(const CoveredPart& part, const BallCutter& cutter,
+                    const StrategyOptions& options)
+        : part_{&part},
+          options_{&options},
+          cutter_{cutter},
+          height_{search_height(part, cutter, options)},
+          samples_{part.samples(strip_width(cutter, height_) / search_samples_across,
+                                options.most_samples)}
+    {
+    }
+
+    /// All directions that were tried, by rising angle.
+    std::vector<TriedDirection> search()
+    {
+        std::vector<double> angles;
+        for (std::size_t k = 0; k < equal_steps; ++k)
+            angles.push_back(static_cast<double>(k) * pi / equal_steps);
+        const std::vector<double> parameter = parameter_directions();
+        angles.insert(angles.end(), parameter.begin(), parameter.end());
+        known_ = costs(angles);
+        const std::vector<std::size_t> best = best_valleys();
+        std::vector<std::vector<TriedDirection>> further(best.size());
+        parallel_for(best.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k)
+                further[k] = golden_section(known_[best[k]]);
+        });
+        for (const std::vector<TriedDirection>& own : further)
+            known_.insert(known_.end(), own.begin(), own.end());
+        std::stable_sort(known_.begin(), known_.end(),
+                         [](const TriedDirection& a, const TriedDirection& b) {
+                             return a.angle < b.angle;
+                         });
+        return known_;
+    }
+
+private:
+    // The height of the search: the scallop height, or one for which the samples are few
+    // enough.
+    static double search_height(const CoveredPart& part, const BallCutter& cutter,
+                                const StrategyOptions& options)
+    {
+        const double radius = cutter.radius();
+        // the area by the first net of each patch
+        const PartSamples first = part.samples(1e9, options.most_samples);
+        double area = 0;
+        for (const auto& [a, b, c] : first.triangles())
+            area += (first.point(b) - first.point(a))
+                        .cross(first.point(c) - first.point(a))
+                        .norm() /
+                    2;
+        const double half_strip = std::min(
+            search_samples_across * std::sqrt(2 * area / search_samples) / 2, radius);
+        const double few = radius - std::sqrt(radius * radius - half_strip * half_strip);
+        return std::max(options.scallop_height,
+                        std::min(few, greatest_search_height * radius));
+    }
+
+    TriedDirection cost(double angle) const
+    {
+        Coverage coverage{samples_, cutter_, planar_share * height_};
+        const std::vector<LaidPass> passes =
+            SectionMarch{coverage, Angle::radians(angle), planar_slack_share * height_}
+                .passes();
+        const PassLengths lengths = pass_lengths(passes, cutter_.radius());
+        const double travel =
+            options_->distance == TravelKind::Tip ? lengths.tip_mm : lengths.contact_mm;
+        return {angle, travel, lengths, passes.size()};
+    }
+
+    std::vector<TriedDirection> costs(std::span<const double> angles)
+    {
+        std::vector<TriedDirection> found(angles.size());
+        std::atomic<std::size_t> done = 0;
+        parallel_for(angles.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) {
+                found[k] = cost(angles[k]);
+                if (options_->progress)
+                    options_->progress(
+                        searched_share * static_cast<double>(++done) /
+                        (static_cast<double>(angles.size()) + valleys * golden_steps));
+            }
+        });
+        return found;
+    }
+
+    // The directions of the parameter lines through the middle of each surface.
+    std::vector<double> parameter_directions() const
+    {
+        std::vector<double> angles;
+        for (const Surface& surface : part_->surfaces()) {
+            const Interval u = surface.range(Parameter::U);
+            const Interval v = surface.range(Parameter::V);
+            const SurfaceTangents middle =
+                surface.tangents((u.low + u.high) / 2, (v.low + v.high) / 2);
+            for (const Vec3& way : {middle.du, middle.dv}) {
+                const double angle = half_turn(std::atan2(way.y(), way.x()));
+                const bool is_known = std::any_of(
+                    angles.begin(), angles.end(),
+                    [&](double other) { return std::abs(other - angle) < least_turn; });
+                if (!is_known)
+                    angles.push_back(angle);
+            }
+        }
+        return angles;
+    }
+
+    // Equal steps at which the travel is less than at both neighbours; the best few.
+    std::vector<std::size_t> best_valleys() const
+    {
+        std::vector<std::size_t> found;
+        for (std::size_t k = 0; k < equal_steps; ++k) {
+            const double here = known_[k].travel;
+            const double before = known_[(k + equal_steps - 1) % equal_steps].travel;
+            const double after = known_[(k + 1) % equal_steps].travel;
+            if (here <= before && here <= after)
+                found.push_back(k);
+        }
+        std::stable_sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
+            return known_[a].travel < known_[b].travel;
+        });
+        found.resize(std::min(found.size(), valleys));
+        return found;
+    }
+
+    // Trials between the two neighbours of a direction.
+    std::vector<TriedDirection> golden_section(const TriedDirection& middle) const
+    {
+        constexpr double golden = 0.3819660112501051;  // (3 - sqrt 5) / 2
+        std::vector<TriedDirection> tried;
+        double low = middle.angle - pi / equal_steps;
+        double high = middle.angle + pi / equal_steps;
+        double best = middle.angle;
+        double least = middle.travel;
+        for (int step = 0; step < golden_steps; ++step) {
+            const bool is_upper = high - best > best - low;
+            const double angle = std::lerp(best, is_upper ? high : low, golden);
+            tried.push_back(cost(half_turn(angle)));
+            const bool is_better = tried.back().travel < least;
+            (is_upper == is_better ? low : high) = is_better ? best : angle;
+            if (is_better) {
+                best = angle;
+                least = tried.back().travel;
+            }
+        }
+        return tried;
+    }
+
+    const CoveredPart* part_;
+    const StrategyOptions* options_;
+    BallCutter cutter_;
+    double height_;
+    PartSamples samples_;
+    std::vector<TriedDirection> known_;
+};
+
+// The directions that cost least, and differ.
+std::vector<double> best_directions(std::vector<TriedDirection> known)
+{
+    std::stable_sort(known.begin(), known.end(),
+                     [](const TriedDirection& a, const TriedDirection& b) {
+                         return a.travel < b.travel;
+                     });
+    std::vector<double> best;
+    for (const TriedDirection& one : known) {
+        const bool is_new = std::none_of(best.begin(), best.end(), [&](double other) {
+            return std::abs(other - one.angle) < least_turn;
+        });
+        if (is_new && best.size() < laid_directions)
+            best.push_back(one.angle);
+    }
+    return best;
+}
+
+}  // namespace
+
+PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
+                           const StrategyOptions& options)
+{
+    const double height = options.scallop_height;
+    std::vector<ComparedDirection> compared;
+    std::vector<double> angles;
+    if (options.direction) {
+        angles.push_back(options.direction->radians());
+    } else {
+        const std::vector<TriedDirection> known =
+            DirectionSearch{part, cutter, options}.search();
+        for (const TriedDirection& one : known)
+            compared.push_back({Angle::radians(one.angle), one.lengths.contact_mm,
+                                one.lengths.tip_mm, one.passes});
+        angles = best_directions(known);
+    }
+    PartSamples samples = part.samples(
+        strip_width(cutter, height) / planar_samples_across, options.most_samples);
+    std::vector<std::vector<LaidPass>> laid(angles.size());
+    std::vector<double> travel(angles.size());
+    parallel_for(angles.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) {
+            Coverage coverage{samples, cutter, planar_share * height};
+            laid[k] = SectionMarch{coverage, Angle::radians(angles[k]),
+                                   planar_slack_share * height}
+                          .passes();
+            const PassLengths lengths = pass_lengths(laid[k], cutter.radius());
+            travel[k] =
+                options.distance == TravelKind::Tip ? lengths.tip_mm : lengths.contact_mm;
+        }
+    });
+    const auto best = static_cast<std::size_t>(
+        std::min_element(travel.begin(), travel.end()) - travel.begin());
+    return {{std::move(samples), std::move(laid[best])},
+            Angle::radians(angles[best]),
+            std::move(compared)};
+}
+
+}  // namespace endmill

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/strategy/detail/section_march.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "endmill/strategy/detail/covering_path.h"
+#include "endmill/strategy/detail/level_lines.h"
+#include "endmill/strategy/detail/reach.h"
+
+namespace endmill {
+namespace {
+
+// Least distance of the contacts of a pass, as a share of the distance of samples.
+constexpr double section_step = 0.9;
+// A place that no offset beyond this share of a strip after the last pass covers is lost:
+// it lies in a notch, which is mended later.
+constexpr double least_advance = 1.0 / 16;
+// Steps in search of the place where a front crosses an edge.
+constexpr int front_steps = 3;
+// Halvings in search of an offset.
+constexpr int offset_halvings = 9;
+constexpr int last_halvings = 6;
+
+// A contact that misses its plane by less than this share of an edge stays.
+constexpr double least_correction = 1e-6;
+
+constexpr double unlimited = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+SectionMarch::SectionMarch(Coverage& coverage, Angle direction, double slack)
+    : coverage_{&coverage},
+      samples_{&coverage.samples()},
+      slack_{slack},
+      is_planar_{true},
+      sine_{std::sin(direction.radians())},
+      cosine_{std::cos(direction.radians())},
+      strip_{strip_width(coverage.cutter(), coverage.height())},
+      offsets_(samples_->size()),
+      order_(samples_->size()),
+      is_lost_(samples_->size(), false),
+      walk_{*samples_},
+      beyond_(samples_->size())
+{
+    // twins must agree, so that lines continue from one to the other
+    for (std::size_t i = 0; i < samples_->size(); ++i)
+        offsets_[i] = offset_of(samples_->point(samples_->representative(i)));
+    sort_samples();
+}
+
+SectionMarch::SectionMarch(Coverage& coverage, std::vector<double> offsets, double slack)
+    : coverage_{&coverage},
+      samples_{&coverage.samples()},
+      slack_{slack},
+      is_planar_{false},
+      strip_{strip_width(coverage.cutter(), coverage.height())},
+      offsets_{std::move(offsets)},
+      order_(samples_->size()),
+      is_lost_(samples_->size(), false),
+      walk_{*samples_},
+      beyond_(samples_->size())
+{
+    sort_samples();
+}
+
+// Fills order_.
+void SectionMarch::sort_samples()
+{
+    std::iota(order_.begin(), order_.end(), 0);
+    std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
+        return offsets_[a] != offsets_[b] ? offsets_[a] < offsets_[b] : a < b;
+    });
+}
+
+std::vector<LaidPass> SectionMarch::passes()
+{
+    for (;;) {
+        const double offset = next_offset();
+        if (offset == unlimited)
+            return std::move(passes_);
+        lay(offset);
+    }
+}
+
+Vec3 SectionMarch::raised(const SampleEdge& place) const
+{
+    return (1 - place.share) * coverage_->raised(place.from) +
+           place.share * coverage_->raised(place.to);
+}
+
+// Where the gap exceeds the slack between two neighbours, on the covered side.
+SampleEdge SectionMarch::front_place(std::int32_t covered, std::int32_t uncovered) const
+{
+    double low = 0;
+    double high = 1;
+    double gap_low = coverage_->gaps()[covered] - slack_;
+    double gap_high = coverage_->gaps()[uncovered] - slack_;
+    for (int step = 0; step < front_steps; ++step) {
+        const double share = std::lerp(low, high, gap_low / (gap_low - gap_high));
+        const double gap = coverage_->gap_at({covered, uncovered, share}) - slack_;
+        if (gap > 0) {
+            high = share;
+            gap_high = gap;
+        } else {
+            low = share;
+            gap_low = gap;
+        }
+    }
+    return {covered, uncovered, low};
+}
+
+// Finds the samples whose balls reach a place, and those around them, as far as they lie
+// ahead.
+void SectionMarch::walk_reach(const SampleEdge& place)
+{
+    const double radius = coverage_->cutter().radius();
+    const Vec3 point = raised(place);
+    const double least =
+        std::min(offsets_[place.from], offsets_[place.to]) - samples_->spacing() / 2;
+    inside_.clear();
+    around_.clear();
+    walk_.from(std::array{place.from, place.to}, [&](std::int32_t i) {
+        const Vec3 centre = coverage_->centre(i);
+        const double x = point.x() - centre.x();
+        const double y = point.y() - centre.y();
+        const double z = std::min(0.0, point.z() - centre.z());
+        beyond_[i] = beyond_reach(x * x + y * y + z * z, radius) - slack_;
+        const bool is_inside = beyond_[i] <= 0 && offsets_[i] >= least;
+        (is_inside ? inside_ : around_).push_back(i);
+        return is_inside;
+    });
+}
+
+// A lower bound of the farthest offset, from the edges of the net: the distance of a ball
+// is convex along an edge.
+double SectionMarch::nearly_farthest(const SampleEdge& place)
+{
+    walk_reach(place);
+    double offset = -unlimited;
+    for (const std::int32_t i : inside_) {
+        offset = std::max(offset, offsets_[i]);
+        for (const std::int32_t neighbour : samples_->neighbours(i))
+            if (offsets_[neighbour] > offsets_[i] && beyond_[neighbour] > 0)
+                offset = std::max(
+                    offset, std::lerp(offsets_[i], offsets_[neighbour],
+                                      beyond_[i] / (beyond_[i] - beyond_[neighbour])));
+    }
+    return offset;
+}
+
+// The farthest offset at which a ball in contact covers the place of a demand.
+double SectionMarch::farthest(const Demand& demand)
+{
+    const double radius = coverage_->cutter().radius();
+    const Vec3 point = raised(demand.place);
+    walk_reach(demand.place);
+    std::vector<std::int32_t> triangles;
+    for (const std::vector<std::int32_t>* own : {&inside_, &around_})
+        for (const std::int32_t i : *own)
+            for (const std::int32_t number : samples_->triangles_at(i)) {
+                const auto& [a, b, c] = samples_->triangles()[number];
+                if (std::max({offsets_[a], offsets_[b], offsets_[c]}) > demand.farthest)
+                    triangles.push_back(number);
+            }
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    // whether a ball on the section of a triangle reaches the point
+    const auto reaches = [&](const Triangle& triangle, double offset) {
+        std::array<Vec3, 2> ends;
+        std::size_t count = 0;
+        for (int k = 0; k < 3 && count < 2; ++k) {
+            const std::int32_t from = triangle[k];
+            const std::int32_t to = triangle[(k + 1) % 3];
+            if ((offsets_[from] < offset) == (offsets_[to] < offset))
+                continue;
+            const double share =
+                (offset - offsets_[from]) / (offsets_[to] - offsets_[from]);
+            ends[count++] =
+                (1 - share) * coverage_->centre(from) + share * coverage_->centre(to);
+        }
+        return count == 2 &&
+               beyond_reach(UprightSweep{ends[0], ends[1]}.squared_distance(point),
+                            radius) <= slack_;
+    };
+    double low = demand.farthest;
+    double high = low + 2 * samples_->spacing();
+    for (int step = 0; step < offset_halvings; ++step) {
+        const double middle = (low + high) / 2;
+        const bool is_covered =
+            std::any_of(triangles.begin(), triangles.end(), [&](std::int32_t number) {
+                return reaches(samples_->triangles()[number], middle);
+            });
+        (is_covered ? low : high) = middle;
+    }
+    return low;
+}
+
+// Adds the places beside an uncovered sample that the next pass must cover: on the edges to
+// covered samples, or the sample itself where a part of the surface begins.
+void SectionMarch::add_demands(std::int32_t uncovered, std::vector<Demand>& demands)
+{
+    bool is_beginning = true;
+    bool is_left = false;
+    for (const std::int32_t neighbour : samples_->neighbours(uncovered)) {
+        is_beginning = is_beginning && is_uncovered(neighbour) &&
+                       offsets_[neighbour] >= offsets_[uncovered];
+        if (is_uncovered(neighbour))
+            continue;
+        const SampleEdge place = front_place(neighbour, uncovered);
+        const double offset = nearly_farthest(place);
+        if (offset > last_ + least_advance * strip_)
+            demands.push_back({place, offset});
+        else
+            is_left = true;
+    }
+    if (is_beginning) {
+        const SampleEdge place{uncovered, uncovered, 0};
+        const double offset = nearly_farthest(place);
+        if (offset > last_ + least_advance * strip_)
+            demands.push_back({place, offset});
+        else
+            is_left = true;
+    }
+    if (is_left && offsets_[uncovered] <= last_)
+        is_lost_[uncovered] = true;
+}
+
+std::vector<SectionMarch::Demand> SectionMarch::demands()
+{
+    while (first_ < order_.size() &&
+           (!is_uncovered(order_[first_]) || is_lost_[order_[first_]]))
+        ++first_;
+    std::vector<Demand> found;
+    double limit = unlimited;
+    for (std::size_t k = first_; k < order_.size() && offsets_[order_[k]] < limit; ++k) {
+        const std::int32_t i = order_[k];
+        if (!is_uncovered(i) || is_lost_[i])
+            continue;
+        const std::size_t before = found.size();
+        add_demands(i, found);
+        for (std::size_t n = before; n < found.size(); ++n)
+            limit = std::min(limit, found[n].farthest + 2 * samples_->spacing());
+    }
+    return found;
+}
+
+// The offset of the next pass; infinite if there is none.
+double SectionMarch::next_offset()
+{
+    std::vector<Demand> open = demands();
+    std::sort(open.begin(), open.end(),
+              [](const Demand& a, const Demand& b) { return a.farthest < b.farthest; });
+    double offset = unlimited;
+    for (const Demand& demand : open) {
+        if (demand.farthest >= offset)
+            break;
+        offset = std::min(offset, farthest(demand));
+    }
+    return offset;
+}
+
+// The contact of a section on an edge. The surface between two samples is not quite on
+// the straight line, so the first contact may miss the plane.
+PassContact SectionMarch::contact_on(const SampleEdge& place, double offset) const
+{
+    const PassContact contact = samples_->contact(place);
+    if (!is_planar_)
+        return contact;
+    const double share = place.share + (offset - offset_of(contact.at.contact.point)) /
+                                           (offsets_[place.to] - offsets_[place.from]);
+    if (!(std::abs(share - place.share) > least_correction) || share < 0 || share > 1)
+        return contact;
+    return samples_->contact({place.from, place.to, share});
+}
+
+// The contacts of a section, without those that are too close together.
+LaidPass SectionMarch::pass_on(const LevelLine& line, double offset) const
+{
+    LaidPass pass{{}, line.is_closed};
+    const double least = section_step * samples_->spacing();
+    for (std::size_t k = 0; k < line.places.size(); ++k) {
+        const PassContact contact = contact_on(line.places[k], offset);
+        const bool is_last = k + 1 == line.places.size();
+        if (pass.contacts.empty() ||
+            (contact.at.contact.point - pass.contacts.back().at.contact.point).norm() >=
+                least)
+            pass.contacts.push_back(contact);
+        else if (is_last && !line.is_closed && pass.contacts.size() > 1)
+            pass.contacts.back() = contact;
+    }
+    return pass;
+}
+
+std::vector<LaidPass> SectionMarch::sections(double offset) const
+{
+    // samples below the offset in triangles that the plane crosses
+    const auto is_below = [&](std::int32_t i, double value) {
+        return offsets_[i] < value;
+    };
+    const auto begin = std::lower_bound(order_.begin(), order_.end(),
+                                        offset - samples_->spacing(), is_below);
+    const auto end = std::lower_bound(begin, order_.end(), offset, is_below);
+    std::vector<LaidPass> found;
+    if (begin == end)
+        return found;
+    for (const LevelLine& line : level_lines(*samples_, offsets_, {begin, end}, offset))
+        found.push_back(pass_on(line, offset));
+    return found;
+}
+
+// Whether everything is covered but what is lost.
+bool SectionMarch::is_complete() const
+{
+    return std::all_of(order_.begin() + static_cast<std::ptrdiff_t>(first_), order_.end(),
+                       [&](std::int32_t i) { return !is_uncovered(i) || is_lost_[i]; });
+}
+
+// The middle of the offsets at which a pass covers all that is left, if there are some.
+double SectionMarch::centred_last(double offset)
+{
+    const auto covers_rest = [&](double at) {
+        for (const LaidPass& pass : sections(at))
+            coverage_->add(pass.contacts, pass.is_closed);
+        const bool is_last = is_complete();
+        coverage_->withdraw();
+        return is_last;
+    };
+    if (offsets_[order_.back()] - offset > strip_ || !covers_rest(offset))
+        return offset;
+    double high = offset;
+    double low = std::max(last_, offsets_[order_.front()]);
+    for (int step = 0; step < last_halvings; ++step) {
+        const double middle = (low + high) / 2;
+        (covers_rest(middle) ? high : low) = middle;
+    }
+    return (high + offset) / 2;
+}
+
+// Lays the sections of an offset that cover something.
+void SectionMarch::lay(double offset)
+{
+    const double at = centred_last(offset);
+    for (LaidPass& pass : sections(at)) {
+        coverage_->add(pass.contacts, pass.is_closed);
+        if (coverage_->newly_covered(slack_).empty()) {
+            coverage_->withdraw();
+            continue;
+        }
+        coverage_->accept();
+        passes_.push_back(std::move(pass));
+    }
+    last_ = at;
+}
+
+PassLengths pass_lengths(std::span<const LaidPass> passes, double radius)
+{
+    PassLengths lengths;
+    const auto add = [&](const PassContact& from, const PassContact& to) {
+        const Vec3 way = to.at.contact.point - from.at.contact.point;
+        lengths.contact_mm += way.norm();
+        lengths.tip_mm +=
+            (way + radius * (to.at.contact.normal - from.at.contact.normal)).norm();
+    };
+    for (const auto& [contacts, is_closed] : passes) {
+        for (std::size_t k = 0; k + 1 < contacts.size(); ++k)
+            add(contacts[k], contacts[k + 1]);
+        if (is_closed)
+            add(contacts.back(), contacts.front());
+    }
+    return lengths;
+}
+
+}  // namespace endmill

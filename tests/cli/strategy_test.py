@@ -1,0 +1,109 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""endmill plan --strategy: the strategies, their comparison, and the verdict of `verify` on their paths."""
+
+import csv
+import json
+import math
+import unittest
+
+from program import SURFACES, ProgramTest, endmill, plane
+
+BALL = ["--cutter", "ball:15", "--scallop", "0.5"]
+PLANE_SIZE = (60, 40)
+# Width of a strip on a plane, mm: 2 sqrt(h (2R - h)).
+WIDTH = 2 * math.sqrt(0.5 * (15 - 0.5))
+
+
+def cut_length(path):
+    """Sum of the chords between contacts of cutting moves, from the written points."""
+    with path.open() as file:
+        points = list(csv.DictReader(file))
+    total = 0.0
+    for before, point in zip(points, points[1:]):
+        if point["move"] == "cut":
+            total += math.dist([float(before[f"contact_{axis}_mm"]) for axis in "xyz"],
+                               [float(point[f"contact_{axis}_mm"]) for axis in "xyz"])
+    return total
+
+
+class Strategies(ProgramTest):
+    def test_every_strategy_covers_and_verify_agrees(self):
+        part = SURFACES / "saddle.json"
+        for strategy in ("iso-u", "iso-v", "iso-scallop"):
+            with self.subTest(strategy=strategy):
+                facts = self.summary("plan", part, *BALL, "--strategy", strategy, "--bound", "none", "-o", strategy)
+                self.assertEqual(facts["strategy"], strategy)
+                self.assertEqual((facts["verdict"], facts["uncovered_mm2"]), ("clean", 0))
+                seen = self.summary("verify", self.folder / strategy / "toolpath.csv", "--resolution", "0.4", "-o", f"{strategy}-seen")
+                self.assertEqual(seen["verdict"], "clean")
+                self.assertAlmostEqual(cut_length(self.folder / strategy / "toolpath.csv") / facts["cut_contact_mm"],
+                                       1, delta=1e-9)
+
+    def test_best_is_the_shortest_of_those_tried(self):
+        for distance, key in (("contact", "cut_contact_mm"), ("cl", "cut_tip_mm")):
+            with self.subTest(distance=distance):
+                facts = self.summary("plan", SURFACES / "saddle.json", *BALL, "--strategy", "best", "--bound", "none",
+                                     "--distance", distance, "-o", distance)
+                lengths = {one["strategy"]: one["cut_mm"] for one in facts["tried"]}
+                self.assertGreaterEqual(set(lengths), {"iso-u", "iso-v", "iso-scallop"})
+                self.assertEqual(facts[key], min(lengths.values()))
+                self.assertEqual(lengths[facts["strategy"]], facts[key])
+                alone = self.summary("plan", SURFACES / "saddle.json", *BALL, "--strategy", "iso-v", "--bound", "none",
+                                     "--distance", distance, "-o", f"{distance}-v")
+                self.assertEqual(alone[key], lengths["iso-v"])
+
+    def test_lower_bound_of_a_plane_has_its_closed_form(self):
+        facts = self.summary("plan", self.file(plane(size=PLANE_SIZE)), *BALL, "--strategy", "best", "-o", "out")
+        pieces = facts["pieces"]
+        # the bound is for paths that stray by gamma, which widens the strip
+        gamma = facts["bound_gamma_mm"]
+        width = 2 * math.sqrt((7.5 + gamma) ** 2 - 7 ** 2)
+        area = PLANE_SIZE[0] * PLANE_SIZE[1]
+        self.assertAlmostEqual(facts["bound_density_mm"], area / width, delta=1e-9 * area)
+        self.assertAlmostEqual(facts["bound_disc_mm"], math.pi * width / 4, delta=1e-9)
+        self.assertAlmostEqual(facts["bound_mm"], area / width - pieces * math.pi * width / 4, delta=1e-9 * area)
+        self.assertEqual(facts["bound_grade"], "closed")
+        self.assertAlmostEqual(facts["travel_over_bound"], facts["cut_contact_mm"] / facts["bound_mm"], places=12)
+        self.assertLess(facts["cut_contact_mm"], 1.15 * area / WIDTH)
+
+    def test_part_smaller_than_a_disc_has_no_bound(self):
+        done = endmill("plan", self.file(plane(size=(1, 1))), *BALL, "--strategy", "iso-scallop", "-o", "out",
+                       cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        facts = json.loads((self.folder / "out/summary.json").read_text())
+        self.assertIsNone(facts["bound_mm"])
+        self.assertIsNone(facts["travel_over_bound"])
+        self.assertIn("lower bound   none", done.stdout)
+
+
+class Defaults(ProgramTest):
+    def test_option_of_iso_chooses_iso(self):
+        part = self.file(plane(size=(60, 30)))
+        self.summary("plan", part, *BALL, "--direction", "u", "-o", "u")
+        self.summary("plan", part, *BALL, "--outer-tolerance", "0.01", "-o", "both")
+        self.assertTrue((self.folder / "both/u/toolpath.csv").is_file())
+        facts = json.loads((self.folder / "u/summary.json").read_text())
+        self.assertNotIn("strategy", facts)
+
+    def test_options_of_iso_are_refused_by_name(self):
+        part = self.file(plane())
+        for option in (["--direction", "u"], ["--outer-tolerance", "0.1"], ["--mode", "paper"],
+                       ["--inner-tolerance", "0"]):
+            with self.subTest(option=option):
+                done = endmill("plan", part, "--strategy", "iso-scallop", *option, "-o", "out", cwd=self.folder)
+                self.assert_refused(done, 2, option[0], "--strategy iso")
+
+    def test_other_axis_is_refused_by_the_strategy(self):
+        done = endmill("plan", self.file(plane()), *BALL, "--strategy", "iso-scallop", "--axis", "1,0,1", "-o", "out",
+                       cwd=self.folder)
+        self.assert_refused(done, 4, "iso-scallop", "+z")
+        facts = self.summary("plan", self.file(plane()), *BALL, "--strategy", "best", "--axis", "1,0,1", "--bound",
+                             "none", "-o", "best")
+        refused = [one["strategy"] for one in facts["tried"] if "refusal" in one]
+        self.assertIn("iso-scallop", refused)
+        self.assertIn(facts["strategy"], ("iso-u", "iso-v"))
+
+
+if __name__ == "__main__":
+    unittest.main()
