@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 namespace endmill {
 namespace {
@@ -95,6 +96,59 @@ std::vector<SampleEdge> border_of_component(const PartSamples& samples,
     return places;
 }
 
+// A connected part of the samples that are not covered.
+struct UncoveredRegion {
+    std::vector<std::int32_t> samples;
+    std::vector<SampleEdge> rim;  // those beside covered ones
+};
+
+UncoveredRegion uncovered_region(const Coverage& coverage, std::int32_t inside,
+                                 double slack)
+{
+    const PartSamples& samples = coverage.samples();
+    const auto is_uncovered = [&](std::int32_t i) { return coverage.gaps()[i] > slack; };
+    UncoveredRegion region;
+    SampleWalk walk{samples};
+    walk.from(std::array{inside}, [&](std::int32_t i) {
+        if (is_uncovered(i))
+            region.samples.push_back(i);
+        return is_uncovered(i);
+    });
+    for (const std::int32_t i : region.samples)
+        if (!std::ranges::all_of(samples.neighbours(i), is_uncovered))
+            region.rim.push_back({i, i, 0});
+    return region;
+}
+
+// Covers other components, what a first pass of no length left, and what lies behind places
+// that a front could not pass. A region in which no start covers anything is left.
+void cover_rest(FrontMarch& march, const Coverage& coverage, double slack)
+{
+    const PartSamples& samples = coverage.samples();
+    std::size_t left = march.uncovered_samples();
+    const auto covers_more = [&](std::vector<SampleEdge> front) {
+        if (front.empty())
+            return false;
+        march.run(std::move(front));
+        const std::size_t before = std::exchange(left, march.uncovered_samples());
+        return left < before;
+    };
+    std::vector<bool> is_given_up(samples.size(), false);
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(samples.size());) {
+        if (is_given_up[i] || !(coverage.gaps()[i] > slack)) {
+            ++i;
+            continue;
+        }
+        if (covers_more(border_of_component(samples, i)))
+            continue;
+        const UncoveredRegion region = uncovered_region(coverage, i, slack);
+        if (covers_more(region.rim) || covers_more({{i, i, 0}}))
+            continue;
+        for (const std::int32_t sample : region.samples)
+            is_given_up[sample] = true;
+    }
+}
+
 }  // namespace
 
 std::vector<MarchStart> march_starts(const PartSamples& samples)
@@ -134,13 +188,7 @@ std::vector<LaidPass> lay_passes(Coverage& coverage,
             march.run(std::move(front));
         }
     }
-    // other components, and what a first pass of no length left
-    while (!march.is_complete()) {
-        const std::size_t before = march.uncovered_samples();
-        march.run(border_of_component(samples, march.first_uncovered()));
-        if (march.uncovered_samples() == before)
-            break;
-    }
+    cover_rest(march, coverage, slack);
     return march.take_passes();
 }
 
