@@ -9,6 +9,7 @@
 
 #include "endmill/core/parallel.h"
 #include "endmill/planning/planner_options.h"
+#include "endmill/strategy/strategy.h"
 #include "test_surfaces.h"
 
 namespace endmill {
