@@ -102,12 +102,15 @@ void report_gouge(const KnownGouge& gouge, const PlanOptions& options)
 PlanContext mesh_context(PartFile& file, PlanOptions& options)
 {
     const std::string& path = options.part.path;
-    if (options.strategy != StrategyChoice::IsoScallop &&
-        options.strategy != StrategyChoice::Best)
+    if (options.strategy == StrategyChoice::Iso ||
+        options.strategy == StrategyChoice::IsoU ||
+        options.strategy == StrategyChoice::IsoV)
         throw DomainError{
-            path + ": found a mesh; --strategy " + strategy_word(options.strategy) +
-            " expects a surface file (endmill-surface/1), or for a mesh --strategy "
-            "iso-scallop or best"};
+            path +
+            ": found a mesh; plan expects a surface file (endmill-surface/1) with "
+            "--strategy " +
+            strategy_word(options.strategy) +
+            ", or for a mesh another --strategy, such as best"};
     if (options.required != RequiredContinuity::None)
         throw DomainError{path + ": found a mesh; --require g1 expects a surface file"};
     if (!options.cutter_diameter)

@@ -185,8 +185,8 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
 {
     command
         .add_option("PART", options.part.path,
-                    "surface file (endmill-surface/1), or with --strategy iso-scallop or "
-                    "best a mesh file (.stl, .obj, .ply, .off)")
+                    "surface file (endmill-surface/1), or a mesh file (.stl, .obj, .ply, "
+                    ".off) with a --strategy other than iso, iso-u, iso-v")
         ->required();
     command
         .add_option_function<std::string>(

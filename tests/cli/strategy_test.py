@@ -53,6 +53,33 @@ class Strategies(ProgramTest):
                                      "--distance", distance, "-o", f"{distance}-v")
                 self.assertEqual(alone[key], lengths["iso-v"])
 
+    def test_mesh_is_a_part_and_verify_agrees(self):
+        # a roof of two planes with a ridge along x
+        roof = "OFF\n6 4 0\n0 0 0\n40 0 0\n0 20 8\n40 20 8\n0 40 0\n40 40 0\n" \
+               "3 0 1 3\n3 0 3 2\n3 2 3 5\n3 2 5 4\n"
+        part = self.file(roof, "roof.off")
+        facts = self.summary("plan", part, *BALL, "--strategy", "best", "-o", "out")
+        self.assertEqual((facts["verdict"], facts["uncovered_mm2"], facts["unreached_mm2"]), ("clean", 0, 0))
+        self.assertIsNone(facts["bound_mm"])
+        refused = {one["strategy"] for one in facts["tried"] if one["cut_mm"] is None}
+        self.assertGreaterEqual(refused, {"iso-u", "iso-v"})
+        seen = self.summary("verify", self.folder / "out" / "toolpath.csv", "--resolution", "0.4", "-o", "seen")
+        self.assertEqual(seen["verdict"], "clean")
+        for name in ("toolpath.svg", "toolpath.vtp"):
+            self.assertGreater((self.folder / "out" / name).stat().st_size, 1000)
+
+    def test_mesh_needs_a_cutter_and_a_strategy_without_parameters(self):
+        part = self.file("OFF\n3 1 0\n0 0 0\n20 0 0\n0 20 0\n3 0 1 2\n", "one.off")
+        for options, word in (([], "--strategy iso"), (["--strategy", "best"], "--cutter")):
+            with self.subTest(options=options):
+                done = endmill("plan", part, *options, "-o", self.folder / "no")
+                self.assertEqual(done.returncode, 2)
+                self.assertIn(word, done.stderr)
+        down = self.file("OFF\n3 1 0\n0 0 0\n20 0 0\n0 20 0\n3 0 2 1\n", "down.off")
+        done = endmill("plan", down, *BALL, "--strategy", "best", "-o", self.folder / "no")
+        self.assertEqual(done.returncode, 4)
+        self.assertIn("faces the tool", done.stderr)
+
     def test_lower_bound_of_a_plane_has_its_closed_form(self):
         facts = self.summary("plan", self.file(plane(size=PLANE_SIZE)), *BALL, "--strategy", "best", "-o", "out")
         pieces = facts["pieces"]

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/strategy/strategy.h"
 
+#include <cmath>
+#include <numbers>
+
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/planner_options.h"
+#include "endmill/surface/sampling.h"
+#include "endmill/surface/tool_side.h"
 #include "endmill/verification/verification.h"
+#include "test_meshes.h"
 #include "test_surfaces.h"
 
 namespace endmill {
@@ -77,6 +83,107 @@ TEST(PlanIsoScallop, RefusesWhatItCannotPlan)
     options = options_for(surfaces, 1e-6);
     options.most_samples = 10'000;
     EXPECT_THROW(iso_scallop(surfaces, 5, options), LimitError);
+}
+
+StrategyPlan on_mesh(const TriangleMesh& mesh, const BallCutter& ball, double height,
+                     Strategy strategy = Strategy::IsoScallop)
+{
+    StrategyOptions options;
+    options.scallop_height = height;
+    options.link.safe_height = 60;
+    return plan_by_strategy(strategy, mesh, ball, options);
+}
+
+void expect_covered(const StrategyPlan& plan)
+{
+    EXPECT_EQ(plan.verdict, Verdict::Clean);
+    EXPECT_TRUE(plan.covering.uncovered.empty());
+    EXPECT_EQ(plan.covering.uncovered_mm2, 0);
+}
+
+// A path over the mesh of a smooth surface is as long as one over the surface.
+TEST(StrategyOnAMesh, CutsASmoothPartAsItsSurface)
+{
+    const std::vector<Surface> surfaces{test::saddle(60, 20)};
+    const StrategyPlan on_surface = iso_scallop(surfaces, 5, options_for(surfaces, 0.5));
+    const std::vector<double> sides = tool_side_signs(surfaces, Vec3::UnitZ());
+    const StrategyPlan plan =
+        on_mesh(sampled(surfaces, sides, 0.01).mesh, BallCutter{5}, 0.5);
+    expect_covered(plan);
+    EXPECT_EQ(plan.covering.unreached_mm2, 0);
+    EXPECT_NEAR(plan.economy.cut.contact_mm / on_surface.economy.cut.contact_mm, 1,
+                0.015);
+    EXPECT_NEAR(plan.economy.cut.tip_mm / on_surface.economy.cut.tip_mm, 1, 0.015);
+}
+
+// A ring between the radii 5 and 25: no cut leads over the hole.
+TEST(StrategyOnAMesh, LeadsNoCutOverAHole)
+{
+    const TriangleMesh ring = test::grid_mesh(48, 4, [](int i, int j) {
+        const double angle = -2 * std::numbers::pi * i / 48;
+        return Vec3{(5 + 5 * j) * std::cos(angle), (5 + 5 * j) * std::sin(angle), 0};
+    });
+    const StrategyPlan plan = on_mesh(ring, BallCutter{5}, 0.5);
+    expect_covered(plan);
+    const std::vector<PathPoint>& points = plan.covering.path.points;
+    for (std::size_t k = 1; k < points.size(); ++k)
+        if (points[k].move == Move::Cut) {
+            const Vec3 middle = (points[k - 1].location.tip + points[k].location.tip) / 2;
+            // a side of the polygon of 48 corners is 0.01 mm inside its circle
+            EXPECT_GT(middle.head<2>().norm(), 4.95);
+        }
+}
+
+TEST(StrategyOnAMesh, CoversPartsThatAreApart)
+{
+    const TriangleMesh one = test::flat_mesh(20, 20);
+    std::vector<Vec3> moved = test::points_of(one);
+    for (Vec3& point : moved)
+        point.x() += 50;
+    const TriangleMesh two = test::both(one, {moved, test::triangles_of(one)});
+    for (const Strategy strategy : {Strategy::IsoScallop, Strategy::Planar}) {
+        const StrategyPlan plan = on_mesh(two, BallCutter{5}, 0.5, strategy);
+        expect_covered(plan);
+        EXPECT_GE(plan.covering.pieces, 2u);
+    }
+}
+
+// All five faces of a box that do not face down. The shank passes along the walls, so no
+// move may enter them.
+TEST(StrategyOnAMesh, CutsTheWallsOfASolid)
+{
+    const StrategyPlan plan =
+        on_mesh(test::box_mesh({0, 0, 0}, {20, 15, 8}), BallCutter{4}, 0.3);
+    expect_covered(plan);
+    EXPECT_EQ(plan.deviation.max_gouge_mm, 0);
+    EXPECT_EQ(plan.covering.unreached_mm2, 0);
+}
+
+// In a groove of 90 degrees a ball that is h / 2 above a place of one plane is clear of the
+// other if the place is at least R from the edge: the distance along one plane is the
+// distance from the other.
+TEST(StrategyOnAMesh, ReportsWhatTheBallCannotReach)
+{
+    const double radius = 4;
+    const double height = 0.4;
+    const double side = 15;
+    const double up = side / std::sqrt(2.0);
+    const TriangleMesh groove = test::grid_mesh(2, 1, [&](int i, int j) {
+        return Vec3{(i - 1) * up, 20.0 * j, i == 1 ? 0.0 : up};
+    });
+    const StrategyPlan plan = on_mesh(groove, BallCutter{radius}, height);
+    expect_covered(plan);
+    const double expected = 2 * radius * 20;
+    EXPECT_NEAR(plan.covering.unreached_mm2, expected, 0.01 * expected);
+}
+
+TEST(StrategyOnAMesh, RefusesAMeshThatFacesDownAndParameterLines)
+{
+    const TriangleMesh flat = test::flat_mesh(5, 5);
+    EXPECT_THROW(on_mesh(test::with_turned(flat, [](std::size_t) { return true; }),
+                         BallCutter{1}, 0.1),
+                 GeometryError);
+    EXPECT_THROW(on_mesh(flat, BallCutter{1}, 0.1, Strategy::IsoU), GeometryError);
 }
 
 }  // namespace
