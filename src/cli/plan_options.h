@@ -23,6 +23,13 @@ enum class PlanStrategy {
     Best,        ///< the shortest of all strategies
 };
 
+/// The lower bound with which a path is compared, where no closed form is known.
+enum class PlanBound {
+    Estimated,  ///< BoundGrade::Estimated
+    Certified,  ///< BoundGrade::Certified
+    None        ///< not computed
+};
+
 /// The options of `endmill plan`. An empty option takes the default that the help states.
 struct PlanOptions {
     CommonOptions common;
@@ -34,7 +41,8 @@ struct PlanOptions {
     PlanDirection direction = PlanDirection::Both;
     Planner mode = Planner::Verified;
     PlanStrategy strategy = PlanStrategy::Iso;
-    bool is_bounded = true;  ///< whether a path by a strategy is compared with the bound
+    PlanBound bound =
+        PlanBound::Estimated;  ///< that a path by a strategy is compared with
     TravelKind distance = TravelKind::Contact;
     CountedMoves counted = CountedMoves::CutsAndLinks;
     RequiredContinuity required = RequiredContinuity::None;

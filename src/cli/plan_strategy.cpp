@@ -134,6 +134,8 @@ void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering
     problem.most_pieces = static_cast<int>(covering.pieces);
     EstimateOptions estimate;
     estimate.progress = progress.shower();
+    if (task.options.bound == PlanBound::Certified)
+        estimate.grade = BoundGrade::Certified;
     summary["bound_gamma_mm"] = covering.stray_mm;
     try {
         const PathBound bound = path_bound(task.surfaces, sides, problem, estimate);
@@ -144,8 +146,9 @@ void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering
         summary["travel_over_bound"] =
             bound.bound_mm ? Json(summary[cut_key].get<double>() / *bound.bound_mm)
                            : Json(nullptr);
-    } catch (const GeometryError&) {
-        // there is none for a part with creases
+    } catch (const GeometryError& error) {
+        // there is none for a part with creases, and not always a certificate
+        summary["bound_refusal"] = error.what();
         for (const char* key : {"bound_density_mm", "bound_disc_mm", "bound_mm",
                                 "bound_grade", "travel_over_bound"})
             summary[key] = nullptr;
@@ -156,6 +159,9 @@ std::string bound_text(const Json& s)
 {
     if (!s.contains("bound_mm"))
         return {};
+    if (s.contains("bound_refusal"))
+        return fmt::format("  lower bound   none: {}\n",
+                           s["bound_refusal"].get<std::string>());
     if (s["bound_mm"].is_null())
         return "  lower bound   none: the part has creases, or is little larger than "
                "what the "
@@ -252,7 +258,7 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     number_points(covering.path);
     const DeviationLimits limits{strategy.inner_tolerance, strategy.scallop_height};
     Json summary = summary_of(task, chosen, strategy);
-    if (options.is_bounded)
+    if (options.bound != PlanBound::None)
         add_bound(summary, task, covering, progress);
     add_path_totals(summary["path"], path_totals(covering.path));
     summary["path"]["points"] = covering.path.points.size();
