@@ -26,6 +26,13 @@ enum class StrategyChoice {
     Best,        ///< the shortest of all strategies
 };
 
+/// The lower bound with which a path is compared, where no closed form is known.
+enum class PlanBound {
+    Estimated,  ///< BoundGrade::Estimated
+    Certified,  ///< BoundGrade::Certified
+    None        ///< not computed
+};
+
 /// The options of `endmill plan`. An empty option takes the default that the help states.
 struct PlanOptions {
     CommonOptions common;
@@ -39,7 +46,8 @@ struct PlanOptions {
     /// How passes are laid.
     StrategyChoice strategy = StrategyChoice::Iso;
     std::optional<Angle> pass_direction;  ///< of StrategyChoice::Planar; best if empty
-    bool is_bounded = true;  ///< whether a path by a strategy is compared with the bound
+    PlanBound bound =
+        PlanBound::Estimated;  ///< that a path by a strategy is compared with
     TravelKind distance = TravelKind::Contact;
     CountedMoves counted = CountedMoves::CutsAndLinks;
     RequiredContinuity required = RequiredContinuity::None;

@@ -164,8 +164,10 @@ void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering
     problem.most_pieces = static_cast<int>(covering.pieces);
     EstimateOptions estimate;
     estimate.progress = progress.shower();
+    if (task.options.bound == PlanBound::Certified)
+        estimate.grade = BoundGrade::Certified;
     summary["bound_gamma_mm"] = covering.stray_mm;
-    const auto set_none = [&](const char* reason) {
+    const auto set_none = [&](const std::string& reason) {
         for (const char* key : {"bound_density_mm", "bound_disc_mm", "bound_mm",
                                 "bound_grade", "travel_over_bound"})
             summary[key] = nullptr;
@@ -185,8 +187,9 @@ void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering
         if (!bound.bound_mm)
             summary["bound_reason"] =
                 "the part is little larger than what the ball covers at rest";
-    } catch (const GeometryError&) {
-        set_none("there is no bound for parts with creases");
+    } catch (const GeometryError& error) {
+        // there is none for a part with creases, and not always a certificate
+        set_none(error.what());
     }
 }
 
@@ -327,7 +330,7 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     number_points(covering.path);
     const DeviationLimits limits{strategy.inner_tolerance, strategy.scallop_height};
     Json summary = summary_of(task, chosen, strategy);
-    if (options.is_bounded)
+    if (options.bound != PlanBound::None)
         add_bound(summary, task, covering, progress);
     add_path_totals(summary["path"], path_totals(covering.path));
     summary["path"]["points"] = covering.path.points.size();

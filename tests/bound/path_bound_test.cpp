@@ -252,6 +252,38 @@ TEST(EstimatedBoundOf, AnyNumberOfThreadsHasTheSameBits)
     }
 }
 
+// The certificate against the closed form, and against the estimate.
+TEST(CertifiedBoundOf, APlaneIsAtMostTheClosedFormAndCloseToIt)
+{
+    for (const BoundedLength length : {BoundedLength::Contact, BoundedLength::Tip}) {
+        const BoundProblem problem = with_length(length);
+        const SidedSurfaces part{{test::plane(30, 30)}};
+        const PathBound closed = bound_of(part, problem);
+        ASSERT_EQ(closed.grade, BoundGrade::Closed);
+        const PathBound estimate = estimate_of(part, problem);
+        const PathBound proved =
+            certified_bound(part.surfaces, part.sides, problem, quick(problem));
+        EXPECT_EQ(proved.grade, BoundGrade::Certified);
+        EXPECT_LE(proved.density_mm, estimate.density_mm);
+        EXPECT_GE(proved.density_mm, 0.95 * closed.density_mm);
+        EXPECT_GE(proved.disc_mm, estimate.disc_mm);
+    }
+}
+
+TEST(CertifiedBoundOf, TheSaddleIsBetween95And100PercentOfTheEstimate)
+{
+    const SidedSurfaces part = test::dataset("saddle");
+    const BoundProblem problem = test::usual_problem();
+    const PathBound estimate = estimate_of(part, problem);
+    EstimateOptions options = quick(problem);
+    options.grade = BoundGrade::Certified;
+    const PathBound proved = path_bound(part.surfaces, part.sides, problem, options);
+    EXPECT_EQ(proved.grade, BoundGrade::Certified);
+    EXPECT_GT(proved.boxes, 0U);
+    EXPECT_LE(proved.density_mm, estimate.density_mm);
+    EXPECT_GE(proved.density_mm, 0.95 * estimate.density_mm);
+}
+
 TEST(PathBoundOf, InvalidInputIsRefused)
 {
     const SidedSurfaces part = test::dataset("plane");
@@ -278,6 +310,7 @@ TEST(PathBoundOf, ACreasedPartIsRefused)
 TEST(BoundGradeName, IsAWord)
 {
     EXPECT_EQ(bound_grade_name(BoundGrade::Closed), "closed");
+    EXPECT_EQ(bound_grade_name(BoundGrade::Certified), "certified");
     EXPECT_EQ(bound_grade_name(BoundGrade::Estimated), "estimated");
 }
 

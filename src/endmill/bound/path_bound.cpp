@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "endmill/bound/detail/closed_bound.h"
+#include "endmill/bound/detail/density_certificate.h"
 #include "endmill/bound/detail/density_search.h"
 #include "endmill/core/error.h"
 #include "endmill/surface/continuity.h"
@@ -23,6 +24,8 @@ constexpr double usual_nodes = 4000;
 // Most nodes, about: at 6 kB each, memory stays below 200 MB.
 constexpr double most_nodes = 30000;
 constexpr std::size_t least_random_places = 1000;
+// Share of the estimate in the time of a certificate.
+constexpr double estimate_share = 0.15;
 
 void require_valid(std::span<const Surface> surfaces, std::span<const double> sides,
                    const BoundProblem& problem)
@@ -75,27 +78,14 @@ double stray_factor(std::span<const Surface> surfaces, std::span<const double> s
     return std::max(0.0, 1 - problem.stray * greatest);
 }
 
-}  // namespace
+// A density found by the search, with its spacing.
+struct Estimate {
+    FoundDensity found;
+    double spacing;
+};
 
-std::string_view bound_grade_name(BoundGrade grade)
-{
-    return grade == BoundGrade::Closed ? "closed" : "estimated";
-}
-
-PathBound path_bound(std::span<const Surface> surfaces, std::span<const double> sides,
-                     const BoundProblem& problem, const EstimateOptions& options)
-{
-    require_valid(surfaces, sides, problem);
-    if (surfaces.size() == 1)
-        if (const auto shape = simple_shape(surfaces.front(), sides.front()))
-            if (const auto closed = closed_density(problem, *shape))
-                return closed_path_bound(*closed, shape->area, problem.most_pieces);
-    return estimated_bound(surfaces, sides, problem, options);
-}
-
-PathBound estimated_bound(std::span<const Surface> surfaces,
-                          std::span<const double> sides, const BoundProblem& problem,
-                          const EstimateOptions& options)
+Estimate estimate(std::span<const Surface> surfaces, std::span<const double> sides,
+                  const BoundProblem& problem, const EstimateOptions& options)
 {
     require_valid(surfaces, sides, problem);
     require(options.random_places >= least_random_places,
@@ -108,7 +98,51 @@ PathBound estimated_bound(std::span<const Surface> surfaces,
     const double spacing = std::max(wanted, std::sqrt(area(surfaces) / most_nodes));
     DensitySearch search{
         {surfaces, sides}, problem, {spacing, options.random_places, options.progress}};
-    const FoundDensity found = search.run();
+    return {search.run(), spacing};
+}
+
+// A progress that shows work as a range of the shares of another.
+std::function<void(double)> part_of(const std::function<void(double)>& progress,
+                                    double from, double to)
+{
+    if (!progress)
+        return {};
+    return [=](double share) { progress(std::lerp(from, to, share)); };
+}
+
+}  // namespace
+
+std::string_view bound_grade_name(BoundGrade grade)
+{
+    switch (grade) {
+        case BoundGrade::Closed:
+            return "closed";
+        case BoundGrade::Certified:
+            return "certified";
+        case BoundGrade::Estimated:
+            break;
+    }
+    return "estimated";
+}
+
+PathBound path_bound(std::span<const Surface> surfaces, std::span<const double> sides,
+                     const BoundProblem& problem, const EstimateOptions& options)
+{
+    require_valid(surfaces, sides, problem);
+    if (surfaces.size() == 1)
+        if (const auto shape = simple_shape(surfaces.front(), sides.front()))
+            if (const auto closed = closed_density(problem, *shape))
+                return closed_path_bound(*closed, shape->area, problem.most_pieces);
+    return options.grade == BoundGrade::Certified
+               ? certified_bound(surfaces, sides, problem, options)
+               : estimated_bound(surfaces, sides, problem, options);
+}
+
+PathBound estimated_bound(std::span<const Surface> surfaces,
+                          std::span<const double> sides, const BoundProblem& problem,
+                          const EstimateOptions& options)
+{
+    const auto [found, spacing] = estimate(surfaces, sides, problem, options);
     const double factor = stray_factor(surfaces, sides, problem);
     const double density = factor * found.integral;
     const double disc = factor * found.greatest_disc;
@@ -119,6 +153,32 @@ PathBound estimated_bound(std::span<const Surface> surfaces,
             found.greatest_inflow,
             found.places,
             found.test_places,
+            0,
+            spacing};
+}
+
+PathBound certified_bound(std::span<const Surface> surfaces,
+                          std::span<const double> sides, const BoundProblem& problem,
+                          const EstimateOptions& options)
+{
+    EstimateOptions first = options;
+    first.progress = part_of(options.progress, 0, estimate_share);
+    const auto [found, spacing] = estimate(surfaces, sides, problem, first);
+    CertificateOptions second{spacing};
+    second.progress = part_of(options.progress, estimate_share, 1);
+    const CertifiedDensity proved =
+        certified_density({surfaces, sides}, problem, found.at_nodes, second);
+    const double factor = stray_factor(surfaces, sides, problem);
+    const double density = factor * proved.integral;
+    const double disc = factor * proved.greatest_disc;
+    return {density,
+            disc,
+            positive(density - problem.most_pieces * disc),
+            BoundGrade::Certified,
+            proved.greatest_inflow,
+            found.places,
+            found.test_places,
+            proved.boxes,
             spacing};
 }
 
