@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // endmill plan: from a surface to economic cutter locations.
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 #include <span>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "cli/arguments.h"
 #include "cli/console.h"
+#include "cli/mesh_remarks.h"
 #include "cli/plan_files.h"
 #include "cli/plan_strategy.h"
 #include "cli/plan_text.h"
@@ -23,6 +28,9 @@
 
 namespace endmill {
 namespace {
+
+// Default height of the tip for rapid moves above the highest point of a mesh, mm.
+constexpr double clear_above_mesh = 5;
 
 // The diameter of the ball; an error names the limit of the surface.
 double chosen_diameter(const std::optional<double>& asked,
@@ -44,7 +52,8 @@ double chosen_diameter(const std::optional<double>& asked,
 }
 
 // Fills in the defaults of options that were not given.
-void complete(PlanOptions& options, std::span<const Surface> surfaces, double diameter)
+// \param highest the default of the safe height, mm.
+void complete(PlanOptions& options, double diameter, double highest)
 {
     IsoParametricOptions& planning = options.planning;
     const PlanTolerances tolerances =
@@ -56,7 +65,8 @@ void complete(PlanOptions& options, std::span<const Surface> surfaces, double di
         throw DomainError{"--scallop " + to_text(planning.scallop_height) +
                           ": expected a height below the ball's diameter, " +
                           to_text(diameter) + " mm"};
-    if (options.strategy != PlanStrategy::Iso && planning.scallop_height >= diameter / 2)
+    if (options.strategy != StrategyChoice::Iso &&
+        planning.scallop_height >= diameter / 2)
         throw DomainError{"--scallop " + to_text(planning.scallop_height) +
                           ": expected a height below the ball's radius, " +
                           to_text(diameter / 2) + " mm, with --strategy " +
@@ -69,8 +79,7 @@ void complete(PlanOptions& options, std::span<const Surface> surfaces, double di
         throw DomainError{"--outer-tolerance " + to_text(options.motion.outer) +
                           ": expected a height below the ball's radius, " +
                           to_text(diameter / 2) + " mm, with --inner-tolerance 0"};
-    planning.link.safe_height =
-        options.safe_height.value_or(default_safe_height(surfaces, planning.link.axis));
+    planning.link.safe_height = options.safe_height.value_or(highest);
     planning.most_points = most_path_points(options.common.limits.max_memory_gib);
 }
 
@@ -83,10 +92,54 @@ void report_gouge(const KnownGouge& gouge, const PlanOptions& options)
         "E_GOUGE",
         fmt::format("{}: the path along {} gouges the part {} mm deep with "
                     "--mode {}, beyond the inner tolerance of {} mm{}",
-                    options.part, gouge.along == Parameter::U ? "u" : "v",
+                    options.part.path, gouge.along == Parameter::U ? "u" : "v",
                     shown_against(gouge.depth_mm, options.motion.inner),
                     mode_word(options.mode), shown_limit(options.motion.inner), better),
         ExitCode::No, options.common.json_errors);
+}
+
+// The context of a mesh, without degenerate and repeated triangles.
+PlanContext mesh_context(PartFile& file, PlanOptions& options)
+{
+    const std::string& path = options.part.path;
+    if (options.strategy != StrategyChoice::IsoScallop &&
+        options.strategy != StrategyChoice::Best)
+        throw DomainError{
+            path + ": found a mesh; --strategy " + strategy_word(options.strategy) +
+            " expects a surface file (endmill-surface/1), or for a mesh --strategy "
+            "iso-scallop or best"};
+    if (options.required != RequiredContinuity::None)
+        throw DomainError{path + ": found a mesh; --require g1 expects a surface file"};
+    if (!options.cutter_diameter)
+        throw DomainError{path +
+                          ": found a mesh, whose curvature is not known; expected "
+                          "--cutter ball:DIAMETER"};
+    auto& mesh = std::get<TriangleMesh>(file.part);
+    CleanedMesh cleaned = without_degenerate_or_duplicate(mesh);
+    for (const std::string& remark : mesh_remarks(cleaned))
+        warn(options.common, path + ": " + remark);
+    mesh = std::move(cleaned.mesh);
+    const Vec3& axis = options.planning.link.axis;
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const Vec3& point : mesh.points())
+        highest = std::max(highest, axis.dot(point));
+    complete(options, *options.cutter_diameter, highest + clear_above_mesh);
+    return {file.name, file.source, {}, {}, *options.cutter_diameter, false, true};
+}
+
+// The context of surfaces that the ball fits.
+PlanContext surface_context(const PartFile& file, PlanOptions& options,
+                            const SurfaceContinuity& continuity)
+{
+    const auto& surfaces = std::get<std::vector<Surface>>(file.part);
+    PlanContext context{file.name, file.source, continuity, {}, 0, surfaces.size() > 1};
+    const Vec3& axis = options.planning.link.axis;
+    const std::vector<double> sides = tool_side_signs(surfaces, axis);
+    require_reachable(surfaces, axis, sides);
+    context.limit = largest_cutter(surfaces, sides);
+    context.cutter_diameter = chosen_diameter(options.cutter_diameter, context.limit);
+    complete(options, context.cutter_diameter, default_safe_height(surfaces, axis));
+    return context;
 }
 
 ExitCode run_plan(PlanOptions options)
@@ -97,27 +150,27 @@ ExitCode run_plan(PlanOptions options)
     require_within_extent("--cutter", options.cutter_diameter, options.common.limits);
     require_within_extent("--chord-tolerance", options.requested.chord,
                           options.common.limits);
-    const SurfaceFile file = read_surface_for(options.part, "plan", options.common);
-    const std::span<const Surface> surfaces = file.surfaces;
-    PlanContext context{file.name, file.source, continuity(surfaces),
-                        {},        0,           surfaces.size() > 1};
-    if (context.continuity.continuity != Continuity::G1) {
+    PartFile file = read_part_for(options.part, options.common);
+    const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
+    SurfaceContinuity found{};
+    if (surfaces)
+        found = continuity(*surfaces);
+    if (surfaces && found.continuity != Continuity::G1) {
         if (options.required == RequiredContinuity::G1)
-            return refuse_break(options.part, context.continuity, options.common);
-        warn(options.common, options.part + ": " + break_text(context.continuity));
+            return refuse_break(options.part.path, found, options.common);
+        warn(options.common, options.part.path + ": " + break_text(found));
     }
-    const Vec3& axis = options.planning.link.axis;
-    const std::vector<double> sides = tool_side_signs(surfaces, axis);
-    require_reachable(surfaces, axis, sides);
-    context.limit = largest_cutter(surfaces, sides);
-    context.cutter_diameter = chosen_diameter(options.cutter_diameter, context.limit);
-    complete(options, surfaces, context.cutter_diameter);
+    const PlanContext context =
+        surfaces ? surface_context(file, options, found) : mesh_context(file, options);
 
-    OutputFolder folder{output_folder(options.part, "plan", options.common),
+    OutputFolder folder{output_folder(options.part.path, "plan", options.common),
                         options.common.full_folder};
-    folder.protect(options.part);
-    const PlanTask task{surfaces, context, options};
-    const PlanResult result = options.strategy == PlanStrategy::Iso
+    folder.protect(options.part.path);
+    const PlanTask task{
+        file.part,
+        surfaces ? std::span<const Surface>{*surfaces} : std::span<const Surface>{},
+        context, options};
+    const PlanResult result = options.strategy == StrategyChoice::Iso
                                   ? write_plan(task, folder)
                                   : write_strategy_plan(task, folder);
     folder.publish();
@@ -158,7 +211,7 @@ void add_plan_command(CLI::App& program, Action& action)
         "--strategy iso-scallop -o iso-scallop");
     command->callback([options, &action] {
         action = [options] {
-            return naming(options->part, [&] { return run_plan(*options); });
+            return naming(options->part.path, [&] { return run_plan(*options); });
         };
     });
 }

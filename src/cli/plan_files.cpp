@@ -34,7 +34,7 @@ constexpr double default_feed_mm_per_min = 1000;
 // Tape length of the plain program of this path: one feed, no tool length, no dwell.
 std::optional<double> tape_length(const ToolPath& path, const PlanTask& task)
 {
-    const auto& [surfaces, context, options] = task;
+    const auto& [part, surfaces, context, options] = task;
     if (options.planning.link.axis != Vec3::UnitZ())
         return std::nullopt;
     GcodeOptions program;
@@ -102,7 +102,7 @@ struct MeasuredPath {
 
 MeasuredPath plan_direction(const PlanTask& task, Parameter along, PlanProgress& progress)
 {
-    const auto& [surfaces, context, options] = task;
+    const auto& [part, surfaces, context, options] = task;
     const BallCutter ball{context.cutter_diameter / 2};
     PlannerOptions planner = planner_options(options, along);
     std::visit([&](auto& own) { own.progress = progress.of(along, PlanWork::Passes); },
@@ -154,13 +154,13 @@ struct DirectionResult {
 DirectionResult write_direction(const PlanTask& task, MeasuredPath plan,
                                 OutputFolder& folder, const std::string& prefix)
 {
-    const auto& [surfaces, context, options] = task;
+    const auto& [part, surfaces, context, options] = task;
     warn_of_uncovered(plan.planned, options.common);
     number_points(plan.path);
     Json summary = direction_summary(context, options, plan.planned);
     add_path_totals(summary["path"], path_totals(plan.path));
     summary["path"]["points"] = plan.path.points.size();
-    name_part(summary, {options.part}, folder.path() / prefix);
+    name_part(summary, options.part, folder.path() / prefix);
     const std::string table = tool_path_csv(plan.path);
     identify_path(summary, plan.path.points.size(), content_sha256(table));
     folder.write(prefix + "toolpath.csv", table);

@@ -7,12 +7,14 @@
 
 #include "cli/plan_summary.h"
 #include "endmill/files/output_folder.h"
+#include "endmill/surface/part.h"
 
 namespace endmill {
 
-/// The surfaces of a part, their properties, and the options of the command.
+/// A part, its properties, and the options of the command.
 struct PlanTask {
-    std::span<const Surface> surfaces;
+    const Part& part;
+    std::span<const Surface> surfaces;  ///< of the part; none if it is a mesh
     const PlanContext& context;
     const PlanOptions& options;
 };

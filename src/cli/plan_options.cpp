@@ -47,12 +47,13 @@ constexpr std::array modes{Choice<Planner>{"verified", Planner::Verified},
                            Choice<Planner>{"paper", Planner::Paper}};
 
 constexpr std::array strategies{
-    Choice<PlanStrategy>{"best", PlanStrategy::Best},
-    Choice<PlanStrategy>{"iso", PlanStrategy::Iso},
-    Choice<PlanStrategy>{"iso-u", PlanStrategy::IsoU},
-    Choice<PlanStrategy>{"iso-v", PlanStrategy::IsoV},
-    Choice<PlanStrategy>{"planar", PlanStrategy::Planar},
-    Choice<PlanStrategy>{"iso-scallop", PlanStrategy::IsoScallop}};
+    Choice<StrategyChoice>{"best", StrategyChoice::Best},
+    Choice<StrategyChoice>{"iso", StrategyChoice::Iso},
+    Choice<StrategyChoice>{"iso-u", StrategyChoice::IsoU},
+    Choice<StrategyChoice>{"iso-v", StrategyChoice::IsoV},
+    Choice<StrategyChoice>{"planar", StrategyChoice::Planar},
+    Choice<StrategyChoice>{"iso-scallop", StrategyChoice::IsoScallop},
+    Choice<StrategyChoice>{"field", StrategyChoice::Field}};
 
 constexpr std::array bounds{Choice<bool>{"estimated", true}, Choice<bool>{"none", false}};
 
@@ -182,7 +183,10 @@ void add_direction_angle(CLI::App& command, PlanOptions& options)
 
 void add_plan_options(CLI::App& command, PlanOptions& options)
 {
-    command.add_option("SURFACE", options.part, "surface file (endmill-surface/1)")
+    command
+        .add_option("PART", options.part.path,
+                    "surface file (endmill-surface/1), or with --strategy iso-scallop or "
+                    "best a mesh file (.stl, .obj, .ply, .off)")
         ->required();
     command
         .add_option_function<std::string>(
@@ -191,7 +195,7 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
                 options.cutter_diameter = ball_diameter_argument("--cutter", word);
             },
             "ball:DIAMETER in mm (default: the largest of 20, 15, 10, 6, 4, 3, 2, 1 that "
-            "fits)")
+            "fits; required for a mesh)")
         ->type_name("CUTTER");
     add_tolerances(command, options);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
@@ -200,7 +204,7 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
                               "With --strategy planar: best (default), the one with the "
                               "shortest passes");
     add_direction_angle(command, options);
-    add_choice<PlanStrategy>(
+    add_choice<StrategyChoice>(
         command, "--strategy", options.strategy, strategies,
         "how passes are laid. best (default): the shortest of the others; iso-u, iso-v: "
         "along parameter lines; planar: in parallel upright planes; iso-scallop: each as "
@@ -225,6 +229,7 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_require_option(command, options.required);
     add_path_policies(command, options);
     add_paper_options(command, options.planning);
+    add_mesh_options(command, options.part);
     add_common_options(command, options.common);
 }
 
@@ -250,7 +255,7 @@ void refuse_zero_tolerances(const PlanOptions& options)
 // Directions that the strategies other than iso do not have.
 void refuse_directions(const PlanOptions& options, const std::string& chosen)
 {
-    if (options.strategy != PlanStrategy::Planar) {
+    if (options.strategy != StrategyChoice::Planar) {
         refuse_idle_options(options.common, std::array{"--direction-deg"}, chosen,
                             "--strategy planar");
         refuse_idle_options(options.common, std::array{"--direction"}, chosen,
@@ -316,16 +321,16 @@ void complete_strategy(PlanOptions& options)
     if (options.common.given.contains("--strategy"))
         return;
     if (has_planar_option(options))
-        options.strategy = PlanStrategy::Planar;
+        options.strategy = StrategyChoice::Planar;
     else if (has_iso_option(options))
-        options.strategy = PlanStrategy::Iso;
+        options.strategy = StrategyChoice::Iso;
 }
 
 void refuse_idle_plan_options(const PlanOptions& options)
 {
     const CommonOptions& common = options.common;
     refuse_zero_tolerances(options);
-    if (options.strategy != PlanStrategy::Iso)
+    if (options.strategy != StrategyChoice::Iso)
         refuse_for_strategy(options);
     else
         refuse_for_iso(options);
@@ -339,15 +344,15 @@ void refuse_idle_plan_options(const PlanOptions& options)
     if (options.planning.cross_curvature == CrossCurvature::Exact)
         refuse_idle_options(common, std::array{"--cross-step"}, "--cross-curvature exact",
                             "--cross-curvature chord");
-    if (options.strategy == PlanStrategy::Iso &&
+    if (options.strategy == StrategyChoice::Iso &&
         options.direction != PlanDirection::Both && !options.feed_mm_per_min)
         refuse_idle_options(common, std::array{"--distance"}, "one --direction",
                             "--direction both or --feed");
 }
 
-std::string strategy_word(PlanStrategy strategy)
+std::string strategy_word(StrategyChoice strategy)
 {
-    return std::string{word_for<PlanStrategy>(strategy, strategies)};
+    return std::string{word_for<StrategyChoice>(strategy, strategies)};
 }
 
 std::string mode_word(Planner mode)

@@ -16,19 +16,20 @@ namespace endmill {
 enum class PlanDirection { U, V, Both, Best };
 
 /// The strategies that the command offers.
-enum class PlanStrategy {
+enum class StrategyChoice {
     Iso,         ///< along parameter lines, both directions or one of them
     IsoU,        ///< Strategy::IsoU
     IsoV,        ///< Strategy::IsoV
     Planar,      ///< Strategy::Planar
     IsoScallop,  ///< Strategy::IsoScallop
+    Field,       ///< Strategy::Field
     Best,        ///< the shortest of all strategies
 };
 
 /// The options of `endmill plan`. An empty option takes the default that the help states.
 struct PlanOptions {
     CommonOptions common;
-    std::string part;
+    PartOptions part;
     std::optional<double> cutter_diameter;  ///< of the ball, mm
     RequestedTolerances requested;
     std::optional<double> safe_height;  ///< mm along the axis
@@ -36,8 +37,8 @@ struct PlanOptions {
     PlanDirection direction = PlanDirection::Both;
     Planner mode = Planner::Verified;
     /// How passes are laid.
-    PlanStrategy strategy = PlanStrategy::Iso;
-    std::optional<Angle> pass_direction;  ///< of PlanStrategy::Planar; best if empty
+    StrategyChoice strategy = StrategyChoice::Iso;
+    std::optional<Angle> pass_direction;  ///< of StrategyChoice::Planar; best if empty
     bool is_bounded = true;  ///< whether a path by a strategy is compared with the bound
     TravelKind distance = TravelKind::Contact;
     CountedMoves counted = CountedMoves::CutsAndLinks;
@@ -60,7 +61,7 @@ void refuse_idle_plan_options(const PlanOptions& options);
 /// The word for `mode` in summaries.
 std::string mode_word(Planner mode);
 /// The word for `strategy` in summaries.
-std::string strategy_word(PlanStrategy strategy);
+std::string strategy_word(StrategyChoice strategy);
 
 /// The options of the planner along `along`.
 PlannerOptions planner_options(const PlanOptions& options, Parameter along);

@@ -35,19 +35,21 @@ namespace {
 constexpr double bounding_share = 0.1;
 
 // The strategy of a plan; nothing if the best is searched for.
-std::optional<Strategy> chosen_strategy(PlanStrategy strategy)
+std::optional<Strategy> chosen_strategy(StrategyChoice strategy)
 {
     switch (strategy) {
-        case PlanStrategy::IsoU:
+        case StrategyChoice::IsoU:
             return Strategy::IsoU;
-        case PlanStrategy::IsoV:
+        case StrategyChoice::IsoV:
             return Strategy::IsoV;
-        case PlanStrategy::Planar:
+        case StrategyChoice::Planar:
             return Strategy::Planar;
-        case PlanStrategy::IsoScallop:
+        case StrategyChoice::IsoScallop:
             return Strategy::IsoScallop;
-        case PlanStrategy::Iso:
-        case PlanStrategy::Best:
+        case StrategyChoice::Field:
+            return Strategy::Field;
+        case StrategyChoice::Iso:
+        case StrategyChoice::Best:
             break;
     }
     return std::nullopt;
@@ -61,7 +63,7 @@ struct ChosenPlan {
 
 ChosenPlan chosen_plan(const PlanTask& task, const StrategyOptions& options)
 {
-    const Part part = std::vector<Surface>(task.surfaces.begin(), task.surfaces.end());
+    const Part& part = task.part;
     const BallCutter cutter{task.context.cutter_diameter / 2};
     if (const auto strategy = chosen_strategy(task.options.strategy))
         return {plan_by_strategy(*strategy, part, cutter, options), {}};
@@ -97,7 +99,7 @@ Json tried_json(const std::vector<TriedStrategy>& tried)
 Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
                 const StrategyOptions& limits)
 {
-    const auto& [surfaces, context, options] = task;
+    const auto& [part, surfaces, context, options] = task;
     const auto& [strategy, covering, economy, deviation, verdict] = chosen.plan;
     Json summary{{"name", context.name},
                  {"source", context.source},
@@ -125,8 +127,14 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
         summary["time_min"] =
             (economy.cut.tip_mm + economy.link.tip_mm) / *options.feed_mm_per_min;
     }
-    add_cutter_limit(summary, context.limit, context.several);
-    add_continuity(summary, context.continuity, context.several);
+    if (context.is_mesh) {
+        summary["unreached_mm2"] = covering.unreached_mm2;
+        summary["inaccessible"] = inaccessible_name(InaccessibleStock::Report);
+        summary["inaccessible_area_mm2"] = deviation.inaccessible_area_mm2;
+    } else {
+        add_cutter_limit(summary, context.limit, context.several);
+        add_continuity(summary, context.continuity, context.several);
+    }
     summary["max_gouge_mm"] = deviation.max_gouge_mm;
     summary["gouge_bound_mm"] = finite_or_null(deviation.gouge_bound_mm);
     summary["max_left_mm"] = finite_or_null(deviation.max_scallop_mm);
@@ -157,6 +165,14 @@ void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering
     EstimateOptions estimate;
     estimate.progress = progress.shower();
     summary["bound_gamma_mm"] = covering.stray_mm;
+    const auto set_none = [&](const char* reason) {
+        for (const char* key : {"bound_density_mm", "bound_disc_mm", "bound_mm",
+                                "bound_grade", "travel_over_bound"})
+            summary[key] = nullptr;
+        summary["bound_reason"] = reason;
+    };
+    if (task.context.is_mesh)
+        return set_none("there is no bound for meshes");
     try {
         const PathBound bound = path_bound(task.surfaces, sides, problem, estimate);
         summary["bound_density_mm"] = bound.density_mm;
@@ -166,11 +182,11 @@ void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering
         summary["travel_over_bound"] =
             bound.bound_mm ? Json(summary[cut_key].get<double>() / *bound.bound_mm)
                            : Json(nullptr);
+        if (!bound.bound_mm)
+            summary["bound_reason"] =
+                "the part is little larger than what the ball covers at rest";
     } catch (const GeometryError&) {
-        // there is none for a part with creases
-        for (const char* key : {"bound_density_mm", "bound_disc_mm", "bound_mm",
-                                "bound_grade", "travel_over_bound"})
-            summary[key] = nullptr;
+        set_none("there is no bound for parts with creases");
     }
 }
 
@@ -179,9 +195,8 @@ std::string bound_text(const Json& s)
     if (!s.contains("bound_mm"))
         return {};
     if (s["bound_mm"].is_null())
-        return "  lower bound   none: the part has creases, or is little larger than "
-               "what the "
-               "ball covers at rest\n";
+        return fmt::format("  lower bound   none: {}\n",
+                           s["bound_reason"].get<std::string>());
     return fmt::format("  lower bound   {} mm ({}); the cuts are {:.3f} times as long\n",
                        shown(s["bound_mm"].get<double>()),
                        s["bound_grade"].get<std::string>(),
@@ -280,11 +295,20 @@ void write_directions(const CoveringPath& covering, const Json& s, OutputFolder&
     folder.write("angles.svg", direction_travel_svg(travel, figure));
 }
 
+// Warns of facets that face the tool, but that the ball cannot reach.
+void warn_of_unreached(const CoveringPath& plan, const CommonOptions& options)
+{
+    if (plan.unreached_mm2 > 0)
+        warn(options, fmt::format("the ball cannot reach {} mm2 of the mesh, such as "
+                                  "concave corners; they need not be covered",
+                                  shown(plan.unreached_mm2)));
+}
+
 }  // namespace
 
 PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
 {
-    const auto& [surfaces, context, options] = task;
+    const auto& [part, surfaces, context, options] = task;
     replace_earlier_plans(folder);
     StrategyOptions strategy;
     strategy.scallop_height = options.planning.scallop_height;
@@ -299,6 +323,7 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     ChosenPlan chosen = chosen_plan(task, strategy);
     CoveringPath& covering = chosen.plan.covering;
     warn_of_uncovered(covering, options.common);
+    warn_of_unreached(covering, options.common);
     number_points(covering.path);
     const DeviationLimits limits{strategy.inner_tolerance, strategy.scallop_height};
     Json summary = summary_of(task, chosen, strategy);
@@ -306,7 +331,7 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
         add_bound(summary, task, covering, progress);
     add_path_totals(summary["path"], path_totals(covering.path));
     summary["path"]["points"] = covering.path.points.size();
-    name_part(summary, {options.part}, folder.path());
+    name_part(summary, options.part, folder.path());
     const std::string table = tool_path_csv(covering.path);
     identify_path(summary, covering.path.points.size(), content_sha256(table));
     folder.write("toolpath.csv", table);

@@ -24,6 +24,7 @@ struct PlanContext {
     std::optional<CutterLimit> limit;
     double cutter_diameter;  ///< mm
     bool several;            ///< the part has several surfaces, each planned separately
+    bool is_mesh = false;    ///< the part has no curvature and no continuity
 };
 
 /// The plan along one parameter and its measures.

@@ -13,11 +13,13 @@ namespace endmill {
 namespace {
 
 // The largest radius that fits the surface.
-std::string limit_text(const std::optional<CutterLimit>& limit)
+std::string limit_text(const PlanContext& context)
 {
-    if (!limit)
+    if (context.is_mesh)
+        return "on a mesh";
+    if (!context.limit)
         return "no concavity limits its radius";
-    return fmt::format("radius below {} mm fits", shown_limit(limit->radius_mm));
+    return fmt::format("radius below {} mm fits", shown_limit(context.limit->radius_mm));
 }
 
 // The form of the curvature across the feed. Mode verified does not use it.
@@ -37,7 +39,7 @@ std::string cross_curvature_text(const PlanOptions& options)
 std::string settings_text(const PlanContext& context, const PlanOptions& options)
 {
     const std::string tolerance =
-        options.strategy != PlanStrategy::Iso
+        options.strategy != StrategyChoice::Iso
             ? fmt::format("strategy {}, inner tolerance {} mm",
                           strategy_word(options.strategy),
                           shown_limit(options.motion.inner))
@@ -49,7 +51,7 @@ std::string settings_text(const PlanContext& context, const PlanOptions& options
                           shown_limit(options.motion.outer));
     return fmt::format("{}: cutter ball:{} ({}), mode {}, {}, scallop height {} mm{}\n",
                        context.name, to_text(context.cutter_diameter),
-                       limit_text(context.limit), mode_word(options.mode), tolerance,
+                       limit_text(context), mode_word(options.mode), tolerance,
                        shown_limit(options.planning.scallop_height),
                        cross_curvature_text(options));
 }

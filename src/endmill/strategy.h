@@ -5,3 +5,4 @@
 /// All public headers of the module `strategy`.
 
 #include "endmill/strategy/strategy.h"
+#include "endmill/strategy/strategy_options.h"

@@ -12,7 +12,7 @@ namespace {
 TEST(CoveredPart, CallsMovesClearThatEnterThePartByLessThanTheTolerance)
 {
     const Part plane = std::vector<Surface>{test::plane(20, 10)};
-    const CoveredPart part{plane, BallCutter{5}, 0.01};
+    const CoveredPart part{plane, BallCutter{5}, {0.01, 0.1}};
     MoveTestState state;
     EXPECT_TRUE(part.is_clear({2, 5, 5}, {18, 5, 5}, state));
     EXPECT_TRUE(part.is_clear({2, 5, 4.995}, {18, 5, 4.995}, state));
@@ -23,7 +23,7 @@ TEST(CoveredPart, CallsMovesClearThatEnterThePartByLessThanTheTolerance)
 TEST(CoveredPart, SamplesItsSurfaces)
 {
     const Part plane = std::vector<Surface>{test::plane(20, 10)};
-    const CoveredPart part{plane, BallCutter{5}, 0.01};
+    const CoveredPart part{plane, BallCutter{5}, {0.01, 0.1}};
     const PartSamples samples = part.samples(1, 100'000);
     EXPECT_GE(samples.size(), 200u);
     EXPECT_THROW(part.samples(1, 100), LimitError);

@@ -19,7 +19,7 @@ LaidPass straight_pass(const PartSamples& samples, int contacts)
 TEST(PassMoves, AStraightPassIsOneMove)
 {
     const Part plane = std::vector<Surface>{test::plane(20, 10)};
-    const CoveredPart part{plane, BallCutter{5}, 0.01};
+    const CoveredPart part{plane, BallCutter{5}, {0.01, 0.1}};
     const PartSamples samples = part.samples(1, 100'000);
     LaidPass pass = straight_pass(samples, 21);
     const auto pieces = divided_into_moves(pass, samples, part, {0.9, 0.05});
@@ -35,7 +35,7 @@ TEST(PassMoves, KeepTheInnerToleranceOnASaddle)
     const std::vector<Surface> surfaces{test::saddle(60, 20)};
     const Part saddle = surfaces;
     const BallCutter ball{5};
-    const CoveredPart part{saddle, ball, 0.01};
+    const CoveredPart part{saddle, ball, {0.01, 0.1}};
     const PartSamples samples = part.samples(1, 100'000);
     const GougeTest gouge{surfaces, ball, Vec3::UnitZ()};
     const LaidPass pass = straight_pass(samples, 41);

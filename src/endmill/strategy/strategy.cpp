@@ -9,7 +9,9 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/tolerance.h"
+#include "endmill/drop_cutter/clearance.h"
 #include "endmill/strategy/detail/covering_path.h"
+#include "endmill/strategy/detail/field.h"
 #include "endmill/strategy/detail/iso_scallop.h"
 #include "endmill/strategy/detail/planar.h"
 #include "endmill/verification/verification.h"
@@ -92,17 +94,19 @@ CoveringPath along_parameter(Parameter along, const Surfaces& surfaces,
 CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& cutter,
                          const StrategyOptions& options)
 {
-    const auto* surfaces = std::get_if<Surfaces>(&part);
-    if (!surfaces)
-        throw GeometryError{std::string{strategy_name(strategy)} +
-                            " does not plan on meshes"};
-    if (strategy == Strategy::IsoU || strategy == Strategy::IsoV)
+    if (strategy == Strategy::IsoU || strategy == Strategy::IsoV) {
+        const auto* surfaces = std::get_if<Surfaces>(&part);
+        if (!surfaces)
+            throw GeometryError{std::string{strategy_name(strategy)} +
+                                " follows parameter lines, which a mesh does not have"};
         return along_parameter(strategy == Strategy::IsoU ? Parameter::U : Parameter::V,
                                *surfaces, cutter, options);
+    }
     if ((options.link.axis - Vec3::UnitZ()).norm() > unit_vector_rounding)
         throw GeometryError{std::string{strategy_name(strategy)} +
                             " plans along the axis +z only"};
-    const CoveredPart covered{part, cutter, options.inner_tolerance};
+    const CoveredPart covered{
+        part, cutter, {options.inner_tolerance, options.scallop_height}};
     if (strategy == Strategy::Planar) {
         PlanarPasses planar =
             planar_passes(covered, cutter, with_progress(options, 0, laid_share),
@@ -113,8 +117,10 @@ CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& 
         path.compared = std::move(planar.compared);
         return path;
     }
-    LaidPasses laid =
-        iso_scallop_passes(covered, cutter, with_progress(options, 0, laid_share));
+    const StrategyOptions laying = with_progress(options, 0, laid_share);
+    LaidPasses laid = strategy == Strategy::Field
+                          ? field_passes(covered, cutter, laying)
+                          : iso_scallop_passes(covered, cutter, laying);
     return covering_path(std::move(laid), covered, cutter,
                          with_progress(options, laid_share, 1));
 }
@@ -123,9 +129,18 @@ StrategyPlan judged(Strategy strategy, CoveringPath covering, const Part& part,
                     const BallCutter& cutter, const StrategyOptions& options)
 {
     const DeviationLimits limits{options.inner_tolerance, options.scallop_height};
+    PathDeviationOptions judgement{limits};
+    judgement.progress = options.progress;
+    std::optional<DropCutter> drop;
+    if (const auto* mesh = std::get_if<TriangleMesh>(&part)) {
+        drop.emplace(*mesh, Cutter::ball(cutter.radius()));
+        judgement.is_accessible = [&](const PartRay& ray) {
+            return is_accessible(*drop, {ray.point, ray.normal},
+                                 reached_share * limits.scallop);
+        };
+    }
     Deviation deviation =
-        deviation_of_path(part, covering.path, Cutter::ball(cutter.radius()),
-                          {limits, LimitProof::None, options.progress});
+        deviation_of_path(part, covering.path, Cutter::ball(cutter.radius()), judgement);
     if (strategy == Strategy::IsoU || strategy == Strategy::IsoV)
         covering.uncovered_mm2 = deviation.uncut_area_mm2;
     const PathEconomy economy = path_economy(covering.path);
@@ -140,25 +155,7 @@ struct Candidate {
     double travel;  // mm
 };
 
-constexpr std::array every_strategy{Strategy::IsoU, Strategy::IsoV, Strategy::Planar,
-                                    Strategy::IsoScallop};
-
 }  // namespace
-
-std::string_view strategy_name(Strategy strategy)
-{
-    switch (strategy) {
-        case Strategy::IsoU:
-            return "iso-u";
-        case Strategy::IsoV:
-            return "iso-v";
-        case Strategy::Planar:
-            return "planar";
-        case Strategy::IsoScallop:
-            return "iso-scallop";
-    }
-    return "";
-}
 
 std::size_t most_part_samples(double memory_gib)
 {

@@ -396,6 +396,7 @@ Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter
     DeviationOptions measure;
     measure.limits = options.limits;
     measure.pitch = std::sqrt(area_of(part) / rays_of_a_path);
+    measure.is_accessible = options.is_accessible;
     measure.progress = options.progress;
     std::optional<DeviationLimits> proved;
     if (options.proof == LimitProof::Proved)

@@ -55,6 +55,9 @@ struct PathDeviationOptions {
     LimitProof proof = LimitProof::None;  ///< with a proof fewer cells are refined
     /// If set, it is called with the finished share, 0 to 1.
     std::function<void(double share)> progress = {};
+    /// If set, remaining stock is judged only where it returns true, see DeviationOptions.
+    /// The rays are those of the upright part.
+    std::function<bool(const PartRay& ray)> is_accessible = {};
 };
 
 /// Measures the deviation that a path with any fixed axis leaves if it starts from the

@@ -18,8 +18,11 @@ Coverage::Coverage(const PartSamples& samples, const BallCutter& cutter, double 
       first_watched_(samples.size(), -1)
 {
     raised_.reserve(samples.size());
-    for (std::size_t i = 0; i < samples.size(); ++i)
+    for (std::size_t i = 0; i < samples.size(); ++i) {
         raised_.push_back(samples.point(i) + height * samples.normal(i));
+        if (!samples.is_wanted(i))
+            gaps_[i] = 0;
+    }
 }
 
 void Coverage::watch(std::span<const SampleEdge> places)
@@ -139,7 +142,9 @@ std::vector<MissedPlace> Coverage::missed(std::span<const std::int32_t> triangle
     const auto middle = [&](const Corner& a, const Corner& b) {
         const PassContact at = samples_->between(a.at, b.at, 0.5);
         const CutterContact& contact = at.at.contact;
-        return Corner{at, contact.point + height_ * contact.normal};
+        return Corner{at, samples_->is_straight()
+                              ? Vec3{(a.raised + b.raised) / 2}
+                              : Vec3{contact.point + height_ * contact.normal}};
     };
     const auto search = [&](const auto& self, const std::array<Corner, 3>& corners,
                             int depth) -> void {
@@ -167,7 +172,7 @@ std::vector<MissedPlace> Coverage::missed(std::span<const std::int32_t> triangle
         bool is_whole = true;
         for (int k = 0; k < 3; ++k) {
             const std::int32_t i = triangle[k];
-            is_whole = is_whole && gaps_[i] <= slack;
+            is_whole = is_whole && gaps_[i] <= slack && samples_->is_wanted(i);
             corners[k] = {samples_->contact({i, i, 0}), raised_[i]};
             moves.push_back(nearest_move_[i]);
         }

@@ -120,10 +120,7 @@ public:
     const Vec3& raised(std::size_t i) const { return raised_[i]; }
 
     /// Centre of the ball at sample i, mm.
-    Vec3 centre(std::size_t i) const
-    {
-        return samples_->point(i) + cutter_.radius() * samples_->normal(i);
-    }
+    Vec3 centre(std::size_t i) const { return samples_->centre(i, cutter_.radius()); }
 
 private:
     // A watched place; places at one sample are linked.

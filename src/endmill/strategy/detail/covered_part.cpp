@@ -1,44 +1,60 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/strategy/detail/covered_part.h"
 
-#include "endmill/core/error.h"
+#include "endmill/deviation/deviation.h"
 #include "endmill/surface/tool_side.h"
 
 namespace endmill {
 namespace {
 
-const std::vector<Surface>* surfaces_of(const Part& part)
-{
-    const auto* surfaces = std::get_if<std::vector<Surface>>(&part);
-    if (!surfaces)
-        throw GeometryError{"passes of a strategy are not planned on meshes"};
-    return surfaces;
-}
-
-std::vector<double> reachable_sides(const std::vector<Surface>& surfaces)
-{
-    std::vector<double> sides = tool_side_signs(surfaces, Vec3::UnitZ());
-    require_reachable(surfaces, Vec3::UnitZ(), sides);
-    return sides;
-}
+// Spacing of the net of a fine mesh, as a share of the width of a strip. Samples are as
+// far apart where few are wanted; where more are wanted the net is refined.
+constexpr double net_share = 0.25;
 
 }  // namespace
 
-CoveredPart::CoveredPart(const Part& part, const BallCutter& cutter, double tolerance)
-    : surfaces_{surfaces_of(part)},
-      sides_{reachable_sides(*surfaces_)},
-      clear_{*surfaces_, sides_, cutter, Vec3::UnitZ(), tolerance}
+CoveredPart::Source CoveredPart::source_of(const Part& part, const BallCutter& cutter,
+                                           const CoverLimits& limits)
+{
+    if (const auto* mesh = std::get_if<TriangleMesh>(&part))
+        return CoveredMesh{
+            mesh_net(*mesh, net_share * strip_width(cutter, limits.scallop_height)),
+            std::make_shared<const BallOnMesh>(*mesh, cutter, limits.tolerance)};
+    const auto& surfaces = std::get<std::vector<Surface>>(part);
+    std::vector<double> sides = tool_side_signs(surfaces, Vec3::UnitZ());
+    require_reachable(surfaces, Vec3::UnitZ(), sides);
+    const ClearMoves clear{surfaces, sides, cutter, Vec3::UnitZ(), limits.tolerance};
+    return CoveredSurfaces{&surfaces, std::move(sides), clear};
+}
+
+CoveredPart::CoveredPart(const Part& part, const BallCutter& cutter,
+                         const CoverLimits& limits)
+    : cutter_{cutter},
+      accessible_distance_{reached_share * limits.scallop_height},
+      source_{source_of(part, cutter, limits)}
 {
 }
 
 PartSamples CoveredPart::samples(double spacing, std::size_t most_samples) const
 {
-    return {*surfaces_, sides_, spacing, most_samples};
+    if (const auto* mesh = std::get_if<CoveredMesh>(&source_))
+        return {mesh->net, mesh->ball, {spacing, accessible_distance_}, most_samples};
+    const auto& [surfaces, sides, clear] = std::get<CoveredSurfaces>(source_);
+    return {*surfaces, sides, spacing, most_samples};
 }
 
 bool CoveredPart::is_clear(const Vec3& from, const Vec3& to, MoveTestState& state) const
 {
-    return clear_.is_clear({from, to}, state.finer);
+    if (const auto* mesh = std::get_if<CoveredMesh>(&source_))
+        return mesh->ball->is_clear(from, to);
+    return std::get<CoveredSurfaces>(source_).clear.is_clear({from, to}, state.finer);
+}
+
+std::span<const Surface> CoveredPart::surfaces() const
+{
+    if (const auto* own = std::get_if<CoveredSurfaces>(&source_))
+        return *own->surfaces;
+    return {};
 }
 
 }  // namespace endmill

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <memory>
+#include <span>
+#include <variant>
 #include <vector>
 
 #include "endmill/core/vec.h"
 #include "endmill/cutter/cutter.h"
 #include "endmill/planning/detail/verified_pass.h"
+#include "endmill/strategy/detail/ball_on_mesh.h"
+#include "endmill/strategy/detail/mesh_net.h"
 #include "endmill/strategy/detail/part_samples.h"
 #include "endmill/surface/part.h"
 
@@ -18,19 +24,32 @@ struct MoveTestState {
     FinerPieces finer;  ///< pieces of surfaces
 };
 
+/// Width in mm of the strip that a pass of a ball leaves below `height` mm on a plane.
+inline double strip_width(const BallCutter& cutter, double height)
+{
+    return 2 * std::sqrt(height * (2 * cutter.radius() - height));
+}
+
+/// What a path over a part must keep.
+struct CoverLimits {
+    double tolerance;  ///< greatest depth of a gouge, mm; above 0 and below the radius
+    double scallop_height;  ///< greatest height of remaining stock, mm
+};
+
 /// The part for which a strategy plans: it gives samples on which passes are laid, and
 /// tests the moves of the ball. An immutable value that refers to the part; all threads may
 /// use it.
 class CoveredPart {
 public:
-    /// \param part      the part; it must outlive this object.
-    /// \param cutter    the ball, held along +z.
-    /// \param tolerance greatest depth in mm by which a clear move enters the part; above 0
-    ///        and below the radius.
-    /// \throws GeometryError with the place where N . z <= 0 or where there is no normal.
-    CoveredPart(const Part& part, const BallCutter& cutter, double tolerance);
+    /// \param part   the part; it must outlive this object.
+    /// \param cutter the ball, held along +z.
+    /// \param limits see there.
+    /// \throws GeometryError with the place where N . z <= 0 or where there is no normal; for
+    ///         a mesh only if no facet faces the tool.
+    CoveredPart(const Part& part, const BallCutter& cutter, const CoverLimits& limits);
 
-    /// Samples of the part.
+    /// Samples of the part. On a mesh, places that the ball cannot come within half the
+    /// scallop height of need not be covered.
     /// \param spacing      greatest distance of neighbours along the part, mm.
     /// \param most_samples a denser net throws LimitError.
     PartSamples samples(double spacing, std::size_t most_samples) const;
@@ -41,12 +60,27 @@ public:
     /// \param state    of this thread.
     bool is_clear(const Vec3& from, const Vec3& to, MoveTestState& state) const;
 
-    const BallCutter& cutter() const { return clear_.cutter(); }  ///< the ball
+    const BallCutter& cutter() const { return cutter_; }  ///< the ball
+    std::span<const Surface> surfaces() const;  ///< of the part; none if it is a mesh
 
 private:
-    const std::vector<Surface>* surfaces_;
-    std::vector<double> sides_;
-    ClearMoves clear_;
+    struct CoveredSurfaces {
+        const std::vector<Surface>* surfaces;
+        std::vector<double> sides;
+        ClearMoves clear;
+    };
+    struct CoveredMesh {
+        MeshNet net;
+        std::shared_ptr<const BallOnMesh> ball;
+    };
+    using Source = std::variant<CoveredSurfaces, CoveredMesh>;
+
+    static Source source_of(const Part& part, const BallCutter& cutter,
+                            const CoverLimits& limits);
+
+    BallCutter cutter_;
+    double accessible_distance_;
+    Source source_;
 };
 
 }  // namespace endmill

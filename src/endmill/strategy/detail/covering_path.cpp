@@ -194,6 +194,7 @@ CoveringPath covering_path(LaidPasses laid, const CoveredPart& part,
     CoveringPath plan;
     plan.passes = laid.passes.size();
     plan.pieces = pieces.size();
+    plan.unreached_mm2 = laid.samples.unwanted_area();
     // a lift by t takes t cos(a) from the reach of the points around a contact
     plan.stray_mm =
         std::max(options.inner_tolerance,

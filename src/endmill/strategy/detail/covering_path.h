@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
 #include <vector>
 
 #include "endmill/strategy/detail/covered_part.h"
-#include "endmill/strategy/strategy.h"
+#include "endmill/strategy/strategy_options.h"
 
 namespace endmill {
 
@@ -18,12 +17,6 @@ struct LaidPasses {
     PartSamples samples;
     std::vector<LaidPass> passes;
 };
-
-/// Width in mm of the strip that a pass of a ball leaves below `height` mm on a plane.
-inline double strip_width(const BallCutter& cutter, double height)
-{
-    return 2 * std::sqrt(height * (2 * cutter.radius() - height));
-}
 
 /// Makes a path from passes. It divides them into few straight moves, bends passes towards
 /// places that their moves miss, and orders and links the pieces.

@@ -2,18 +2,19 @@
 #include "endmill/strategy/detail/part_samples.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iomanip>
 #include <numeric>
 #include <optional>
 #include <sstream>
-#include <unordered_map>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
+#include "endmill/planning/detail/verified_pass.h"
 #include "endmill/surface/surface_jet.h"
 
 namespace endmill {
@@ -34,6 +35,11 @@ Vec3 tool_normal(const Surface& surface, double side, double u, double v)
     throw GeometryError{"no normal at " + place_text({u, v}, jet.point)};
 }
 
+PassContact mesh_contact(const CutterContact& contact, std::int32_t near)
+{
+    return {{contact.point.x(), contact.point.y(), contact}, 0, near};
+}
+
 // Steps of the first net across each patch. Its edges are then halved until they are short
 // enough; a patch whose curves oscillate more often than this within a step is not resolved.
 constexpr int first_steps = 8;
@@ -52,24 +58,6 @@ std::vector<double> first_lines(const Surface& surface, Parameter along)
     return lines;
 }
 
-// An edge of a triangle: the representatives of its ends, then its ends, lower ones first.
-using NetEdge = std::array<std::int32_t, 4>;
-
-std::vector<NetEdge> net_edges(std::span<const Triangle> triangles,
-                               std::span<const std::int32_t> representatives)
-{
-    std::vector<NetEdge> edges;
-    edges.reserve(3 * triangles.size());
-    for (const Triangle& triangle : triangles)
-        for (int k = 0; k < 3; ++k) {
-            const auto [a, b] = std::minmax({triangle[k], triangle[(k + 1) % 3]});
-            const auto [ra, rb] = std::minmax({representatives[a], representatives[b]});
-            edges.push_back({ra, rb, a, b});
-        }
-    std::sort(edges.begin(), edges.end());
-    return edges;
-}
-
 [[noreturn]] void throw_too_many(double needed, std::size_t most_samples)
 {
     std::ostringstream message;
@@ -80,87 +68,69 @@ std::vector<NetEdge> net_edges(std::span<const Triangle> triangles,
     throw LimitError{message.str()};
 }
 
-// The bits of three numbers from 0 to 1, interleaved; 21 of each.
-std::uint64_t morton_code(const Vec3& place)
-{
-    std::uint64_t code = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        auto bits = static_cast<std::uint64_t>(place[axis] * 2097151.0);
-        bits = (bits | bits << 32) & 0x1f00000000ffff;
-        bits = (bits | bits << 16) & 0x1f0000ff0000ff;
-        bits = (bits | bits << 8) & 0x100f00f00f00f00f;
-        bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
-        bits = (bits | bits << 2) & 0x1249249249249249;
-        code |= bits << axis;
-    }
-    return code;
-}
-
-// Adds the parts of a triangle whose edges have the middles that `middle_of(a, b)` gives,
-// or -1.
-template <typename MiddleOf>
-void divide(Triangle corners, std::vector<Triangle>& parts, const MiddleOf& middle_of)
-{
-    std::array<std::int32_t, 3> middles{};
-    int count = 0;
-    for (int k = 0; k < 3; ++k) {
-        middles[k] = middle_of(corners[k], corners[(k + 1) % 3]);
-        count += middles[k] >= 0 ? 1 : 0;
-    }
-    const auto turn = [&] {
-        std::rotate(corners.begin(), corners.begin() + 1, corners.end());
-        std::rotate(middles.begin(), middles.begin() + 1, middles.end());
-    };
-    const auto& [a, b, c] = corners;
-    const auto& [ab, bc, ca] = middles;
-    if (count == 0) {
-        parts.push_back(corners);
-    } else if (count == 1) {
-        while (ab < 0)
-            turn();
-        parts.push_back({a, ab, c});
-        parts.push_back({ab, b, c});
-    } else if (count == 2) {
-        while (ca >= 0)
-            turn();
-        parts.push_back({ab, b, bc});
-        parts.push_back({a, ab, bc});
-        parts.push_back({a, bc, c});
-    } else {
-        parts.push_back({a, ab, ca});
-        parts.push_back({ab, b, bc});
-        parts.push_back({ca, bc, c});
-        parts.push_back({ab, bc, ca});
-    }
-}
-
 }  // namespace
 
 PartSamples::PartSamples(std::span<const Surface> surfaces, std::span<const double> sides,
                          double spacing, std::size_t most_samples)
-    : surfaces_{surfaces},
-      sides_(sides.begin(), sides.end()),
-      spacing_{spacing}
+    : source_{SampledSurfaces{surfaces, {sides.begin(), sides.end()}}},
+      spacing_{spacing},
+      most_samples_{most_samples}
 {
     for (std::size_t k = 0; k < surfaces.size(); ++k)
         add_surface(surfaces[k], static_cast<int>(k));
-    find_twins();
-    require_enough(most_samples);
-    while (refine(most_samples)) {
-    }
+    find_twins(surfaces);
+    refine();
     number_by_place();
-    find_neighbours();
-    find_triangles();
+    join();
+}
+
+PartSamples::PartSamples(const MeshNet& net, std::shared_ptr<const BallOnMesh> ball,
+                         const MeshSampling& sampling, std::size_t most_samples)
+    : source_{SampledMesh{std::move(ball), net.is_coarser}},
+      spacing_{sampling.spacing},
+      most_samples_{most_samples},
+      triangles_{net.triangles}
+{
+    for (std::size_t k = 0; k < net.points.size(); ++k)
+        add_sample(net.points[k], net.normals[k]);
+    representatives_.resize(size());
+    std::iota(representatives_.begin(), representatives_.end(), 0);
+    refine();
+    find_accessible(sampling.accessible_distance);
+    number_by_place();
+    join();
+    seat();
 }
 
 std::int32_t PartSamples::add_sample(const SurfacePoint& at, int number)
 {
-    const Surface& surface = surfaces_[number];
+    const auto& [surfaces, sides] = std::get<SampledSurfaces>(source_);
+    const Surface& surface = surfaces[number];
     points_.push_back(surface.tangents(at.u, at.v).point);
-    normals_.push_back(tool_normal(surface, sides_[number], at.u, at.v));
+    normals_.push_back(tool_normal(surface, sides[number], at.u, at.v));
     parameters_.push_back(at);
     surface_of_.push_back(number);
     return static_cast<std::int32_t>(points_.size() - 1);
+}
+
+std::int32_t PartSamples::add_sample(const Vec3& point, const Vec3& normal)
+{
+    points_.push_back(point);
+    normals_.push_back(normal);
+    parameters_.push_back({point.x(), point.y()});
+    surface_of_.push_back(0);
+    return static_cast<std::int32_t>(points_.size() - 1);
+}
+
+std::int32_t PartSamples::add_middle(std::int32_t a, std::int32_t b, double share)
+{
+    if (const auto* mesh = std::get_if<SampledMesh>(&source_)) {
+        const CutterContact at = mesh_place(*mesh, {a, b, share});
+        return add_sample(at.point, at.normal);
+    }
+    return add_sample({(parameters_[a].u + parameters_[b].u) / 2,
+                       (parameters_[a].v + parameters_[b].v) / 2},
+                      surface_of_[a]);
 }
 
 void PartSamples::add_surface(const Surface& surface, int number)
@@ -193,7 +163,7 @@ void PartSamples::add_surface(const Surface& surface, int number)
 
 // Refuses a part early: a triangle with sides of at most s has at most the area sqrt(3) / 4
 // s^2, and there are about two triangles for each sample.
-void PartSamples::require_enough(std::size_t most_samples) const
+void PartSamples::require_enough() const
 {
     double area = 0;
     for (const Triangle& triangle : triangles_) {
@@ -201,76 +171,117 @@ void PartSamples::require_enough(std::size_t most_samples) const
         area += (points_[triangle[1]] - a).cross(points_[triangle[2]] - a).norm() / 2;
     }
     const double needed = area / (std::sqrt(0.75) * spacing_ * spacing_);
-    if (needed > static_cast<double>(most_samples))
-        throw_too_many(needed, most_samples);
+    if (needed > static_cast<double>(most_samples_))
+        throw_too_many(needed, most_samples_);
 }
 
-// Halves every edge that is longer than the spacing, and divides the triangles at such
-// edges. Edges of twins are halved together.
-bool PartSamples::refine(std::size_t most_samples)
+// Halves every edge that is longer than the spacing, until there is none.
+void PartSamples::refine()
+{
+    require_enough();
+    const auto is_long = [&](std::int32_t a, std::int32_t b) {
+        return (points_[a] - points_[b]).norm() > spacing_;
+    };
+    const auto middle = [&](std::int32_t a, std::int32_t b) {
+        return add_middle(a, b, 0.5);
+    };
+    while (divide_edges(is_long, middle)) {
+    }
+}
+
+// Divides edges by new samples, and the triangles at them. Edges of twins are divided
+// together.
+// \return whether there are any.
+bool PartSamples::divide_edges(
+    const std::function<bool(std::int32_t a, std::int32_t b)>& is_divided,
+    const std::function<std::int32_t(std::int32_t a, std::int32_t b)>& add_between)
 {
     const std::vector<NetEdge> edges = net_edges(triangles_, representatives_);
-    std::unordered_map<std::uint64_t, std::int32_t> middles;
-    const auto key = [](std::int32_t a, std::int32_t b) {
-        return static_cast<std::uint64_t>(std::min(a, b)) << 32 |
-               static_cast<std::uint64_t>(std::max(a, b));
-    };
-    for (std::size_t k = 0; k < edges.size();) {
-        std::size_t next = k;
-        bool is_long = false;
+    EdgeMiddles middles;
+    for (std::size_t k = 0, next = 0; k < edges.size(); k = next) {
+        bool is_any = false;
         for (; next < edges.size() && edges[next][0] == edges[k][0] &&
                edges[next][1] == edges[k][1];
              ++next)
-            is_long =
-                is_long ||
-                (points_[edges[next][2]] - points_[edges[next][3]]).norm() > spacing_;
+            is_any = is_any || is_divided(edges[next][2], edges[next][3]);
         std::int32_t representative = -1;
-        for (; k < next; ++k) {
-            const auto [ra, rb, a, b] = edges[k];
-            if (!is_long || middles.contains(key(a, b)))
+        for (std::size_t l = k; l < next && is_any; ++l) {
+            const auto [ra, rb, a, b] = edges[l];
+            if (middles.of(a, b))
                 continue;
-            if (points_.size() >= most_samples)
+            if (points_.size() >= most_samples_)
                 throw LimitError{"the part needs more than " +
-                                 std::to_string(most_samples) +
+                                 std::to_string(most_samples_) +
                                  " samples for this scallop height"};
-            const std::int32_t middle =
-                add_sample({(parameters_[a].u + parameters_[b].u) / 2,
-                            (parameters_[a].v + parameters_[b].v) / 2},
-                           surface_of_[a]);
+            const std::int32_t middle = add_between(a, b);
             representative = representative < 0 ? middle : representative;
             representatives_.push_back(representative);
-            middles.emplace(key(a, b), middle);
+            middles.add(a, b, middle);
         }
     }
     if (middles.empty())
         return false;
-    std::vector<Triangle> divided;
-    divided.reserve(triangles_.size() * 4);
-    for (const Triangle& triangle : triangles_)
-        divide(triangle, divided, [&](std::int32_t a, std::int32_t b) {
-            const auto middle = middles.find(key(a, b));
-            return middle == middles.end() ? -1 : middle->second;
-        });
-    triangles_ = std::move(divided);
+    triangles_ = divided_triangles(triangles_, middles);
     return true;
 }
 
-// Numbers samples and triangles along a curve that fills the box of the part, so that
-// neighbours have near numbers and share cache lines.
+// Halvings of an edge in search of the last place that the ball can reach.
+constexpr int border_halvings = 6;
+
+// Finds which samples of a mesh need not be covered, and divides the edges between them and
+// the others at the last place that the ball reaches.
+void PartSamples::find_accessible(double distance)
+{
+    const SampledMesh& mesh = std::get<SampledMesh>(source_);
+    const auto is_reached = [&](const CutterContact& place) {
+        return mesh.ball->is_accessible(place, distance);
+    };
+    std::vector<char> reached(size());
+    parallel_for(size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            reached[i] = is_reached({points_[i], normals_[i]}) ? 1 : 0;
+    });
+    is_wanted_.assign(reached.begin(), reached.end());
+    divide_edges(
+        [&](std::int32_t a, std::int32_t b) { return is_wanted_[a] != is_wanted_[b]; },
+        [&](std::int32_t a, std::int32_t b) {
+            const std::int32_t inside = is_wanted_[a] ? a : b;
+            const std::int32_t outside = is_wanted_[a] ? b : a;
+            double share = 0;
+            for (double step = 0.5; step >= std::exp2(-border_halvings); step /= 2)
+                if (is_reached(mesh_place(mesh, {inside, outside, share + step})))
+                    share += step;
+            is_wanted_.push_back(true);
+            return add_middle(inside, outside, share);
+        });
+}
+
+// Finds the contacts of the ball at the samples of a mesh.
+void PartSamples::seat()
+{
+    const SampledMesh& mesh = std::get<SampledMesh>(source_);
+    seats_.resize(size());
+    parallel_for(size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            seats_[i] = mesh.ball->seated({points_[i], normals_[i]});
+    });
+}
+
+double PartSamples::unwanted_area() const
+{
+    double area = 0;
+    for (const Triangle& triangle : triangles_) {
+        const auto& [a, b, c] = triangle;
+        if (!is_wanted(a) || !is_wanted(b) || !is_wanted(c))
+            area += (points_[b] - points_[a]).cross(points_[c] - points_[a]).norm() / 2;
+    }
+    return area;
+}
+
+// Numbers samples and triangles by their places.
 void PartSamples::number_by_place()
 {
-    Eigen::AlignedBox3d box;
-    for (const Vec3& point : points_)
-        box.extend(point);
-    const double side = std::max(box.sizes().maxCoeff(), 1e-300);
-    std::vector<std::pair<std::uint64_t, std::int32_t>> order(size());
-    for (std::size_t i = 0; i < size(); ++i)
-        order[i] = {morton_code((points_[i] - box.min()) / side),
-                    static_cast<std::int32_t>(i)};
-    std::sort(order.begin(), order.end());
-    std::vector<std::int32_t> number(size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-        number[order[k].second] = static_cast<std::int32_t>(k);
+    const std::vector<std::int32_t> number = numbers_by_place(points_);
     const auto arrange = [&](auto& values) {
         auto arranged = values;
         for (std::size_t i = 0; i < values.size(); ++i)
@@ -288,6 +299,7 @@ void PartSamples::number_by_place()
     arrange(normals_);
     arrange(parameters_);
     arrange(surface_of_);
+    arrange(is_wanted_);
     for (Triangle& triangle : triangles_)
         for (std::int32_t& corner : triangle)
             corner = number[corner];
@@ -298,7 +310,7 @@ void PartSamples::number_by_place()
                      });
 }
 
-void PartSamples::find_twins()
+void PartSamples::find_twins(std::span<const Surface> surfaces)
 {
     const double same = 1e-9 * std::max(1.0, spacing_);
     representatives_.resize(size());
@@ -306,7 +318,7 @@ void PartSamples::find_twins()
     // only samples on the sides of a surface can have twins
     std::vector<std::int32_t> candidates;
     for (std::size_t i = 0; i < size(); ++i) {
-        const Surface& surface = surfaces_[surface_of_[i]];
+        const Surface& surface = surfaces[surface_of_[i]];
         const Interval u = surface.range(Parameter::U);
         const Interval v = surface.range(Parameter::V);
         const SurfacePoint& at = parameters_[i];
@@ -334,117 +346,92 @@ void PartSamples::find_twins()
             representatives_[a] = representatives_[representatives_[a]];
 }
 
-void PartSamples::find_neighbours()
+void PartSamples::join()
 {
-    std::vector<MeshEdge> edges;
-    edges.reserve(3 * triangles_.size());
-    for (const Triangle& triangle : triangles_)
-        for (int k = 0; k < 3; ++k) {
-            const std::int32_t a = triangle[k];
-            const std::int32_t b = triangle[(k + 1) % 3];
-            edges.push_back({std::min(a, b), std::max(a, b)});
-        }
-    std::sort(edges.begin(), edges.end());
-    // the border: edges of one triangle whose places no other edge has
-    std::vector<std::array<std::int32_t, 4>> single;
-    for (std::size_t k = 0; k < edges.size();) {
-        std::size_t next = k + 1;
-        while (next < edges.size() && edges[next] == edges[k])
-            ++next;
-        if (next == k + 1) {
-            const std::int32_t a = representatives_[edges[k][0]];
-            const std::int32_t b = representatives_[edges[k][1]];
-            if (a != b)
-                single.push_back(
-                    {std::min(a, b), std::max(a, b), edges[k][0], edges[k][1]});
-        }
-        k = next;
-    }
-    std::sort(single.begin(), single.end());
-    for (std::size_t k = 0; k < single.size();) {
-        std::size_t next = k + 1;
-        while (next < single.size() && single[next][0] == single[k][0] &&
-               single[next][1] == single[k][1])
-            ++next;
-        if (next == k + 1)
-            border_.push_back({single[k][2], single[k][3]});
-        k = next;
-    }
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-    // twins are neighbours through their representative
-    for (std::size_t i = 0; i < size(); ++i)
-        if (representatives_[i] != static_cast<std::int32_t>(i))
-            edges.push_back({representatives_[i], static_cast<std::int32_t>(i)});
-    first_neighbour_.assign(size() + 1, 0);
-    for (const auto& [a, b] : edges) {
-        ++first_neighbour_[a + 1];
-        ++first_neighbour_[b + 1];
-    }
-    std::partial_sum(first_neighbour_.begin(), first_neighbour_.end(),
-                     first_neighbour_.begin());
-    neighbours_.resize(first_neighbour_.back());
-    std::vector<std::size_t> next(first_neighbour_.begin(), first_neighbour_.end() - 1);
-    for (const auto& [a, b] : edges) {
-        neighbours_[next[a]++] = b;
-        neighbours_[next[b]++] = a;
-    }
+    border_ = net_border(triangles_, representatives_);
+    neighbours_ = net_neighbours(triangles_, representatives_);
+    at_samples_ = net_triangles_at(triangles_, size());
 }
 
-void PartSamples::find_triangles()
+// The place of a mesh between two samples.
+CutterContact PartSamples::mesh_place(const SampledMesh& mesh, const SampleEdge& at) const
 {
-    first_at_sample_.assign(size() + 1, 0);
-    for (const Triangle& triangle : triangles_)
-        for (const std::int32_t corner : triangle)
-            ++first_at_sample_[corner + 1];
-    std::partial_sum(first_at_sample_.begin(), first_at_sample_.end(),
-                     first_at_sample_.begin());
-    at_samples_.resize(first_at_sample_.back());
-    std::vector<std::size_t> next(first_at_sample_.begin(), first_at_sample_.end() - 1);
-    for (std::size_t number = 0; number < triangles_.size(); ++number)
-        for (const std::int32_t corner : triangles_[number])
-            at_samples_[next[corner]++] = static_cast<std::int32_t>(number);
+    Vec3 point = points_[at.from] + at.share * (points_[at.to] - points_[at.from]);
+    if (mesh.is_coarser && at.from != at.to)
+        point = mesh.ball->nearest(point);
+    const Vec3 normal = (1 - at.share) * normals_[at.from] + at.share * normals_[at.to];
+    return {point, normal.norm() > 0 ? normal.normalized() : normals_[at.from]};
+}
+
+// The contact of the ball with a mesh at or beside a place.
+PassContact PartSamples::seated(const SampledMesh& mesh, const CutterContact& at,
+                                std::int32_t near)
+{
+    return mesh_contact(mesh.ball->seated(at), near);
 }
 
 PassContact PartSamples::contact(const SurfacePoint& at, std::int32_t near) const
 {
     const int number = surface_of_[near];
-    const Surface& surface = surfaces_[number];
+    const auto& [surfaces, sides] = std::get<SampledSurfaces>(source_);
+    const Surface& surface = surfaces[number];
     return {{at.u,
              at.v,
              {surface.tangents(at.u, at.v).point,
-              tool_normal(surface, sides_[number], at.u, at.v)}},
+              tool_normal(surface, sides[number], at.u, at.v)}},
             number,
             near};
 }
 
 PassContact PartSamples::contact(const SampleEdge& place) const
 {
+    const std::int32_t near = place.share < 0.5 ? place.from : place.to;
+    if (const auto* mesh = std::get_if<SampledMesh>(&source_))
+        return place.from == place.to ? mesh_contact(seats_[near], near)
+                                      : seated(*mesh, mesh_place(*mesh, place), near);
     const SurfacePoint& from = parameters_[place.from];
     const SurfacePoint& to = parameters_[place.to];
     return contact(
         {std::lerp(from.u, to.u, place.share), std::lerp(from.v, to.v, place.share)},
-        place.share < 0.5 ? place.from : place.to);
+        near);
 }
 
 PassContact PartSamples::between(const PassContact& from, const PassContact& to,
                                  double share) const
 {
+    const std::int32_t near = share < 0.5 ? from.near : to.near;
+    if (const auto* mesh = std::get_if<SampledMesh>(&source_)) {
+        const auto& [point, normal] = from.at.contact;
+        const CutterContact& other = to.at.contact;
+        const Vec3 mean = (1 - share) * normal + share * other.normal;
+        return seated(*mesh,
+                      {(1 - share) * point + share * other.point,
+                       mean.norm() > 0 ? mean.normalized() : normal},
+                      near);
+    }
     return contact(
         {std::lerp(from.at.u, to.at.u, share), std::lerp(from.at.v, to.at.v, share)},
-        share < 0.5 ? from.near : to.near);
+        near);
 }
 
 bool PartSamples::is_joined(const PassContact& from, const PassContact& to) const
 {
     if (from.surface != to.surface)
         return false;
-    const Surface& surface = surfaces_[from.surface];
-    const Vec3 middle =
-        surface.tangents((from.at.u + to.at.u) / 2, (from.at.v + to.at.v) / 2).point;
-    const Vec3& a = from.at.contact.point;
-    const Vec3& b = to.at.contact.point;
-    const double way = (b - a).norm();
-    return way > 0 && (middle - a).norm() < way && (middle - b).norm() < way;
+    // The middle is nearer to both than they are to each other.
+    const auto is_between = [](const Vec3& middle, const Vec3& a, const Vec3& b) {
+        const double way = (b - a).norm();
+        return way > 0 && (middle - a).norm() < way && (middle - b).norm() < way;
+    };
+    if (const auto* mesh = std::get_if<SampledMesh>(&source_)) {
+        const BallCutter& cutter = mesh->ball->cutter();
+        return is_between(ball_centre(between(from, to, 0.5).at, cutter),
+                          ball_centre(from.at, cutter), ball_centre(to.at, cutter));
+    }
+    const Surface& surface = std::get<SampledSurfaces>(source_).surfaces[from.surface];
+    return is_between(
+        surface.tangents((from.at.u + to.at.u) / 2, (from.at.v + to.at.v) / 2).point,
+        from.at.contact.point, to.at.contact.point);
 }
 
 }  // namespace endmill

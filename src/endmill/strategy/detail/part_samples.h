@@ -3,19 +3,26 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "endmill/mesh/triangle_mesh.h"
 #include "endmill/path/tool_path.h"
+#include "endmill/strategy/detail/ball_on_mesh.h"
+#include "endmill/strategy/detail/mesh_net.h"
+#include "endmill/strategy/detail/sample_net.h"
 #include "endmill/surface/surface.h"
 
 namespace endmill {
 
 /// A contact of the ball at which a strategy lays a pass.
 struct PassContact {
-    SurfaceContact at;         ///< parameters, point and normal
-    int surface;               ///< number of its surface
+    /// Parameters, point and normal; on a mesh u and v are x and y of the point, mm.
+    SurfaceContact at;
+    int surface;               ///< number of its surface; 0 on a mesh
     std::int32_t near;         ///< number of a sample beside it
     bool is_required = false;  ///< whether a move must begin or end here
 };
@@ -33,11 +40,18 @@ struct SampleEdge {
     double share;       ///< 0 at `from`, 1 at `to`
 };
 
+/// How a mesh is sampled.
+struct MeshSampling {
+    double spacing;  ///< greatest distance of neighbours, mm
+    /// A place need not be covered if the ball cannot come this near to it, mm.
+    double accessible_distance;
+};
+
 /// A part, sampled by a triangle net with a normal at each sample. The distance between
 /// neighbours is limited along the surface, so that a steep wall has as many samples as a
 /// level place of the same area. Samples at one place, such as those on both sides of the
 /// seam of a closed surface, are twins: they are neighbours, and lines continue from one
-/// to the other. An immutable value that refers to the surfaces.
+/// to the other. An immutable value that refers to the surfaces or the mesh.
 class PartSamples {
 public:
     /// \param surfaces     the part; they must outlive this object.
@@ -48,24 +62,49 @@ public:
     PartSamples(std::span<const Surface> surfaces, std::span<const double> sides,
                 double spacing, std::size_t most_samples);
 
+    /// Samples of a mesh. Contacts are where the ball does not enter it.
+    /// \param net          from mesh_net.
+    /// \param ball         on the same mesh.
+    /// \param sampling     see there.
+    /// \param most_samples a denser net throws LimitError.
+    PartSamples(const MeshNet& net, std::shared_ptr<const BallOnMesh> ball,
+                const MeshSampling& sampling, std::size_t most_samples);
+
     std::size_t size() const { return points_.size(); }            ///< number of samples
     double spacing() const { return spacing_; }                    ///< as given, mm
     const Vec3& point(std::size_t i) const { return points_[i]; }  ///< mm
     const Vec3& normal(std::size_t i) const { return normals_[i]; }  ///< unit
     std::span<const Triangle> triangles() const { return triangles_; }
 
+    /// Centre of a ball of `radius` mm at sample i, mm. On a mesh it is the centre of the
+    /// ball for which the mesh was sampled, moved to where it does not enter the mesh.
+    Vec3 centre(std::size_t i, double radius) const
+    {
+        const Vec3& point = seats_.empty() ? points_[i] : seats_[i].point;
+        const Vec3& normal = seats_.empty() ? normals_[i] : seats_[i].normal;
+        return point + radius * normal;
+    }
+
+    /// Whether sample i must be covered. Samples of a mesh that the ball cannot reach need
+    /// not be.
+    bool is_wanted(std::size_t i) const { return is_wanted_.empty() || is_wanted_[i]; }
+
+    /// Whether the part runs straight between samples, as a mesh does.
+    bool is_straight() const { return std::holds_alternative<SampledMesh>(source_); }
+
+    /// Area in mm^2 of the triangles with a sample that need not be covered.
+    double unwanted_area() const;
+
     /// Numbers of the samples that share an edge or a place with sample i.
     std::span<const std::int32_t> neighbours(std::size_t i) const
     {
-        return std::span{neighbours_}.subspan(
-            first_neighbour_[i], first_neighbour_[i + 1] - first_neighbour_[i]);
+        return neighbours_.of(i);
     }
 
     /// Numbers of the triangles at sample i, rising.
     std::span<const std::int32_t> triangles_at(std::size_t i) const
     {
-        return std::span{at_samples_}.subspan(
-            first_at_sample_[i], first_at_sample_[i + 1] - first_at_sample_[i]);
+        return at_samples_.of(i);
     }
 
     /// The lowest number of the samples at the place of sample i.
@@ -78,6 +117,7 @@ public:
     PassContact contact(const SampleEdge& place) const;
 
     /// The contact at the parameters `at` of a surface.
+    /// \pre the part is not a mesh.
     /// \param near number of a sample beside it, on the same surface.
     PassContact contact(const SurfacePoint& at, std::int32_t near) const;
 
@@ -86,36 +126,54 @@ public:
     PassContact between(const PassContact& from, const PassContact& to,
                         double share) const;
 
-    /// Whether the straight way between the parameters of two contacts is short: they lie
-    /// on one surface and not on different sides of a seam.
+    /// Whether the way between two contacts is short: they lie on one surface or mesh and
+    /// not on different sides of a seam.
     bool is_joined(const PassContact& from, const PassContact& to) const;
 
     const SurfacePoint& parameters(std::size_t i) const { return parameters_[i]; }
     int surface(std::size_t i) const { return surface_of_[i]; }
 
 private:
+    struct SampledSurfaces {
+        std::span<const Surface> surfaces;
+        std::vector<double> sides;
+    };
+    struct SampledMesh {
+        std::shared_ptr<const BallOnMesh> ball;
+        bool is_coarser;  // whether the net lies beside the mesh between its points
+    };
+
     void add_surface(const Surface& surface, int number);
     std::int32_t add_sample(const SurfacePoint& at, int number);
-    void find_twins();
-    void require_enough(std::size_t most_samples) const;
-    bool refine(std::size_t most_samples);
+    std::int32_t add_sample(const Vec3& point, const Vec3& normal);
+    std::int32_t add_middle(std::int32_t a, std::int32_t b, double share);
+    void find_twins(std::span<const Surface> surfaces);
+    void require_enough() const;
+    void refine();
+    bool divide_edges(
+        const std::function<bool(std::int32_t a, std::int32_t b)>& is_divided,
+        const std::function<std::int32_t(std::int32_t a, std::int32_t b)>& add_between);
+    void find_accessible(double distance);
     void number_by_place();
-    void find_neighbours();
-    void find_triangles();
+    void join();
+    void seat();
+    CutterContact mesh_place(const SampledMesh& mesh, const SampleEdge& at) const;
+    static PassContact seated(const SampledMesh& mesh, const CutterContact& at,
+                              std::int32_t near);
 
-    std::span<const Surface> surfaces_;
-    std::vector<double> sides_;
+    std::variant<SampledSurfaces, SampledMesh> source_;
     double spacing_;
+    std::size_t most_samples_;
     std::vector<Vec3> points_;
     std::vector<Vec3> normals_;
+    std::vector<CutterContact> seats_;  // contacts of the ball; of a mesh only
     std::vector<SurfacePoint> parameters_;
     std::vector<int> surface_of_;
+    std::vector<bool> is_wanted_;  // of a mesh only
     std::vector<Triangle> triangles_;
     std::vector<std::int32_t> representatives_;
-    std::vector<std::size_t> first_neighbour_;
-    std::vector<std::int32_t> neighbours_;
-    std::vector<std::size_t> first_at_sample_;
-    std::vector<std::int32_t> at_samples_;
+    SampleLists neighbours_;
+    SampleLists at_samples_;
     std::vector<MeshEdge> border_;
 };
 

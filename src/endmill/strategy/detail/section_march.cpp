@@ -36,6 +36,7 @@ SectionMarch::SectionMarch(Coverage& coverage, Angle direction, double slack,
       samples_{&coverage.samples()},
       slack_{slack},
       contacts_{contacts},
+      is_planar_{true},
       sine_{std::sin(direction.radians())},
       cosine_{std::cos(direction.radians())},
       strip_{2 * std::sqrt(coverage.height() *
@@ -50,6 +51,30 @@ SectionMarch::SectionMarch(Coverage& coverage, Angle direction, double slack,
     // twins must agree, so that lines continue from one to the other
     for (std::size_t i = 0; i < samples_->size(); ++i)
         offsets_[i] = offset_of(samples_->point(samples_->representative(i)));
+    sort_samples();
+}
+
+SectionMarch::SectionMarch(Coverage& coverage, std::vector<double> offsets, double slack)
+    : coverage_{&coverage},
+      samples_{&coverage.samples()},
+      slack_{slack},
+      contacts_{SectionContacts::OnSurface},
+      is_planar_{false},
+      strip_{2 * std::sqrt(coverage.height() *
+                           (2 * coverage.cutter().radius() - coverage.height()))},
+      offsets_{std::move(offsets)},
+      order_(samples_->size()),
+      is_border_(samples_->size(), false),
+      is_lost_(samples_->size(), false),
+      walk_{*samples_},
+      beyond_(samples_->size())
+{
+    sort_samples();
+}
+
+// Fills order_.
+void SectionMarch::sort_samples()
+{
     for (const MeshEdge& edge : samples_->border())
         for (const std::int32_t i : edge)
             is_border_[i] = true;
@@ -296,6 +321,8 @@ PassContact SectionMarch::contact_on(const SampleEdge& place, double offset) con
         return {{0, 0, contact}, 0, near};
     }
     PassContact contact = samples_->contact(place);
+    if (!is_planar_)
+        return contact;
     const double share = place.share + (offset - offset_of(contact.at.contact.point)) /
                                            (offsets_[place.to] - offsets_[place.from]);
     if (!(std::abs(share - place.share) > least_correction) || share < 0 || share > 1)

@@ -34,6 +34,10 @@ public:
     SectionMarch(Coverage& coverage, Angle direction, double slack,
                  SectionContacts contacts);
 
+    /// Lays passes along the level lines of any values instead.
+    /// \param offsets of the samples, mm; equal at one place. Their gradient is about 1.
+    SectionMarch(Coverage& coverage, std::vector<double> offsets, double slack);
+
     /// The passes from the lowest offset to the highest. What they leave uncovered in
     /// spite of all is not covered by any further pass of the direction.
     std::vector<LaidPass> passes();
@@ -51,6 +55,7 @@ private:
         double limit;
     };
 
+    void sort_samples();
     bool is_uncovered(std::int32_t i) const { return coverage_->gaps()[i] > slack_; }
     double offset_of(const Vec3& point) const
     {
@@ -78,8 +83,9 @@ private:
     const PartSamples* samples_;
     double slack_;
     SectionContacts contacts_;
-    double sine_;                      // of the direction
-    double cosine_;                    // of it
+    bool is_planar_;                   // whether the sections are plane
+    double sine_ = 0;                  // of the direction of plane sections
+    double cosine_ = 0;                // of it
     double strip_;                     // greatest width of a strip on a plane, mm
     std::vector<double> offsets_;      // of the samples, mm
     std::vector<std::int32_t> order_;  // samples by offset

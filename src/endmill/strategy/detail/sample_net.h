@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "endmill/mesh/triangle_mesh.h"
+
+/// \file
+/// The topology of a net of samples. Samples at one place that belong together are twins:
+/// the representative of each is the lowest of them.
+
+namespace endmill {
+
+/// A list of numbers for each sample.
+class SampleLists {
+public:
+    SampleLists() = default;
+
+    /// \param samples number of samples.
+    /// \param entries sample and number; the lists keep this order.
+    SampleLists(std::size_t samples, std::span<const MeshEdge> entries);
+
+    /// The list of sample i.
+    std::span<const std::int32_t> of(std::size_t i) const
+    {
+        return std::span{numbers_}.subspan(first_[i], first_[i + 1] - first_[i]);
+    }
+
+private:
+    std::vector<std::size_t> first_;
+    std::vector<std::int32_t> numbers_;
+};
+
+/// The samples that share an edge or a place with each sample.
+SampleLists net_neighbours(std::span<const Triangle> triangles,
+                           std::span<const std::int32_t> representatives);
+
+/// The numbers of the triangles at each sample, rising.
+SampleLists net_triangles_at(std::span<const Triangle> triangles, std::size_t samples);
+
+/// The edges of one triangle at whose place no other triangle has an edge.
+std::vector<MeshEdge> net_border(std::span<const Triangle> triangles,
+                                 std::span<const std::int32_t> representatives);
+
+/// The number of each sample along a curve that fills the box of the samples, so that
+/// neighbours have near numbers and share cache lines.
+std::vector<std::int32_t> numbers_by_place(std::span<const Vec3> points);
+
+/// An edge of a triangle: the representatives of its ends, then its ends, lower ones first.
+using NetEdge = std::array<std::int32_t, 4>;
+
+/// The edges of all triangles, one for each of their uses, in rising order.
+std::vector<NetEdge> net_edges(std::span<const Triangle> triangles,
+                               std::span<const std::int32_t> representatives);
+
+/// The samples in the middle of edges.
+class EdgeMiddles {
+public:
+    void add(std::int32_t a, std::int32_t b, std::int32_t middle)
+    {
+        middles_.emplace(key(a, b), middle);
+    }
+    /// Nothing if the edge is not divided.
+    std::optional<std::int32_t> of(std::int32_t a, std::int32_t b) const
+    {
+        const auto found = middles_.find(key(a, b));
+        return found == middles_.end() ? std::nullopt : std::optional{found->second};
+    }
+    bool empty() const { return middles_.empty(); }
+
+private:
+    static std::uint64_t key(std::int32_t a, std::int32_t b)
+    {
+        return static_cast<std::uint64_t>(std::min(a, b)) << 32 |
+               static_cast<std::uint64_t>(std::max(a, b));
+    }
+
+    std::unordered_map<std::uint64_t, std::int32_t> middles_;
+};
+
+/// The triangles, divided at the middles of their edges into two to four.
+std::vector<Triangle> divided_triangles(std::span<const Triangle> triangles,
+                                        const EdgeMiddles& middles);
+
+}  // namespace endmill
