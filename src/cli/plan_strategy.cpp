@@ -271,15 +271,6 @@ void warn_of_uncovered(const CoveringPath& plan, const CommonOptions& options)
                      place_text(first.at, first.point), first.patch));
 }
 
-// Warns of facets that face the tool, but that the ball cannot reach.
-void warn_of_unreached(const CoveringPath& plan, const CommonOptions& options)
-{
-    if (plan.unreached_mm2 > 0)
-        warn(options, fmt::format("the ball cannot reach {} mm2 of the mesh, such as "
-                                  "concave corners; they need not be covered",
-                                  shown(plan.unreached_mm2)));
-}
-
 std::string angles_csv(const std::vector<ComparedDirection>& compared)
 {
     CsvTable table{{"angle_deg", "cut_contact_mm", "cut_tip_mm", "passes"}};
@@ -305,6 +296,15 @@ void write_directions(const CoveringPath& covering, const Json& s, OutputFolder&
                     covering.direction->degrees())};
     folder.write("angles.csv", angles_csv(covering.compared));
     folder.write("angles.svg", direction_travel_svg(travel, figure));
+}
+
+// Warns of facets that face the tool, but that the ball cannot reach.
+void warn_of_unreached(const CoveringPath& plan, const CommonOptions& options)
+{
+    if (plan.unreached_mm2 > 0)
+        warn(options, fmt::format("the ball cannot reach {} mm2 of the mesh, such as "
+                                  "concave corners; they need not be covered",
+                                  shown(plan.unreached_mm2)));
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ SectionMarch::SectionMarch(Coverage& coverage, std::vector<double> offsets, doub
       slack_{slack},
       contacts_{SectionContacts::OnSurface},
       is_planar_{false},
-      strip_{strip_width(coverage.cutter(), coverage.height())},
+      strip_{2 * std::sqrt(coverage.height() *
+                           (2 * coverage.cutter().radius() - coverage.height()))},
       offsets_{std::move(offsets)},
       order_(samples_->size()),
       is_border_(samples_->size(), false),
