@@ -680,8 +680,7 @@ CertifiedInflow BoxInflow::result() const
         }
     std::vector<std::uint32_t> cells = cells_;
     std::ranges::sort(cells);
-    const auto repeated = std::ranges::unique(cells);
-    cells.erase(repeated.begin(), repeated.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
     return {CertifiedInflow::Kind::Bounded,
             greatest / std::cos(std::numbers::pi / directions),
             density * std::min(scale_ * sums_.radii, parameters),
@@ -702,8 +701,8 @@ CertifiedInflow unknown(const EnclosureGrid::Near& near, const EnclosureGrid& en
             result.cells.push_back(leaf.node);
     }
     std::ranges::sort(result.cells);
-    const auto repeated = std::ranges::unique(result.cells);
-    result.cells.erase(repeated.begin(), repeated.end());
+    result.cells.erase(std::unique(result.cells.begin(), result.cells.end()),
+                       result.cells.end());
     return result;
 }
 
