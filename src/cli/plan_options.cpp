@@ -208,11 +208,14 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_direction_angle(command, options);
     add_choice<StrategyChoice>(
         command, "--strategy", options.strategy, strategies,
-        "how passes are laid. best (default): the shortest of the others; iso-u, iso-v: "
-        "along parameter lines; planar: in parallel upright planes; iso-scallop: each as "
-        "far from the passes before it as the scallop height allows; field: across the "
-        "widest strips; iso: along u and along v, compared (default with an option of "
-        "it). Except with iso, --scallop limits all remaining stock");
+        "how passes are laid. iso (default): along u and along v, compared; iso-u, "
+        "iso-v: "
+        "along one of them; planar: in parallel upright planes; iso-scallop: each as far "
+        "from the passes before it as the scallop height allows; field: across the "
+        "widest "
+        "strips; best: the shortest of iso-u, iso-v, planar, iso-scallop and field. "
+        "Except "
+        "with iso, --scallop limits all remaining stock");
     add_choice<PlanBound>(
         command, "--bound", options.bound, bounds,
         "lower bound of the length, with which a path by a --strategy other than iso is "
