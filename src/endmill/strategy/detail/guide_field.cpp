@@ -229,34 +229,43 @@ std::vector<WidestStrip> smooth_lines(const FieldElements& net, const Matrix& st
     return lines;
 }
 
+// The numbers of the elements at each place.
+std::vector<std::vector<std::int32_t>> elements_at_places(const FieldElements& net)
+{
+    std::vector<std::vector<std::int32_t>> at_places(net.places());
+    for (std::size_t k = 0; k < net.elements().size(); ++k)
+        for (const std::int32_t corner : net.elements()[k].corners)
+            at_places[corner].push_back(static_cast<std::int32_t>(k));
+    return at_places;
+}
+
 // Gives neighbouring lines the same sense. The most certain lines decide first.
 void orient(std::vector<WidestStrip>& lines, const FieldElements& net)
 {
-    const std::vector<Element>& elements = net.elements();
-    std::vector<std::vector<std::int32_t>> at_places(net.places());
-    for (std::size_t k = 0; k < elements.size(); ++k)
-        for (const std::int32_t corner : elements[k].corners)
-            at_places[corner].push_back(static_cast<std::int32_t>(k));
-    std::vector<bool> is_known(elements.size(), false);
-    using Entry = std::pair<double, std::int32_t>;
-    for (std::size_t start = 0; start < elements.size(); ++start) {
+    const std::vector<std::vector<std::int32_t>> at_places = elements_at_places(net);
+    std::vector<bool> is_known(lines.size(), false);
+    std::priority_queue<std::pair<double, std::int32_t>> queue;
+    const auto know = [&](std::int32_t k) {
+        is_known[k] = true;
+        queue.emplace(lines[k].certainty, k);
+    };
+    const auto follow = [&](std::int32_t k, std::int32_t leader) {
+        if (is_known[k])
+            return;
+        if (lines[k].across.dot(lines[leader].across) < 0)
+            lines[k].across = -lines[k].across;
+        know(k);
+    };
+    for (std::size_t start = 0; start < lines.size(); ++start) {
         if (is_known[start])
             continue;
-        is_known[start] = true;
-        std::priority_queue<Entry> queue;
-        queue.emplace(lines[start].certainty, static_cast<std::int32_t>(start));
+        know(static_cast<std::int32_t>(start));
         while (!queue.empty()) {
-            const std::int32_t k = queue.top().second;
+            const std::int32_t leader = queue.top().second;
             queue.pop();
-            for (const std::int32_t corner : elements[k].corners)
-                for (const std::int32_t other : at_places[corner]) {
-                    if (is_known[other])
-                        continue;
-                    is_known[other] = true;
-                    if (lines[other].across.dot(lines[k].across) < 0)
-                        lines[other].across = -lines[other].across;
-                    queue.emplace(lines[other].certainty, other);
-                }
+            for (const std::int32_t corner : net.elements()[leader].corners)
+                for (const std::int32_t k : at_places[corner])
+                    follow(k, leader);
         }
     }
 }
