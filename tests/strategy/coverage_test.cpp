@@ -73,6 +73,48 @@ TEST_F(CoverageOfAPlane, FindsWhatLiesBetweenSamples)
     EXPECT_TRUE(coverage_.missed(all, 1e-9).empty());
 }
 
+TEST_F(CoverageOfAPlane, TellsWhereAPlaceIsMissed)
+{
+    std::vector<std::int32_t> all;
+    for (std::size_t k = 0; k < samples_.triangles().size(); ++k)
+        all.push_back(static_cast<std::int32_t>(k));
+    coverage_.add(std::vector{at(0, 0.302), at(1, 0.302)}, false);
+    coverage_.add(std::vector{at(0, 0.917), at(1, 0.917)}, false);
+    for (const MissedPlace& place : coverage_.missed(all, 0)) {
+        const Vec3 point = contact_at(samples_, place).at.contact.point;
+        EXPECT_GT(point.y(), 6.02);
+        EXPECT_LT(point.y(), 6.17);
+        const double beside = std::min(point.y() - 3.02, 9.17 - point.y());
+        EXPECT_NEAR(place.gap, (beside * beside - 9) / 10, 1e-9);
+        EXPECT_LT((samples_.point(sample_beside(samples_, place)) - point).norm(), 0.5);
+    }
+}
+
+TEST_F(CoverageOfAPlane, MeasuresPlacesBetweenSamples)
+{
+    coverage_.add(std::vector{at(0, 0.5), at(1, 0.5)}, false);
+    const std::int32_t from = at(0.5, 0.7).near;
+    for (const std::int32_t to : samples_.neighbours(from)) {
+        const double y = 0.4 * samples_.point(from).y() + 0.6 * samples_.point(to).y();
+        EXPECT_NEAR(coverage_.gap_at({from, to, 0.6}), ((y - 5) * (y - 5) - 9) / 10,
+                    1e-9);
+    }
+}
+
+TEST_F(CoverageOfAPlane, OfPlacesOnTheNetIsThatOfTheirContacts)
+{
+    const std::int32_t from = at(0, 0.5).near;
+    const std::int32_t to = at(1, 0.5).near;
+    coverage_.add(std::vector<SampleEdge>{{from, from, 0}, {to, to, 0}}, false);
+    const std::vector<double> on_net(coverage_.gaps().begin(), coverage_.gaps().end());
+    coverage_.withdraw();
+    coverage_.add(
+        std::vector{samples_.contact({from, from, 0}), samples_.contact({to, to, 0})},
+        false);
+    for (std::size_t i = 0; i < on_net.size(); ++i)
+        EXPECT_NEAR(on_net[i], coverage_.gaps()[i], 1e-12);
+}
+
 TEST_F(CoverageOfAPlane, WatchesPlaces)
 {
     coverage_.watch(std::vector{SampleEdge{at(0.5, 0.8).near, at(0.5, 0.8).near, 0}});

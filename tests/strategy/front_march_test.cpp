@@ -25,11 +25,11 @@ TEST(FrontMarch, LaysPassesOfAPlaneAtTheirClosedDistance)
                 {static_cast<std::int32_t>(i), static_cast<std::int32_t>(i), 0});
     march.run(side);
     EXPECT_TRUE(march.is_complete());
-    const std::vector<LaidPass> passes = march.take_passes();
+    const std::span<const LevelLine> passes = march.passes();
     ASSERT_EQ(passes.size(), 8u);  // at 3, 9, …, 39, and one for the rest
     for (std::size_t k = 0; k < 7; ++k)
-        for (const PassContact& contact : passes[k].contacts)
-            EXPECT_NEAR(contact.at.contact.point.y(), 3 + 6.0 * double(k),
+        for (const SampleEdge& place : passes[k].places)
+            EXPECT_NEAR(samples.contact(place).at.contact.point.y(), 3 + 6.0 * double(k),
                         0.02 * double(k + 1));
 }
 

@@ -4,40 +4,78 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
-#include "endmill/strategy/detail/coverage.h"
+#include "endmill/planning/planner_options.h"
+#include "endmill/strategy/strategy.h"
 #include "test_surfaces.h"
 
 namespace endmill {
 namespace {
 
-StrategyOptions options_for(double height)
+StrategyOptions iso_scallop_options(const Part& part, double height)
 {
     StrategyOptions options;
     options.scallop_height = height;
+    options.link.safe_height =
+        default_safe_height(std::get<std::vector<Surface>>(part), Vec3::UnitZ());
     return options;
 }
 
-// The coverage is computed again from the passes, at the whole height.
-TEST(IsoScallopPasses, CoverEverySample)
+StrategyPlan iso_scallop_plan(const Part& part, double height)
 {
-    const Part part = std::vector<Surface>{test::saddle(60, 25)};
-    const BallCutter ball{4};
-    const CoveredPart covered{part, ball, {0.01, 0.3}};
-    const LaidPasses laid = iso_scallop_passes(covered, ball, options_for(0.3));
-    Coverage coverage{laid.samples, ball, 0.3};
-    for (const LaidPass& pass : laid.passes)
-        coverage.add(pass.contacts, pass.is_closed);
-    for (const double gap : coverage.gaps())
-        EXPECT_LE(gap, 0);
+    return plan_by_strategy(Strategy::IsoScallop, part, BallCutter{5},
+                            iso_scallop_options(part, height));
 }
 
-TEST(IsoScallopPasses, RefuseTooManySamples)
+// Strips of 6 mm: 30 mm need five passes of 60 mm, and a sixth for the reserve.
+TEST(IsoScallopPasses, OfAPlaneAreNotLongerThanStraightStrips)
 {
-    const Part part = std::vector<Surface>{test::plane(60, 40)};
+    const StrategyPlan found =
+        iso_scallop_plan(std::vector<Surface>{test::plane(60, 30)}, 1);
+    EXPECT_TRUE(found.is_good());
+    EXPECT_LE(found.economy.cut.contact_mm, 1.02 * 6 * 60);
+}
+
+TEST(IsoScallopPasses, AreJudgedCleanOnASaddle)
+{
+    const StrategyPlan found =
+        iso_scallop_plan(std::vector<Surface>{test::saddle(40, 20)}, 0.3);
+    EXPECT_TRUE(found.is_good());
+    EXPECT_TRUE(found.covering.uncovered.empty());
+}
+
+// The start is chosen at a greater height, which needs fewer samples.
+TEST(IsoScallopPasses, AreJudgedCleanAtALowHeight)
+{
+    const StrategyPlan found =
+        iso_scallop_plan(std::vector<Surface>{test::saddle(40, 5)}, 0.01);
+    EXPECT_TRUE(found.is_good());
+}
+
+TEST(IsoScallopPasses, CoverTheSamplesOnWhichTheyAreLaid)
+{
+    const Part part = std::vector<Surface>{test::saddle(40, 20)};
     const BallCutter ball{5};
-    const CoveredPart covered{part, ball, {0.01, 1e-6}};
-    StrategyOptions options = options_for(1e-6);
+    const CoveredPart covered{part, ball, {0.01, 0.3}};
+    const LaidPasses laid =
+        iso_scallop_passes(covered, ball, iso_scallop_options(part, 0.3));
+    // a ball at a contact of a pass is near enough to the raised point of each sample
+    for (std::size_t i = 0; i < laid.samples.size(); ++i) {
+        const Vec3 raised = laid.samples.point(i) + 0.3 * laid.samples.normal(i);
+        double least = 1000;
+        for (const LaidPass& pass : laid.passes)
+            for (const PassContact& contact : pass.contacts)
+                least = std::min(least, (ball_centre(contact.at, ball) - raised).norm());
+        EXPECT_LT(least, 5.05);
+    }
+}
+
+TEST(IsoScallopPasses, RefuseMoreSamplesThanTheLimit)
+{
+    const Part part = std::vector<Surface>{test::plane(100, 100)};
+    StrategyOptions options = iso_scallop_options(part, 1e-3);
     options.most_samples = 10'000;
+    const BallCutter ball{5};
+    const CoveredPart covered{part, ball, {options.inner_tolerance, 1e-3}};
     EXPECT_THROW(iso_scallop_passes(covered, ball, options), LimitError);
 }
 

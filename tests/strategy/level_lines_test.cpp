@@ -84,5 +84,14 @@ TEST_F(LevelLines, AreCutWhereOtherValuesArePositive)
     EXPECT_TRUE(where_positive(lines, right, 100).empty());
 }
 
+TEST(CrossingShare, IsTheZeroOfAParabola)
+{
+    const auto value = [](double share) { return share * share - 0.16; };
+    EXPECT_NEAR(crossing_share(value), 0.4, 1e-12);
+    EXPECT_NEAR(crossing_share([](double share) { return 0.3 - share; }), 0.3, 1e-12);
+    EXPECT_EQ(crossing_share([](double share) { return share + 1; }), 0);
+    EXPECT_EQ(crossing_share([](double share) { return share - 2; }), 1);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -35,5 +35,19 @@ TEST(BeyondReach, IsTheDistanceToFirstOrder)
         EXPECT_NEAR(beyond_reach((5 + beyond) * (5 + beyond), 5), beyond, 1e-8);
 }
 
+TEST(PointReach, IsThatOfASweepAtRest)
+{
+    test::Random random{2};
+    for (int trial = 0; trial < 1000; ++trial) {
+        const Vec3 centre{random.uniform(-5, 5), random.uniform(-5, 5),
+                          random.uniform(-5, 5)};
+        const Vec3 point{random.uniform(-9, 9), random.uniform(-9, 9),
+                         random.uniform(-9, 9)};
+        EXPECT_NEAR(point_reach(centre, point, 5),
+                    beyond_reach(UprightSweep{centre, centre}.squared_distance(point), 5),
+                    1e-12);
+    }
+}
+
 }  // namespace
 }  // namespace endmill

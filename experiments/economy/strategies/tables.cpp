@@ -121,9 +121,11 @@ void add_strategies(CsvTable& table, const std::string& name, const Surface& sur
     std::optional<double> along_parameters_mm;
     for (const Strategy strategy : every_strategy) {
         const std::string word{strategy_name(strategy)};
-        std::vector<CsvCell> row{name + " D=" + to_text(diameter) +
-                                     " h=" + to_text(cut.scallop_height) + " " + word,
-                                 name, diameter, cut.scallop_height, word};
+        std::string row_name = name;
+        for (const std::string& part :
+             {" D=" + to_text(diameter), " h=" + to_text(cut.scallop_height), " " + word})
+            row_name += part;
+        std::vector<CsvCell> row{row_name, name, diameter, cut.scallop_height, word};
         const auto begin = std::chrono::steady_clock::now();
         try {
             const StrategyPlan plan = plan_by_strategy(

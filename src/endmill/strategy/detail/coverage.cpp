@@ -35,19 +35,39 @@ void Coverage::watch(std::span<const SampleEdge> places)
         const std::int32_t i = place.share < 0.5 ? place.from : place.to;
         if (first_watched_[i] < 0)
             watching_.push_back(i);
-        watched_.push_back(
-            {(1 - place.share) * raised(place.from) + place.share * raised(place.to),
-             first_watched_[i]});
+        watched_.push_back({raised(place), first_watched_[i]});
         first_watched_[i] = static_cast<std::int32_t>(watched_.size() - 1);
     }
     watched_gaps_.assign(places.size(), cutter_.radius());
 }
 
-void Coverage::add_move(const PassContact& from, const PassContact& to)
+double Coverage::gap_at(const SampleEdge& place) const
+{
+    const Vec3 point = raised(place);
+    double gap = cutter_.radius();
+    for (const std::int32_t i : {place.from, place.to})
+        if (const std::int32_t move = nearest_move_[i]; move >= 0)
+            gap = std::min(gap, beyond_reach(moves_[move].squared_distance(point),
+                                             cutter_.radius()));
+    return gap;
+}
+
+Coverage::MoveEnd Coverage::end_at(const PassContact& contact) const
+{
+    const CutterContact& at = contact.at.contact;
+    return {at.point + cutter_.radius() * at.normal, contact.near};
+}
+
+Coverage::MoveEnd Coverage::end_at(const SampleEdge& place) const
+{
+    return {samples_->near_centre(place, cutter_.radius()),
+            place.share < 0.5 ? place.from : place.to};
+}
+
+void Coverage::add_move(const MoveEnd& from, const MoveEnd& to)
 {
     const double radius = cutter_.radius();
-    const UprightSweep sweep{from.at.contact.point + radius * from.at.contact.normal,
-                             to.at.contact.point + radius * to.at.contact.normal};
+    const UprightSweep sweep{from.centre, to.centre};
     const auto number = static_cast<std::int32_t>(moves_.size());
     moves_.push_back(sweep);
     walk_.from(std::array{from.near, to.near}, [&](std::int32_t i) {
@@ -65,14 +85,30 @@ void Coverage::add_move(const PassContact& from, const PassContact& to)
     });
 }
 
+template <typename Place>
+void Coverage::add_moves(std::span<const Place> pass, bool is_closed)
+{
+    const MoveEnd first = end_at(pass.front());
+    if (pass.size() == 1)
+        add_move(first, first);
+    MoveEnd last = first;
+    for (const Place& place : pass.subspan(1)) {
+        const MoveEnd next = end_at(place);
+        add_move(last, next);
+        last = next;
+    }
+    if (is_closed && pass.size() > 2)
+        add_move(last, first);
+}
+
 void Coverage::add(std::span<const PassContact> pass, bool is_closed)
 {
-    if (pass.size() == 1)
-        add_move(pass.front(), pass.front());
-    for (std::size_t k = 0; k + 1 < pass.size(); ++k)
-        add_move(pass[k], pass[k + 1]);
-    if (is_closed && pass.size() > 2)
-        add_move(pass.back(), pass.front());
+    add_moves(pass, is_closed);
+}
+
+void Coverage::add(std::span<const SampleEdge> pass, bool is_closed)
+{
+    add_moves(pass, is_closed);
 }
 
 void Coverage::withdraw()
@@ -97,92 +133,158 @@ std::vector<std::int32_t> Coverage::newly_covered(double slack) const
     return covered;
 }
 
-double Coverage::gap_at(const SampleEdge& place) const
+std::int32_t sample_beside(const PartSamples& samples, const MissedPlace& place)
 {
-    const double radius = cutter_.radius();
-    const Vec3 there =
-        (1 - place.share) * raised(place.from) + place.share * raised(place.to);
-    double gap = radius;
-    for (const std::int32_t i : {place.from, place.to})
-        if (const std::int32_t move = nearest_move_[i]; move >= 0)
-            gap =
-                std::min(gap, beyond_reach(moves_[move].squared_distance(there), radius));
-    return gap;
+    const auto heaviest = std::max_element(place.weights.begin(), place.weights.end());
+    return samples.triangles()[place.triangle][heaviest - place.weights.begin()];
+}
+
+PassContact contact_at(const PartSamples& samples, const MissedPlace& place)
+{
+    const Triangle& triangle = samples.triangles()[place.triangle];
+    const auto corner = [&](int k) {
+        return samples.contact({triangle[k], triangle[k], 0});
+    };
+    const auto& [a, b, c] = place.weights;
+    if (a + b == 0)
+        return corner(2);
+    const PassContact side = b == 0 ? corner(0)
+                             : a == 0
+                                 ? corner(1)
+                                 : samples.between(corner(0), corner(1), b / (a + b));
+    return c == 0 ? side : samples.between(side, corner(2), c);
 }
 
 namespace {
 
-// A corner of a part of a triangle.
-struct Corner {
-    PassContact at;
-    Vec3 raised;
-};
+// Searches a triangle for places that the moves near it miss.
+class MissedSearch {
+public:
+    MissedSearch(const Coverage& coverage, std::span<const UprightSweep> moves,
+                 double slack, int halvings)
+        : samples_{coverage.samples()},
+          moves_{moves},
+          halvings_{halvings},
+          radius_{coverage.cutter().radius()},
+          height_{coverage.height()},
+          slack_{slack}
+    {
+    }
 
-// Halvings of the sides of a triangle in search of places that are not covered.
-constexpr int missed_depth = 4;
+    // Whether one of some moves covers a triangle.
+    bool is_covered(const std::array<Vec3, 3>& raised,
+                    std::span<const std::int32_t> moves) const
+    {
+        return std::any_of(moves.begin(), moves.end(), [&](std::int32_t move) {
+            return std::all_of(raised.begin(), raised.end(), [&](const Vec3& point) {
+                return gap_to(move, point) <= slack_;
+            });
+        });
+    }
+
+    // The moves by which a triangle may be covered.
+    std::vector<std::int32_t>& moves_near() { return near_; }
+
+    // Adds what is missed in a triangle.
+    void run(std::int32_t number, const std::array<CutterContact, 3>& contacts,
+             std::vector<MissedPlace>& found)
+    {
+        number_ = number;
+        found_ = &found;
+        std::sort(near_.begin(), near_.end());
+        near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+        search({corner(contacts[0], {1, 0, 0}), corner(contacts[1], {0, 1, 0}),
+                corner(contacts[2], {0, 0, 1})},
+               halvings_);
+    }
+
+private:
+    struct Corner {
+        CutterContact contact;
+        Vec3 raised;
+        std::array<double, 3> weights;
+    };
+
+    double gap_to(std::int32_t move, const Vec3& raised) const
+    {
+        return beyond_reach(moves_[move].squared_distance(raised), radius_);
+    }
+
+    Corner corner(const CutterContact& contact,
+                  const std::array<double, 3>& weights) const
+    {
+        return {contact, contact.point + height_ * contact.normal, weights};
+    }
+
+    Corner middle(const Corner& a, const Corner& b) const
+    {
+        std::array<double, 3> weights{};
+        for (int k = 0; k < 3; ++k)
+            weights[k] = (a.weights[k] + b.weights[k]) / 2;
+        return corner(samples_.near_place(a.contact, b.contact, 0.5), weights);
+    }
+
+    void note(const Corner& corner)
+    {
+        double gap = radius_;
+        for (const std::int32_t move : near_)
+            gap = std::min(gap, gap_to(move, corner.raised));
+        if (gap > slack_)
+            found_->push_back({number_, corner.weights, gap});
+    }
+
+    void search(const std::array<Corner, 3>& corners, int depth)
+    {
+        const auto& [a, b, c] = corners;
+        if (depth == 0 || is_covered({a.raised, b.raised, c.raised}, near_))
+            return;
+        const Corner ab = middle(a, b);
+        const Corner bc = middle(b, c);
+        const Corner ca = middle(c, a);
+        note(ab);
+        note(bc);
+        note(ca);
+        search({a, ab, ca}, depth - 1);
+        search({ab, b, bc}, depth - 1);
+        search({ca, bc, c}, depth - 1);
+        search({ab, bc, ca}, depth - 1);
+    }
+
+    const PartSamples& samples_;
+    std::span<const UprightSweep> moves_;
+    int halvings_;
+    double radius_;
+    double height_;
+    double slack_;
+    std::vector<std::int32_t> near_;
+    std::int32_t number_ = 0;
+    std::vector<MissedPlace>* found_ = nullptr;
+};
 
 }  // namespace
 
 std::vector<MissedPlace> Coverage::missed(std::span<const std::int32_t> triangles,
-                                          double slack) const
+                                          double slack, int halvings) const
 {
-    const double radius = cutter_.radius();
     std::vector<MissedPlace> found;
-    std::vector<std::int32_t> moves;
-    const auto gap_to = [&](std::int32_t move, const Vec3& raised) {
-        return beyond_reach(moves_[move].squared_distance(raised), radius);
-    };
-    const auto is_covered = [&](const std::array<Corner, 3>& corners) {
-        return std::any_of(moves.begin(), moves.end(), [&](std::int32_t move) {
-            return std::all_of(corners.begin(), corners.end(), [&](const Corner& corner) {
-                return gap_to(move, corner.raised) <= slack;
-            });
-        });
-    };
-    const auto middle = [&](const Corner& a, const Corner& b) {
-        const PassContact at = samples_->place_between(a.at, b.at);
-        const auto& [point, normal] = at.at.contact;
-        return Corner{at, point + height_ * normal};
-    };
-    const auto search = [&](const auto& self, const std::array<Corner, 3>& corners,
-                            int depth) -> void {
-        if (depth == 0 || is_covered(corners))
-            return;
-        const auto& [a, b, c] = corners;
-        const std::array<Corner, 3> middles{middle(a, b), middle(b, c), middle(c, a)};
-        for (const Corner& corner : middles) {
-            double gap = radius;
-            for (const std::int32_t move : moves)
-                gap = std::min(gap, gap_to(move, corner.raised));
-            if (gap > slack)
-                found.push_back({corner.at, gap});
-        }
-        const auto& [ab, bc, ca] = middles;
-        self(self, {a, ab, ca}, depth - 1);
-        self(self, {ab, b, bc}, depth - 1);
-        self(self, {ca, bc, c}, depth - 1);
-        self(self, {ab, bc, ca}, depth - 1);
-    };
+    MissedSearch search{*this, moves_, slack, halvings};
     for (const std::int32_t number : triangles) {
-        const Triangle& triangle = samples_->triangles()[number];
-        std::array<Corner, 3> corners;
-        moves.clear();
-        bool is_whole = true;
-        for (int k = 0; k < 3; ++k) {
-            const std::int32_t i = triangle[k];
-            is_whole = is_whole && gaps_[i] <= slack && samples_->is_wanted(i);
-            corners[k] = {samples_->place(i), raised_[i]};
-            moves.push_back(nearest_move_[i]);
-        }
-        if (!is_whole || is_covered(corners))
+        const auto& [a, b, c] = samples_->triangles()[number];
+        if (!samples_->is_wanted(a) || !samples_->is_wanted(b) ||
+            !samples_->is_wanted(c) || gaps_[a] > slack || gaps_[b] > slack ||
+            gaps_[c] > slack ||
+            search.is_covered(
+                {raised_[a], raised_[b], raised_[c]},
+                std::array{nearest_move_[a], nearest_move_[b], nearest_move_[c]}))
             continue;
-        for (const std::int32_t i : triangle)
-            for (const std::int32_t neighbour : samples_->neighbours(i))
-                if (nearest_move_[neighbour] >= 0)
-                    moves.push_back(nearest_move_[neighbour]);
-        std::sort(moves.begin(), moves.end());
-        moves.erase(std::unique(moves.begin(), moves.end()), moves.end());
-        search(search, corners, missed_depth);
+        search.moves_near().clear();
+        for (const std::int32_t corner : {a, b, c})
+            for (const std::int32_t i : samples_->neighbours(corner))
+                if (nearest_move_[i] >= 0)
+                    search.moves_near().push_back(nearest_move_[i]);
+        search.run(number,
+                   {samples_->place_at(a), samples_->place_at(b), samples_->place_at(c)},
+                   found);
     }
     return found;
 }

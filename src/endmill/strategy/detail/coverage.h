@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -58,11 +60,17 @@ private:
     std::vector<std::int32_t> queue_;
 };
 
-/// A place that no move covers.
+/// A place in a triangle that no move covers.
 struct MissedPlace {
-    PassContact at;  ///< the place; a ball touching it may enter a mesh elsewhere
-    double gap;      ///< mm
+    std::int32_t triangle;          ///< number of the triangle
+    std::array<double, 3> weights;  ///< of its corners; their sum is 1
+    double gap;                     ///< mm
 };
+
+/// The number of the corner beside a place.
+std::int32_t sample_beside(const PartSamples& samples, const MissedPlace& place);
+/// The contact at a place, on the part.
+PassContact contact_at(const PartSamples& samples, const MissedPlace& place);
 
 /// What the moves of a path have covered so far. The gap of a sample is the amount by
 /// which the sample, raised along its normal by the scallop height, lies beyond the reach
@@ -79,6 +87,9 @@ public:
     /// \param pass     contacts in order.
     /// \param is_closed whether a move leads from the last contact back to the first.
     void add(std::span<const PassContact> pass, bool is_closed);
+
+    /// Adds the straight moves between places on the net.
+    void add(std::span<const SampleEdge> pass, bool is_closed);
 
     /// Takes back the moves that were added since the last `accept` or `withdraw`.
     void withdraw();
@@ -101,15 +112,13 @@ public:
 
     /// Places between the samples of a triangle that are not covered, where its samples are.
     /// A triangle is covered if one move covers its corners: what a move covers is convex.
-    /// Otherwise the triangle is divided into four, down to a sixteenth of its sides. The
-    /// curvature of the surface within a part is neglected.
+    /// Otherwise the triangle is divided into four. The curvature of the surface within the
+    /// last parts is neglected. Places between samples are those of near_place.
     /// \param triangles numbers of triangles.
     /// \param slack     a gap of at most this many mm counts as covered.
-    std::vector<MissedPlace> missed(std::span<const std::int32_t> triangles,
-                                    double slack) const;
-
-    /// The least gap at a place between samples by the nearest moves of the two, mm.
-    double gap_at(const SampleEdge& place) const;
+    /// \param halvings  of the sides of a triangle.
+    std::vector<MissedPlace> missed(std::span<const std::int32_t> triangles, double slack,
+                                    int halvings = 4) const;
 
     std::span<const double> gaps() const { return gaps_; }  ///< of all samples, mm
     const PartSamples& samples() const { return *samples_; }
@@ -118,6 +127,17 @@ public:
 
     /// The point that a ball must reach to cover sample i, mm.
     const Vec3& raised(std::size_t i) const { return raised_[i]; }
+
+    /// The same point at a place between samples, to the accuracy of near_place.
+    Vec3 raised(const SampleEdge& place) const
+    {
+        const CutterContact at = samples_->near_place(place);
+        return at.point + height_ * at.normal;
+    }
+
+    /// The gap of a place between samples by their nearest moves, mm. It is not below the gap
+    /// by all moves; R without a move.
+    double gap_at(const SampleEdge& place) const;
 
     /// Centre of the ball at sample i, mm.
     Vec3 centre(std::size_t i) const { return samples_->centre(i, cutter_.radius()); }
@@ -136,7 +156,17 @@ private:
         std::int32_t move;
     };
 
-    void add_move(const PassContact& from, const PassContact& to);
+    // An end of a move.
+    struct MoveEnd {
+        Vec3 centre;
+        std::int32_t near;
+    };
+
+    MoveEnd end_at(const PassContact& contact) const;
+    MoveEnd end_at(const SampleEdge& place) const;
+    template <typename Place>
+    void add_moves(std::span<const Place> pass, bool is_closed);
+    void add_move(const MoveEnd& from, const MoveEnd& to);
 
     const PartSamples* samples_;
     BallCutter cutter_;

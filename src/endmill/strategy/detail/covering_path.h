@@ -10,7 +10,7 @@ namespace endmill {
 
 /// Share of the scallop height at which passes are laid out. The rest is for what lies
 /// between samples and for the chords of moves.
-inline constexpr double layout_share = 0.97;
+inline constexpr double layout_share = 0.98;
 
 /// Passes, and the samples on which they are laid.
 struct LaidPasses {

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <queue>
-#include <unordered_map>
 
+#include "endmill/strategy/detail/middle_way.h"
 #include "endmill/strategy/detail/reach.h"
 
 namespace endmill {
@@ -18,8 +16,8 @@ namespace {
 // share of its surroundings.
 constexpr double notch_share = 0.25;
 // Distance over which a bend decreases by the factor e, as a multiple of the half width of
-// a strip. The line that is bent runs about two half widths from the island.
-constexpr double bend_decay = 4;
+// a strip. A longer one bends more of the line than the island needs.
+constexpr double bend_decay = 1.2;
 // A bend is not followed below this share of the island's own.
 constexpr double least_bend_share = 0.1;
 // A bend exceeds the gap that asks for it by this factor, so that few rounds are needed.
@@ -32,24 +30,6 @@ constexpr double greatest_total_bend = 0.7;
 
 // Least distance of the contacts of a pass, as a share of the distance of samples.
 constexpr double least_step = 0.9;
-
-// The contacts of a line, without those that are too close together.
-LaidPass pass_on(const LevelLine& line, const PartSamples& samples)
-{
-    LaidPass pass{{}, line.is_closed};
-    const double least = least_step * samples.spacing();
-    for (std::size_t k = 0; k < line.places.size(); ++k) {
-        const PassContact contact = samples.contact(line.places[k]);
-        const bool is_last = k + 1 == line.places.size();
-        if (pass.contacts.empty() ||
-            (contact.at.contact.point - pass.contacts.back().at.contact.point).norm() >=
-                least)
-            pass.contacts.push_back(contact);
-        else if (is_last && !line.is_closed && pass.contacts.size() > 1)
-            pass.contacts.back() = contact;
-    }
-    return pass;
-}
 
 // An island with fewer samples is small enough to bend to, whatever surrounds it.
 constexpr std::size_t small_island = 12;
@@ -70,23 +50,34 @@ FrontMarch::FrontMarch(Coverage& coverage, double slack, int rounds)
       walk_{coverage.samples()},
       inner_walk_{coverage.samples()},
       reach_(coverage.samples().size(), coverage.cutter().radius()),
+      nearest_front_(coverage.samples().size(), -1),
       wanted_(coverage.samples().size(), 0),
       is_new_(coverage.samples().size(), false),
       is_seen_(coverage.samples().size(), false),
-      bent_(reach_)
+      bent_(reach_),
+      bend_of_(coverage.samples().size(), 0)
 {
 }
 
-std::vector<LevelLine> FrontMarch::current_front()
+std::vector<SampleEdge> FrontMarch::current_front()
 {
     std::erase_if(front_samples_, [&](std::int32_t i) {
         return std::ranges::none_of(samples_->neighbours(i), [&](std::int32_t neighbour) {
             return is_uncovered(neighbour);
         });
     });
+    std::vector<SampleEdge> front;
     if (front_samples_.empty())
-        return {};
-    return level_lines(*samples_, coverage_->gaps(), front_samples_, slack_);
+        return front;
+    for (LevelLine& line :
+         level_lines(*samples_, coverage_->gaps(), front_samples_, slack_))
+        for (SampleEdge& place : line.places) {
+            place.share = crossing_share([&](double share) {
+                return coverage_->gap_at({place.from, place.to, share}) - slack_;
+            });
+            front.push_back(place);
+        }
+    return front;
 }
 
 std::size_t FrontMarch::uncovered_samples() const
@@ -108,68 +99,122 @@ void FrontMarch::run(std::vector<SampleEdge> front)
 {
     for (;;) {
         if (front.empty())
-            for (const LevelLine& line : current_front())
-                front.insert(front.end(), line.places.begin(), line.places.end());
+            front = current_front();
         if (front.empty() || !step(front))
             return;
         front.clear();
     }
 }
 
+// The line without places that are too close together.
+LevelLine FrontMarch::thinned(const LevelLine& line) const
+{
+    LevelLine thin{{}, line.is_closed};
+    const double least = least_step * samples_->spacing();
+    Vec3 last = Vec3::Zero();
+    for (std::size_t k = 0; k < line.places.size(); ++k) {
+        const Vec3 point = samples_->near_place(line.places[k]).point;
+        const bool is_end = k + 1 == line.places.size() && !line.is_closed;
+        const bool is_far = thin.places.empty() || (point - last).norm() >= least;
+        if (!is_far && !(is_end && thin.places.size() > 1))
+            continue;
+        if (!is_far)
+            thin.places.pop_back();
+        thin.places.push_back(line.places[k]);
+        last = point;
+    }
+    return thin;
+}
+
 void FrontMarch::lay(std::span<const LevelLine> lines)
 {
-    std::vector<LaidPass> passes;
+    std::vector<LevelLine> passes;
     for (const LevelLine& line : where_positive(lines, coverage_->gaps(), slack_)) {
-        passes.push_back(pass_on(line, *samples_));
-        coverage_->add(passes.back().contacts, passes.back().is_closed);
+        passes.push_back(thinned(line));
+        coverage_->add(passes.back().places, passes.back().is_closed);
     }
     accept(std::move(passes));
 }
 
-void FrontMarch::measure_reach(std::span<const SampleEdge> front)
+// Measures the reach of a front point.
+void FrontMarch::reach_from(std::int32_t front, const SampleEdge& place)
 {
     const double radius = coverage_->cutter().radius();
-    for (const SampleEdge& place : front) {
-        const Vec3 raised = (1 - place.share) * coverage_->raised(place.from) +
-                            place.share * coverage_->raised(place.to);
-        walk_.from(std::array{place.from, place.to}, [&](std::int32_t i) {
-            const Vec3 centre = coverage_->centre(i);
-            const double x = raised.x() - centre.x();
-            const double y = raised.y() - centre.y();
-            const double z = std::min(0.0, raised.z() - centre.z());
-            const double beyond = beyond_reach(x * x + y * y + z * z, radius);
-            if (reach_[i] == radius)
-                measured_.push_back(i);
+    const Vec3& raised = front_raised_[front];
+    walk_.from(std::array{place.from, place.to}, [&](std::int32_t i) {
+        const double beyond = point_reach(coverage_->centre(i), raised, radius);
+        if (nearest_front_[i] < 0)
+            measured_.push_back(i);
+        if (nearest_front_[i] < 0 || beyond < reach_[i]) {
             reach_[i] = std::min(reach_[i], beyond);
-            return beyond < 0 && is_uncovered(i);
-        });
+            nearest_front_[i] = front;
+        }
+        return beyond < 0 && is_uncovered(i);
+    });
+}
+
+void FrontMarch::measure_reach(std::span<const SampleEdge> front)
+{
+    front_raised_.clear();
+    for (const SampleEdge& place : front) {
+        front_raised_.push_back(coverage_->raised(place));
+        reach_from(static_cast<std::int32_t>(front_raised_.size() - 1), place);
     }
+    std::sort(measured_.begin(), measured_.end());
 }
 
 void FrontMarch::forget_reach()
 {
-    for (const std::int32_t i : measured_)
+    for (const std::int32_t i : measured_) {
         bent_[i] = reach_[i] = coverage_->cutter().radius();
+        nearest_front_[i] = -1;
+        bend_of_[i] = 0;
+    }
     measured_.clear();
 }
 
-std::vector<LaidPass> FrontMarch::trial_passes(std::span<const double> bend)
+// The reach at a place between samples, from the front points that are nearest to them.
+double FrontMarch::reach_at(const SampleEdge& place) const
 {
-    for (std::size_t k = 0; k < measured_.size(); ++k)
+    const double radius = coverage_->cutter().radius();
+    const Vec3 centre = samples_->near_centre(place, radius);
+    double reach = radius;
+    for (const std::int32_t i : {place.from, place.to})
+        if (const std::int32_t front = nearest_front_[i]; front >= 0)
+            reach = std::min(reach, point_reach(centre, front_raised_[front], radius));
+    return reach;
+}
+
+double FrontMarch::bent_reach_at(const SampleEdge& place) const
+{
+    return reach_at(place) +
+           std::lerp(bend_of_[place.from], bend_of_[place.to], place.share);
+}
+
+std::vector<LevelLine> FrontMarch::trial_passes(std::span<const double> bend)
+{
+    for (std::size_t k = 0; k < measured_.size(); ++k) {
+        bend_of_[measured_[k]] = bend[k];
         bent_[measured_[k]] = reach_[measured_[k]] + bend[k];
-    std::vector<LaidPass> passes;
-    for (const LevelLine& line : where_positive(level_lines(*samples_, bent_, measured_),
-                                                coverage_->gaps(), slack_))
-        passes.push_back(pass_on(line, *samples_));
+    }
+    std::vector<LevelLine> passes;
+    for (LevelLine& line : where_positive(level_lines(*samples_, bent_, measured_),
+                                          coverage_->gaps(), slack_)) {
+        for (SampleEdge& place : line.places)
+            place.share = crossing_share([&](double share) {
+                return bent_reach_at({place.from, place.to, share});
+            });
+        passes.push_back(thinned(line));
+    }
     return passes;
 }
 
-std::vector<LaidPass> FrontMarch::try_passes(std::span<const double> bend)
+std::vector<LevelLine> FrontMarch::try_passes(std::span<const double> bend)
 {
     coverage_->withdraw();
-    std::vector<LaidPass> passes = trial_passes(bend);
-    for (const LaidPass& pass : passes)
-        coverage_->add(pass.contacts, pass.is_closed);
+    std::vector<LevelLine> passes = trial_passes(bend);
+    for (const LevelLine& pass : passes)
+        coverage_->add(pass.places, pass.is_closed);
     return passes;
 }
 
@@ -194,21 +239,18 @@ double FrontMarch::missed_by(std::span<const Island> left) const
     return missed;
 }
 
-bool FrontMarch::step(std::span<const SampleEdge> front)
+// Adds the passes ahead of the front, bent so that they miss as little as possible.
+std::vector<LevelLine> FrontMarch::bent_passes(std::span<const SampleEdge> front)
 {
-    measure_reach(front);
-    std::sort(measured_.begin(), measured_.end());
-    measured_.erase(std::unique(measured_.begin(), measured_.end()), measured_.end());
-    coverage_->watch(front);
     std::vector<double> bend(measured_.size(), 0);
     std::vector<double> best_bend = bend;
     double least_missed = std::numeric_limits<double>::infinity();
     double missed_before = least_missed;
-    std::vector<LaidPass> passes;
+    std::vector<LevelLine> passes;
     for (int round = 0; round <= rounds_; ++round) {
         passes = try_passes(bend);
         const std::vector<Island> left = islands();
-        if (rounds_ > 1)
+        if (rounds_ > 0)
             missed_places_ = coverage_->missed(strip_triangles(), slack_);
         const double missed = missed_by(left);
         const bool is_stuck = missed == missed_before;
@@ -221,17 +263,51 @@ bool FrontMarch::step(std::span<const SampleEdge> front)
             !bend_towards(left, front, bend))
             break;
     }
-    if (bend != best_bend)
-        passes = try_passes(best_bend);
+    return bend == best_bend ? passes : try_passes(best_bend);
+}
+
+bool FrontMarch::step(std::span<const SampleEdge> front)
+{
+    measure_reach(front);
+    coverage_->watch(front);
+    std::vector<LevelLine> passes = bent_passes(front);
     const std::vector<Island> left = islands();
     bool covers_more = accept(std::move(passes));
     for (const Island& island : left) {
-        std::vector<LaidPass> middle{middle_pass(island)};
-        coverage_->add(middle.front().contacts, false);
+        // the pass along another island may cover this one too
+        if (std::ranges::none_of(island.samples,
+                                 [&](std::int32_t i) { return is_uncovered(i); }))
+            continue;
+        std::vector<LevelLine> middle{middle_pass(island)};
+        coverage_->add(middle.front().places, false);
         covers_more = accept(std::move(middle)) || covers_more;
     }
     forget_reach();
     return covers_more;
+}
+
+// The uncovered samples that are connected with `start`, as far as the front reaches.
+FrontMarch::Island FrontMarch::island_around(std::int32_t start)
+{
+    Island island;
+    double around = 0;
+    double around_new = 0;
+    inner_walk_.from(std::array{start}, [&](std::int32_t i) {
+        if (!is_uncovered(i)) {
+            around += 1;
+            around_new += is_new_[i] ? 1 : 0;
+            return false;
+        }
+        if (reach_[i] >= 0) {
+            island.is_open = true;
+            return false;
+        }
+        is_seen_[i] = true;
+        island.samples.push_back(i);
+        return true;
+    });
+    island.beside_pass = around > 0 ? around_new / around : 0;
+    return island;
 }
 
 std::vector<FrontMarch::Island> FrontMarch::islands()
@@ -243,28 +319,9 @@ std::vector<FrontMarch::Island> FrontMarch::islands()
     for (const std::int32_t start : measured_) {
         if (!is_uncovered(start) || reach_[start] >= 0 || is_seen_[start])
             continue;
-        Island island{{}, 0};
-        bool is_open = false;
-        double around = 0;
-        double around_new = 0;
-        inner_walk_.from(std::array{start}, [&](std::int32_t i) {
-            if (!is_uncovered(i)) {
-                around += 1;
-                around_new += is_new_[i] ? 1 : 0;
-                return false;
-            }
-            if (reach_[i] >= 0) {
-                is_open = true;
-                return false;
-            }
-            is_seen_[i] = true;
-            island.samples.push_back(i);
-            return true;
-        });
-        if (is_open)
-            continue;
-        island.beside_pass = around > 0 ? around_new / around : 0;
-        found.push_back(std::move(island));
+        Island island = island_around(start);
+        if (!island.is_open)
+            found.push_back(std::move(island));
     }
     for (const std::int32_t i : measured_)
         is_seen_[i] = false;
@@ -273,59 +330,75 @@ std::vector<FrontMarch::Island> FrontMarch::islands()
     return found;
 }
 
-bool FrontMarch::bend_towards(std::span<const Island> islands,
-                              std::span<const SampleEdge> front,
-                              std::vector<double>& bend)
+void FrontMarch::want(std::int32_t i, double bend)
+{
+    if (bend <= wanted_[i])
+        return;
+    if (wanted_[i] == 0)
+        wanting_.push_back(i);
+    wanted_[i] = bend;
+    spreading_.emplace(bend, i);
+}
+
+// Wants a bend where the passes of the last trial miss something.
+void FrontMarch::want_bends(std::span<const Island> islands,
+                            std::span<const SampleEdge> front)
+{
+    const double greatest = greatest_bend * coverage_->height();
+    for (const Island& island : islands)
+        if (is_notch(island))
+            for (const std::int32_t i : island.samples)
+                want(i, std::min(bend_excess * (coverage_->gaps()[i] - slack_) + slack_,
+                                 greatest));
+    for (std::size_t k = 0; k < front.size(); ++k)
+        if (const double gap = coverage_->watched_gaps()[k];
+            gap > slack_ && gap <= greatest) {
+            want(front[k].from, bend_excess * gap);
+            want(front[k].to, bend_excess * gap);
+        }
+    for (const MissedPlace& place : missed_places_)
+        want(sample_beside(*samples_, place),
+             bend_excess * std::min(place.gap, greatest));
+}
+
+// Spreads the bends that are wanted to the samples around, less with the distance.
+void FrontMarch::spread_wanted()
 {
     const double radius = coverage_->cutter().radius();
     const double height = coverage_->height();
     // half the width of a strip on a plane
     const double half_width = std::sqrt(height * (2 * radius - height));
-    using Entry = std::pair<double, std::int32_t>;  // wanted bend and sample
-    std::priority_queue<Entry> queue;
-    const auto want = [&](std::int32_t i, double value) {
-        if (value > wanted_[i]) {
-            if (wanted_[i] == 0)
-                wanting_.push_back(i);
-            wanted_[i] = value;
-            queue.emplace(value, i);
-        }
-    };
-    for (const Island& island : islands)
-        for (const std::int32_t i : is_notch(island)
-                                        ? std::span<const std::int32_t>{island.samples}
-                                        : std::span<const std::int32_t>{})
-            want(i, std::min(bend_excess * (coverage_->gaps()[i] - slack_) + slack_,
-                             greatest_bend * height));
-    for (std::size_t k = 0; k < front.size(); ++k) {
-        const double gap = coverage_->watched_gaps()[k];
-        if (gap <= slack_ || gap > greatest_bend * height)
-            continue;
-        want(front[k].from, bend_excess * gap);
-        want(front[k].to, bend_excess * gap);
-    }
-    for (const MissedPlace& place : missed_places_)
-        want(place.at.near, bend_excess * std::min(place.gap, greatest_bend * height));
-    if (queue.empty())
-        return false;
-    const double least = least_bend_share * queue.top().first;
-    while (!queue.empty()) {
-        const auto [value, i] = queue.top();
-        queue.pop();
+    const double least = least_bend_share * spreading_.top().first;
+    while (!spreading_.empty()) {
+        const auto [value, i] = spreading_.top();
+        spreading_.pop();
         if (value < wanted_[i])
             continue;
         for (const std::int32_t neighbour : samples_->neighbours(i)) {
+            if (reach_[neighbour] >= radius)
+                continue;
             const double distance =
                 (samples_->point(neighbour) - samples_->point(i)).norm();
             // 1 / (1 + d + d^2 / 2) is close to exp(-d) and quicker
             const double decay = distance / (bend_decay * half_width);
             const double less = value / (1 + decay + decay * decay / 2);
-            if (less > least && reach_[neighbour] < radius)
+            if (less > least)
                 want(neighbour, less);
         }
     }
+}
+
+bool FrontMarch::bend_towards(std::span<const Island> islands,
+                              std::span<const SampleEdge> front,
+                              std::vector<double>& bend)
+{
+    want_bends(islands, front);
+    if (spreading_.empty())
+        return false;
+    spread_wanted();
+    const double greatest = greatest_total_bend * coverage_->height();
     for (std::size_t k = 0; k < measured_.size(); ++k)
-        bend[k] = std::min(bend[k] + wanted_[measured_[k]], greatest_total_bend * height);
+        bend[k] = std::min(bend[k] + wanted_[measured_[k]], greatest);
     for (const std::int32_t i : wanting_)
         wanted_[i] = 0;
     wanting_.clear();
@@ -334,65 +407,21 @@ bool FrontMarch::bend_towards(std::span<const Island> islands,
 
 // Keeps the passes that were added. Whether they cover a sample that was not covered: the
 // march ends without one, so that it cannot go on for ever.
-bool FrontMarch::accept(std::vector<LaidPass> passes)
+bool FrontMarch::accept(std::vector<LevelLine> passes)
 {
     const std::vector<std::int32_t> covered = coverage_->newly_covered(slack_);
     front_samples_.insert(front_samples_.end(), covered.begin(), covered.end());
     coverage_->accept();
-    for (LaidPass& pass : passes)
+    for (LevelLine& pass : passes)
         passes_.push_back(std::move(pass));
     return !covered.empty();
 }
 
-LaidPass FrontMarch::middle_pass(const Island& island)
+LevelLine FrontMarch::middle_pass(const Island& island) const
 {
-    std::unordered_map<std::int32_t, double> gap_of;
-    double deepest = 0;
-    for (const std::int32_t i : island.samples) {
-        gap_of[i] = coverage_->gaps()[i];
-        deepest = std::max(deepest, gap_of[i]);
-    }
-    // Distances over the island; a step costs more where the gap is smaller, so that the
-    // shortest way runs in the middle.
-    using Entry = std::pair<double, std::int32_t>;
-    std::unordered_map<std::int32_t, std::int32_t> before;
-    const auto farthest_from = [&](std::int32_t start, double penalty) {
-        std::unordered_map<std::int32_t, double> distance{{start, 0.0}};
-        before = {{start, start}};
-        std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
-        queue.emplace(0.0, start);
-        std::int32_t last = start;
-        while (!queue.empty()) {
-            const auto [so_far, i] = queue.top();
-            queue.pop();
-            if (so_far > distance[i])
-                continue;
-            last = i;
-            for (const std::int32_t neighbour : samples_->neighbours(i)) {
-                const auto gap = gap_of.find(neighbour);
-                if (gap == gap_of.end())
-                    continue;
-                const double step =
-                    (samples_->point(neighbour) - samples_->point(i)).norm() *
-                    (1 + penalty * (1 - gap->second / deepest));
-                const auto known = distance.find(neighbour);
-                if (known == distance.end() || so_far + step < known->second) {
-                    distance[neighbour] = so_far + step;
-                    before[neighbour] = i;
-                    queue.emplace(so_far + step, neighbour);
-                }
-            }
-        }
-        return last;
-    };
-    const std::int32_t end = farthest_from(island.samples.front(), 0);
-    const std::int32_t other = farthest_from(end, 4);
-    LaidPass pass;
-    for (std::int32_t i = other;; i = before[i]) {
-        pass.contacts.push_back(samples_->contact({i, i, 0}));
-        if (before[i] == i)
-            break;
-    }
+    LevelLine pass{{}, false};
+    for (const std::int32_t i : middle_way(*samples_, island.samples, coverage_->gaps()))
+        pass.places.push_back({i, i, 0});
     return pass;
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <queue>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "endmill/strategy/detail/coverage.h"
@@ -47,31 +49,39 @@ public:
     /// \pre not is_complete()
     std::int32_t first_uncovered() const;
 
-    std::span<const LaidPass> passes() const { return passes_; }  ///< so far
-    std::vector<LaidPass> take_passes() { return std::move(passes_); }
+    std::span<const LevelLine> passes() const { return passes_; }  ///< so far
 
 private:
     // A component of uncovered samples that the front surrounds.
     struct Island {
         std::vector<std::int32_t> samples;
-        double
-            beside_pass;  // share of the surrounding samples that the last pass covered
+        double beside_pass = 0;  // share of the samples around that the last pass covered
+        bool is_open = false;    // whether a sample is beyond the reach of the front
     };
 
-    std::vector<LevelLine> current_front();
+    std::vector<SampleEdge> current_front();
     bool step(std::span<const SampleEdge> front);
     void measure_reach(std::span<const SampleEdge> front);
     void forget_reach();
-    std::vector<LaidPass> trial_passes(std::span<const double> bend);
-    std::vector<LaidPass> try_passes(std::span<const double> bend);
+    std::vector<LevelLine> trial_passes(std::span<const double> bend);
+    std::vector<LevelLine> try_passes(std::span<const double> bend);
     std::vector<std::int32_t> strip_triangles() const;
     double missed_by(std::span<const Island> left) const;
     std::vector<Island> islands();
     static bool is_notch(const Island& island);
+    void want(std::int32_t i, double bend);
+    void want_bends(std::span<const Island> islands, std::span<const SampleEdge> front);
+    void spread_wanted();
     bool bend_towards(std::span<const Island> islands, std::span<const SampleEdge> front,
                       std::vector<double>& bend);
-    bool accept(std::vector<LaidPass> passes);
-    LaidPass middle_pass(const Island& island);
+    std::vector<LevelLine> bent_passes(std::span<const SampleEdge> front);
+    bool accept(std::vector<LevelLine> passes);
+    LevelLine middle_pass(const Island& island) const;
+    double reach_at(const SampleEdge& place) const;
+    double bent_reach_at(const SampleEdge& place) const;
+    Island island_around(std::int32_t start);
+    LevelLine thinned(const LevelLine& line) const;
+    void reach_from(std::int32_t front, const SampleEdge& place);
     bool is_uncovered(std::int32_t i) const { return coverage_->gaps()[i] > slack_; }
 
     Coverage* coverage_;
@@ -80,16 +90,21 @@ private:
     int rounds_;
     SampleWalk walk_;
     SampleWalk inner_walk_;
-    std::vector<double> reach_;           // of each sample, mm; R where no front is near
-    std::vector<std::int32_t> measured_;  // samples with a reach
-    std::vector<double> wanted_;          // bend at each sample, mm; 0 between calls
-    std::vector<std::int32_t> wanting_;   // samples with a bend
+    std::vector<double> reach_;  // of each sample, mm; R where no front is near
+    std::vector<std::int32_t> nearest_front_;  // number of the front point of the reach
+    std::vector<Vec3> front_raised_;           // raised points of the front
+    std::vector<std::int32_t> measured_;       // samples with a reach
+    std::vector<double> wanted_;               // bend at each sample, mm; 0 between calls
+    std::vector<std::int32_t> wanting_;        // samples with a bend
+    // bends that are still to be spread, with their samples
+    std::priority_queue<std::pair<double, std::int32_t>> spreading_;
     std::vector<MissedPlace> missed_places_;   // of the last trial
     std::vector<bool> is_new_;                 // false between calls
     std::vector<bool> is_seen_;                // false between calls
     std::vector<double> bent_;                 // reach with bend
+    std::vector<double> bend_of_;              // bend of each sample, mm
     std::vector<std::int32_t> front_samples_;  // covered, with a neighbour that is not
-    std::vector<LaidPass> passes_;
+    std::vector<LevelLine> passes_;
 };
 
 }  // namespace endmill

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -30,6 +32,29 @@ std::vector<LevelLine> level_lines(const PartSamples& samples,
 /// further, so that neighbouring parts leave nothing between them.
 std::vector<LevelLine> where_positive(std::span<const LevelLine> lines,
                                       std::span<const double> values, double level = 0);
+
+/// The share of an edge at which a smooth value that changes its sign along the edge is 0: on the
+/// parabola through its values at both ends and at the linear estimate.
+/// \param value of a share, 0 to 1.
+template <typename Value>
+double crossing_share(const Value& value)
+{
+    const double first = value(0.0);
+    const double last = value(1.0);
+    if ((first < 0) == (last < 0))
+        return std::abs(first) < std::abs(last) ? 0 : 1;
+    const double share = first / (first - last);
+    if (!(share > 0 && share < 1))
+        return share > 0 ? 1 : 0;
+    // first + slope s + bow s^2
+    const double bow = value(share) / (share * (share - 1));
+    const double slope = last - first - bow;
+    const double root = std::sqrt(std::max(0.0, slope * slope - 4 * bow * first));
+    const double sum = -(slope + std::copysign(root, slope)) / 2;
+    const double near = sum == 0 ? share : first / sum;
+    const double found = near >= 0 && near <= 1 ? near : sum / bow;
+    return found >= 0 && found <= 1 ? found : share;
+}
 
 /// The value at a place, linear between its samples.
 inline double value_at(const SampleEdge& place, std::span<const double> values)

@@ -15,6 +15,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/planning/detail/verified_pass.h"
+#include "endmill/strategy/detail/near_contact.h"
 #include "endmill/surface/surface_jet.h"
 
 namespace endmill {
@@ -397,20 +398,19 @@ PassContact PartSamples::contact(const SampleEdge& place) const
         near);
 }
 
-PassContact PartSamples::place(std::size_t i) const
-{
-    const auto near = static_cast<std::int32_t>(i);
-    const CutterContact at{points_[i], normals_[i]};
-    return {{parameters_[i].u, parameters_[i].v, at}, surface_of_[i], near};
-}
-
-PassContact PartSamples::place_between(const PassContact& from,
-                                       const PassContact& to) const
+CutterContact PartSamples::near_place(const CutterContact& from, const CutterContact& to,
+                                      double share) const
 {
     if (const auto* mesh = std::get_if<SampledMesh>(&source_))
-        return mesh_contact(mesh_place(*mesh, from.at.contact, to.at.contact, 0.5),
-                            to.near);
-    return between(from, to, 0.5);
+        return mesh_place(*mesh, from, to, share);
+    return near_contact(from, to, share);
+}
+
+CutterContact PartSamples::near_place(const SampleEdge& place) const
+{
+    const CutterContact from = place_at(place.from);
+    return place.from == place.to ? from
+                                  : near_place(from, place_at(place.to), place.share);
 }
 
 PassContact PartSamples::between(const PassContact& from, const PassContact& to,

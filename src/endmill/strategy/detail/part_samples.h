@@ -89,6 +89,9 @@ public:
     /// not be.
     bool is_wanted(std::size_t i) const { return is_wanted_.empty() || is_wanted_[i]; }
 
+    /// Whether the part is a mesh.
+    bool is_mesh() const { return std::holds_alternative<SampledMesh>(source_); }
+
     /// Area in mm^2 of the triangles with a sample that need not be covered.
     double unwanted_area() const;
 
@@ -114,12 +117,25 @@ public:
     /// nearest contact at which the ball does not enter the mesh.
     PassContact contact(const SampleEdge& place) const;
 
-    /// Point and normal of the part at sample i.
-    PassContact place(std::size_t i) const;
+    /// Point and normal of the part at sample i. On a mesh the ball may enter it there.
+    CutterContact place_at(std::size_t i) const { return {points_[i], normals_[i]}; }
 
-    /// Point and normal of the part half way between two places in one triangle. On a
-    /// surface it is the contact.
-    PassContact place_between(const PassContact& from, const PassContact& to) const;
+    /// Point and normal of the part between two places in one triangle, by the places alone.
+    /// It is close to the part and much quicker than a contact on it. \see near_contact
+    CutterContact near_place(const CutterContact& from, const CutterContact& to,
+                             double share) const;
+    CutterContact near_place(const SampleEdge& place) const;
+
+    /// Centre of a ball of `radius` mm at a place between samples, mm, to the accuracy of
+    /// near_place. \see centre
+    Vec3 near_centre(const SampleEdge& place, double radius) const
+    {
+        if (is_mesh())
+            return (1 - place.share) * centre(place.from, radius) +
+                   place.share * centre(place.to, radius);
+        const CutterContact at = near_place(place);
+        return at.point + radius * at.normal;
+    }
 
     /// The contact at the parameters `at` of a surface.
     /// \pre the part is not a mesh.

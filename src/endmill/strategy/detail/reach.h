@@ -81,4 +81,13 @@ inline double beyond_reach(double squared_distance, double radius)
     return (squared_distance - radius * radius) / (2 * radius);
 }
 
+/// The same for a ball that rests at `centre` and a point.
+inline double point_reach(const Vec3& centre, const Vec3& point, double radius)
+{
+    const double x = point.x() - centre.x();
+    const double y = point.y() - centre.y();
+    const double z = std::min(0.0, point.z() - centre.z());
+    return beyond_reach(x * x + y * y + z * z, radius);
+}
+
 }  // namespace endmill

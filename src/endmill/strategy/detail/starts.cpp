@@ -169,7 +169,7 @@ std::vector<MarchStart> march_starts(const PartSamples& samples)
     return starts;
 }
 
-std::vector<LaidPass> lay_passes(Coverage& coverage,
+std::vector<LevelLine> lay_lines(Coverage& coverage,
                                  const std::optional<MarchStart>& start, double slack,
                                  int rounds)
 {
@@ -189,7 +189,22 @@ std::vector<LaidPass> lay_passes(Coverage& coverage,
         }
     }
     cover_rest(march, coverage, slack);
-    return march.take_passes();
+    return {march.passes().begin(), march.passes().end()};
+}
+
+std::vector<LaidPass> passes_on(std::span<const LevelLine> lines,
+                                const PartSamples& samples)
+{
+    std::vector<LaidPass> passes;
+    passes.reserve(lines.size());
+    for (const LevelLine& line : lines) {
+        LaidPass pass{{}, line.is_closed};
+        pass.contacts.reserve(line.places.size());
+        for (const SampleEdge& place : line.places)
+            pass.contacts.push_back(samples.contact(place));
+        passes.push_back(std::move(pass));
+    }
+    return passes;
 }
 
 }  // namespace endmill

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -33,8 +34,12 @@ std::vector<MarchStart> march_starts(const PartSamples& samples);
 /// \param coverage      what is covered so far; the passes are added.
 /// \param start         where the first pass lies; nothing if passes have been added.
 /// \param slack, rounds of FrontMarch.
-std::vector<LaidPass> lay_passes(Coverage& coverage,
+std::vector<LevelLine> lay_lines(Coverage& coverage,
                                  const std::optional<MarchStart>& start, double slack,
                                  int rounds);
+
+/// The passes on lines of a net.
+std::vector<LaidPass> passes_on(std::span<const LevelLine> lines,
+                                const PartSamples& samples);
 
 }  // namespace endmill
