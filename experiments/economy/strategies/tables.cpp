@@ -50,6 +50,13 @@ std::optional<PathBound> bound_of(const Surface& surface, const ComparedCut& cut
     }
 }
 
+std::string row_name(const std::string& surface, const ComparedCut& cut,
+                     const std::string& strategy)
+{
+    return surface + " D=" + to_text(2 * cut.ball.radius()) +
+           " h=" + to_text(cut.scallop_height) + " " + strategy;
+}
+
 // What a path saves against the better of the paths along parameters, in per cent; empty
 // for those paths.
 CsvCell saved_percent(double cut_mm, const std::optional<double>& along_parameters_mm,
@@ -121,11 +128,8 @@ void add_strategies(CsvTable& table, const std::string& name, const Surface& sur
     std::optional<double> along_parameters_mm;
     for (const Strategy strategy : every_strategy) {
         const std::string word{strategy_name(strategy)};
-        std::string row_name = name;
-        for (const std::string& part :
-             {" D=" + to_text(diameter), " h=" + to_text(cut.scallop_height), " " + word})
-            row_name += part;
-        std::vector<CsvCell> row{row_name, name, diameter, cut.scallop_height, word};
+        std::vector<CsvCell> row{row_name(name, cut, word), name, diameter,
+                                 cut.scallop_height, word};
         const auto begin = std::chrono::steady_clock::now();
         try {
             const StrategyPlan plan = plan_by_strategy(
