@@ -89,8 +89,8 @@ TEST(MostPathPoints, FillTheMemoryUpToOnePoint)
     for (const double gib : {1e-9, 1e-6, 0.5, 1.0, 8.0, 1000.0}) {
         const double bytes = gib * 1024 * 1024 * 1024;
         const auto points = static_cast<double>(most_path_points(gib));
-        EXPECT_LE(points * 950, bytes);
-        EXPECT_GT((points + 1) * 950, bytes);
+        EXPECT_LE(points * 1000, bytes);
+        EXPECT_GT((points + 1) * 1000, bytes);
     }
 }
 
@@ -107,18 +107,18 @@ TEST(PathMemory, RefusesOnlyPathsThatDoNotFitWithHalfThePoints)
     EXPECT_THROW(require_path_memory(2 * most + 1, 0.25), LimitError);
 }
 
-// 900 million points of 950 bytes are 855 * 10^9 / 2^30 = 796 GiB; 8 GiB hold 9.04
+// 900 million points of 1000 bytes are 9 * 10^11 / 2^30 = 838 GiB; 8 GiB hold 8.59
 // million points.
 TEST(PathMemory, ARefusalNamesPointsNeedAndLimit)
 {
     EXPECT_THAT([] { require_path_memory(9e8, 8); },
                 testing::ThrowsMessage<LimitError>(
-                    AllOf(HasSubstr("about 9e+08 CL points"), HasSubstr("8e+02 GiB"),
+                    AllOf(HasSubstr("about 9e+08 CL points"), HasSubstr("8.4e+02 GiB"),
                           HasSubstr("at most 8 GiB (--max-memory)"),
-                          HasSubstr("enough for 9e+06 points"))));
+                          HasSubstr("enough for 8.6e+06 points"))));
 }
 
-// 2 points of 950 bytes are 1.8e-6 GiB.
+// 2 points of 1000 bytes are 1.9e-6 GiB.
 TEST(PathMemory, APathThatGrowsBeyondItNamesNeedAndLimit)
 {
     for (const Planner planner : {Planner::Paper, Planner::Verified}) {
@@ -127,16 +127,16 @@ TEST(PathMemory, APathThatGrowsBeyondItNamesNeedAndLimit)
         EXPECT_THAT([&] { plan_path(plane_part, plane_ball, options); },
                     testing::ThrowsMessage<LimitError>(
                         AllOf(HasSubstr("more than 2 points"), HasSubstr(" would need "),
-                              HasSubstr("at most 1.8e-06 GiB (--max-memory)"),
+                              HasSubstr("at most 1.9e-06 GiB (--max-memory)"),
                               HasSubstr("larger tolerances need fewer points"))));
     }
 }
 
-// A quarter of 0.5 GiB holds 141281 points of 950 bytes.
+// A quarter of 0.5 GiB holds 134217 points of 1000 bytes.
 TEST(FitTogether, IfTheSumNeedsAtMostAQuarterOfTheMemory)
 {
-    EXPECT_TRUE(fit_together(std::array{100'000.0, 41'281.0}, 0.5));
-    EXPECT_FALSE(fit_together(std::array{100'000.0, 41'282.0}, 0.5));
+    EXPECT_TRUE(fit_together(std::array{100'000.0, 34'217.0}, 0.5));
+    EXPECT_FALSE(fit_together(std::array{100'000.0, 34'218.0}, 0.5));
     EXPECT_TRUE(fit_together({}, 0.5));
 }
 

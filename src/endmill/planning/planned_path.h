@@ -56,7 +56,7 @@ double estimated_points(std::span<const Surface> surfaces, const BallCutter& cut
 
 /// Upper bound in bytes of the memory for each point of a path until its files are
 /// written: the growing path and the text of one file.
-inline constexpr double bytes_per_path_point = 950;
+inline constexpr double bytes_per_path_point = 1000;
 
 /// The greatest number of path points for which `memory_gib` suffices.
 /// \pre 0 <= memory_gib
