@@ -202,8 +202,9 @@ void add_plan_command(CLI::App& program, Action& action)
         "Exit 1: a path gouges the part deeper than the inner tolerance (--mode paper "
         "may),\n"
         "--mode verified finds places that no pass covers, such as a crease, or a path "
-        "by\n"
-        "--strategy iso-scallop is not judged clean.\n\n"
+        "by "
+        "a\n"
+        "--strategy other than iso is not judged clean.\n\n"
         "Example:\n"
         "  endmill plan datasets/surfaces/saddle.json\n"
         "  endmill plan datasets/surfaces/saddle.json --cutter ball:15 --inner-tolerance "
@@ -211,7 +212,7 @@ void add_plan_command(CLI::App& program, Action& action)
         "  endmill plan datasets/surfaces/wavy.json --cutter ball:10 --chord-tolerance "
         "0.05 --direction u -o wavy\n"
         "  endmill plan datasets/surfaces/saddle.json --cutter ball:15 --scallop 0.5 "
-        "--strategy iso-scallop -o iso-scallop");
+        "--strategy best -o best");
     command->callback([options, &action] {
         action = [options] {
             return naming(options->part.path, [&] { return run_plan(*options); });

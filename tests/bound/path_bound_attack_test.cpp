@@ -115,7 +115,8 @@ TEST(PathBoundAttack, NoRandomCoveringPathIsShorter)
             EXPECT_GT(path.length, least);
             closest = std::min(closest, path.length / bound.density_mm);
         }
-        // The attack comes near, so that it would find a bound that is far too large.
+        // The attack comes near, so that it would find a bound that is far too large. The
+        // limit was set after 1.46 had been seen: on this small part, pieces cost much.
         EXPECT_LT(closest, 1.6);
     }
 }
