@@ -119,8 +119,9 @@ PlanContext mesh_context(PartFile& file, PlanOptions& options)
                           "--cutter ball:DIAMETER"};
     auto& mesh = std::get<TriangleMesh>(file.part);
     CleanedMesh cleaned = without_degenerate_or_duplicate(mesh);
-    for (const std::string& remark : mesh_remarks(cleaned))
-        warn(options.common, path + ": " + remark);
+    const std::string place = path + ": ";
+    for (std::string remark : mesh_remarks(cleaned))
+        warn(options.common, remark.insert(0, place));
     mesh = std::move(cleaned.mesh);
     const Vec3& axis = options.planning.link.axis;
     double highest = -std::numeric_limits<double>::infinity();

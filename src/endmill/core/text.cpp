@@ -136,7 +136,8 @@ char* write_short_decimal(char* end, double value)
     const double size = std::abs(value);
     if (!(size < most_short) || (size < least_short && size != 0))
         return nullptr;
-    const auto units = static_cast<std::int64_t>(size * nano + 0.5);
+    const double above = size * nano + 0.5;
+    const auto units = static_cast<std::int64_t>(above);
     if (static_cast<double>(units) / nano != size)
         return nullptr;
     auto fraction = static_cast<std::uint32_t>(units % units_of_one);

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 
 #include "endmill/core/error.h"
@@ -77,23 +78,33 @@ std::string whole(const Write& write)
     return text;
 }
 
-}  // namespace
-
-void write_sections_csv(std::span<const PlaneSection> planes, const DrivePlanes* placed,
-                        const std::function<void(std::string_view piece)>& sink)
+// Writes the rows of the points of all curves. `position` gives the place of a point in its
+// plane.
+template <typename Plane, typename Position>
+void write_rows(std::span<const Plane> planes, const DrivePlanes* placed,
+                const Position& position,
+                const std::function<void(std::string_view piece)>& sink)
 {
     sink(point_header);
     pass_texts(
         planes.size(),
         [&](std::size_t p) {
             PlaneRows rows{placed, p};
-            const std::vector<SectionCurve>& curves = planes[p].curves;
+            const auto& curves = planes[p].curves;
             for (std::size_t c = 0; c < curves.size(); ++c)
                 for (std::size_t k = 0; k < curves[c].points.size(); ++k)
-                    rows.add(c, k, curves[c].points[k]);
+                    rows.add(c, k, position(curves[c].points[k]));
             return rows.take();
         },
         sink);
+}
+
+}  // namespace
+
+void write_sections_csv(std::span<const PlaneSection> planes, const DrivePlanes* placed,
+                        const std::function<void(std::string_view piece)>& sink)
+{
+    write_rows(planes, placed, std::identity{}, sink);
 }
 
 std::string sections_csv(std::span<const PlaneSection> planes, const DrivePlanes* placed)
@@ -104,17 +115,8 @@ std::string sections_csv(std::span<const PlaneSection> planes, const DrivePlanes
 void write_trimmed_csv(std::span<const Trimmed> planes, const DrivePlanes* placed,
                        const std::function<void(std::string_view piece)>& sink)
 {
-    sink(point_header);
-    pass_texts(
-        planes.size(),
-        [&](std::size_t p) {
-            PlaneRows rows{placed, p};
-            const std::vector<TrimmedCurve>& curves = planes[p].curves;
-            for (std::size_t c = 0; c < curves.size(); ++c)
-                for (std::size_t k = 0; k < curves[c].points.size(); ++k)
-                    rows.add(c, k, curves[c].points[k].at);
-            return rows.take();
-        },
+    write_rows(
+        planes, placed, [](const auto& point) -> const SectionPoint& { return point.at; },
         sink);
 }
 

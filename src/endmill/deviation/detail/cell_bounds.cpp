@@ -236,6 +236,7 @@ std::vector<std::int32_t> local_sweeps(const MeasuredCell& cell,
             candidates.emplace_back(cut->thickness, sweep);
     std::ranges::sort(candidates);
     std::vector<std::int32_t> lowest;
+    lowest.reserve(candidates.size());
     for (const auto& [thickness, sweep] : candidates)
         lowest.push_back(sweep);
     return lowest;

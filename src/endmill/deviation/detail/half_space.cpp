@@ -47,12 +47,12 @@ HalfSpace half_space(const Cutter& cutter, const Vec3& place, const Vec3& neares
     const double distance = (nearest - place).head<2>().norm();
     // The place lies in the disc or below its rim. The shorter way out leads through the
     // bottom or the side.
-    const HalfSpace below = supported(cutter, Vec3::UnitZ(), nearest);
+    HalfSpace below = supported(cutter, Vec3::UnitZ(), nearest);
     if (!(distance > 0))
         return below;
     Vec3 inwards = nearest - place;
     inwards.z() = 0;
-    const HalfSpace beside = supported(cutter, inwards / distance, nearest);
+    HalfSpace beside = supported(cutter, inwards / distance, nearest);
     return gap(below, place) >= gap(beside, place) ? below : beside;
 }
 
@@ -63,7 +63,7 @@ Vec3 nearest_reference(const StraightSweep& sweep, const Vec3& place)
     const double length2 = move.squaredNorm();
     const double share =
         length2 > 0 ? std::clamp(move.dot(place - from) / length2, 0.0, 1.0) : 0;
-    const Vec3 nearest = from + share * move;
+    Vec3 nearest = from + share * move;
     const double level2 = move.head<2>().squaredNorm();
     if (nearest.z() >= place.z() || !(level2 > 0))
         return nearest;

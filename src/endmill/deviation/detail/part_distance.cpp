@@ -63,7 +63,7 @@ std::optional<NearestPoint> PartDistance::nearest(const Vec3& place,
                                                   double within) const
 {
     prepare();
-    const std::optional<NearestPoint> found =
+    std::optional<NearestPoint> found =
         surface_tree_ ? surface_tree_->nearest(place, hint, within)
                       : whole().nearest(place, hint, within);
     if (found)

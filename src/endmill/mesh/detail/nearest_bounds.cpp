@@ -4,8 +4,6 @@
 #include <cstring>
 #include <limits>
 
-#include "endmill/core/detail/widest_registers.h"
-
 // A convex part is beyond every plane that is normal to a direction and passes through
 // the part's first point along that direction. The bound is the distance to such a plane.
 // It holds for every direction, and is close if the direction leads to the nearest point
@@ -23,16 +21,16 @@ constexpr double rounding_share = 1e-13;
 // Here r is margin / margin_share: many margins, so that the share of d^2 is small.
 constexpr double margin_share = 1e-7;
 
-// Four numbers in registers. Everything that uses them is inlined, so that it is compiled
-// for the registers of the caller.
-class Four {
+// Four numbers in a register of 32 bytes. Everything that uses them is inlined, so that it is
+// compiled for the registers of the caller.
+class FourInOne {
 public:
-    [[gnu::always_inline]] Four(double value) : values_{Vector{} + value} {}
-    [[gnu::always_inline]] Four(double a, double b, double c, double d)
+    [[gnu::always_inline]] FourInOne(double value) : values_{Vector{} + value} {}
+    [[gnu::always_inline]] FourInOne(double a, double b, double c, double d)
         : values_{a, b, c, d}
     {
     }
-    [[gnu::always_inline]] explicit Four(const Eigen::Array4f& floats)
+    [[gnu::always_inline]] explicit FourInOne(const Eigen::Array4f& floats)
     {
         FloatVector values;
         std::memcpy(&values, floats.data(), sizeof values);
@@ -46,54 +44,132 @@ public:
         return numbers;
     }
 
-    [[gnu::always_inline]] Four operator-() const { return Four{-values_}; }
-    [[gnu::always_inline]] friend Four operator+(const Four& a, const Four& b)
+    [[gnu::always_inline]] FourInOne operator-() const { return FourInOne{-values_}; }
+    [[gnu::always_inline]] friend FourInOne operator+(const FourInOne& a,
+                                                      const FourInOne& b)
     {
-        return Four{a.values_ + b.values_};
+        return FourInOne{a.values_ + b.values_};
     }
-    [[gnu::always_inline]] friend Four operator-(const Four& a, const Four& b)
+    [[gnu::always_inline]] friend FourInOne operator-(const FourInOne& a,
+                                                      const FourInOne& b)
     {
-        return Four{a.values_ - b.values_};
+        return FourInOne{a.values_ - b.values_};
     }
-    [[gnu::always_inline]] friend Four operator*(const Four& a, const Four& b)
+    [[gnu::always_inline]] friend FourInOne operator*(const FourInOne& a,
+                                                      const FourInOne& b)
     {
-        return Four{a.values_ * b.values_};
+        return FourInOne{a.values_ * b.values_};
     }
-    [[gnu::always_inline]] friend Four operator/(const Four& a, const Four& b)
+    [[gnu::always_inline]] friend FourInOne operator/(const FourInOne& a,
+                                                      const FourInOne& b)
     {
-        return Four{a.values_ / b.values_};
+        return FourInOne{a.values_ / b.values_};
     }
-    [[gnu::always_inline]] friend Four smaller(const Four& a, const Four& b)
+    [[gnu::always_inline]] friend FourInOne smaller(const FourInOne& a,
+                                                    const FourInOne& b)
     {
-        return Four{a.values_ < b.values_ ? a.values_ : b.values_};
+        return FourInOne{a.values_ < b.values_ ? a.values_ : b.values_};
     }
     // b where a is no number
-    [[gnu::always_inline]] friend Four larger(const Four& a, const Four& b)
+    [[gnu::always_inline]] friend FourInOne larger(const FourInOne& a, const FourInOne& b)
     {
-        return Four{a.values_ > b.values_ ? a.values_ : b.values_};
+        return FourInOne{a.values_ > b.values_ ? a.values_ : b.values_};
     }
 
 private:
     using Vector = double __attribute__((vector_size(4 * sizeof(double))));
     using FloatVector = float __attribute__((vector_size(4 * sizeof(float))));
 
-    [[gnu::always_inline]] explicit Four(const Vector& values) : values_{values} {}
+    [[gnu::always_inline]] explicit FourInOne(const Vector& values) : values_{values} {}
 
     Vector values_;
 };
 
+// The same in two registers of 16 bytes, which every processor has. GCC compares the halves of
+// a longer vector number by number there.
+class FourInTwo {
+public:
+    [[gnu::always_inline]] FourInTwo(double value)
+        : low_{value, value},
+          high_{value, value}
+    {
+    }
+    [[gnu::always_inline]] FourInTwo(double a, double b, double c, double d)
+        : low_{a, b},
+          high_{c, d}
+    {
+    }
+    [[gnu::always_inline]] explicit FourInTwo(const Eigen::Array4f& floats)
+        : FourInTwo{floats[0], floats[1], floats[2], floats[3]}
+    {
+    }
+
+    [[gnu::always_inline]] std::array<double, 4> numbers() const
+    {
+        return {low_[0], low_[1], high_[0], high_[1]};
+    }
+
+    [[gnu::always_inline]] FourInTwo operator-() const { return {-low_, -high_}; }
+    [[gnu::always_inline]] friend FourInTwo operator+(const FourInTwo& a,
+                                                      const FourInTwo& b)
+    {
+        return {a.low_ + b.low_, a.high_ + b.high_};
+    }
+    [[gnu::always_inline]] friend FourInTwo operator-(const FourInTwo& a,
+                                                      const FourInTwo& b)
+    {
+        return {a.low_ - b.low_, a.high_ - b.high_};
+    }
+    [[gnu::always_inline]] friend FourInTwo operator*(const FourInTwo& a,
+                                                      const FourInTwo& b)
+    {
+        return {a.low_ * b.low_, a.high_ * b.high_};
+    }
+    [[gnu::always_inline]] friend FourInTwo operator/(const FourInTwo& a,
+                                                      const FourInTwo& b)
+    {
+        return {a.low_ / b.low_, a.high_ / b.high_};
+    }
+    [[gnu::always_inline]] friend FourInTwo smaller(const FourInTwo& a,
+                                                    const FourInTwo& b)
+    {
+        return {a.low_ < b.low_ ? a.low_ : b.low_, a.high_ < b.high_ ? a.high_ : b.high_};
+    }
+    // b where a is no number
+    [[gnu::always_inline]] friend FourInTwo larger(const FourInTwo& a, const FourInTwo& b)
+    {
+        return {a.low_ > b.low_ ? a.low_ : b.low_, a.high_ > b.high_ ? a.high_ : b.high_};
+    }
+
+private:
+    using Two = double __attribute__((vector_size(2 * sizeof(double))));
+
+    [[gnu::always_inline]] FourInTwo(const Two& low, const Two& high)
+        : low_{low},
+          high_{high}
+    {
+    }
+
+    Two low_;
+    Two high_;
+};
+
 // Four points or directions, by coordinate.
+template <typename Four>
 struct FourVectors {
     std::array<Four, 3> of{0, 0, 0};  // along each axis
 };
 
-[[gnu::always_inline]] inline Four dot(const FourVectors& a, const FourVectors& b)
+template <typename Four>
+[[gnu::always_inline]] inline Four dot(const FourVectors<Four>& a,
+                                       const FourVectors<Four>& b)
 {
     return a.of[0] * b.of[0] + a.of[1] * b.of[1] + a.of[2] * b.of[2];
 }
 
 // The squared distance to planes. \param along product of the direction and the vector
 // from the place to the first point; `square` of the direction's length.
+template <typename Four>
 [[gnu::always_inline]] inline Four square_to_plane(const Four& along, const Four& square,
                                                    double margin)
 {
@@ -103,12 +179,14 @@ struct FourVectors {
 }
 
 // Boxes, seen from a place.
+template <typename Four>
 struct SeenBoxes {
-    FourVectors low;
-    FourVectors high;
+    FourVectors<Four> low;
+    FourVectors<Four> high;
 };
 
-[[gnu::always_inline]] inline Four squares_to_boxes(const SeenBoxes& seen)
+template <typename Four>
+[[gnu::always_inline]] inline Four squares_to_boxes(const SeenBoxes<Four>& seen)
 {
     Four squares = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -121,11 +199,12 @@ struct SeenBoxes {
 // The direction leads from the place to its foot on the slab, moved into the box. It is
 // the sum of a multiple of the slab's normal, along which the slab limits the part, and a
 // rest, along which the box does.
+template <typename Four>
 [[gnu::always_inline]] inline Four squares_to_slabs(const FourEnclosures& parts,
-                                                    const SeenBoxes& seen,
+                                                    const SeenBoxes<Four>& seen,
                                                     const Vec3& place, double margin)
 {
-    FourVectors normal;
+    FourVectors<Four> normal;
     for (int axis = 0; axis < 3; ++axis)
         normal.of[axis] = Four{parts.normal[axis]};
     const Four height =
@@ -133,7 +212,7 @@ struct SeenBoxes {
     const Four low = Four{parts.slab_low} - height;
     const Four high = Four{parts.slab_high} - height;
     const Four to_slab = larger(low, smaller(high, 0));
-    FourVectors direction;
+    FourVectors<Four> direction;
     for (int axis = 0; axis < 3; ++axis)
         direction.of[axis] = smaller(larger(to_slab * normal.of[axis], seen.low.of[axis]),
                                      seen.high.of[axis]);
@@ -147,7 +226,8 @@ struct SeenBoxes {
 }
 
 // One corner of four triangles, seen from a place.
-[[gnu::always_inline]] inline FourVectors corners(
+template <typename Four>
+[[gnu::always_inline]] inline FourVectors<Four> corners(
     std::span<const Vec3> points, const std::array<Triangle, 4>& triangles, int corner,
     const Vec3& place)
 {
@@ -155,11 +235,78 @@ struct SeenBoxes {
     const Vec3& b = points[triangles[1][corner]];
     const Vec3& c = points[triangles[2][corner]];
     const Vec3& d = points[triangles[3][corner]];
-    FourVectors seen;
+    FourVectors<Four> seen;
     for (int axis = 0; axis < 3; ++axis)
         seen.of[axis] = Four{a[axis], b[axis], c[axis], d[axis]} - place[axis];
     return seen;
 }
+
+template <typename Four>
+[[gnu::always_inline]] inline std::array<double, 4> squares(const FourEnclosures& parts,
+                                                            const Vec3& place,
+                                                            double margin, double limit)
+{
+    SeenBoxes<Four> seen;
+    for (int axis = 0; axis < 3; ++axis) {
+        seen.low.of[axis] = Four{parts.low[axis]} - place[axis];
+        seen.high.of[axis] = Four{parts.high[axis]} - place[axis];
+    }
+    const Four to_boxes = squares_to_boxes(seen);
+    const std::array<double, 4> bounds = to_boxes.numbers();
+    int near = 0;
+    for (const double bound : bounds)
+        near += bound <= limit && bound < infinity ? 1 : 0;
+    if (near < 2)
+        return bounds;
+    // no number for missing parts
+    const Four to_slabs = squares_to_slabs(parts, seen, place, margin);
+    return larger(to_slabs, to_boxes).numbers();
+}
+
+// The direction leads to the centre of a triangle. The box is the better bound for a
+// triangle that is large for its distance.
+template <typename Four>
+[[gnu::always_inline]] inline std::array<double, 4> squares(
+    std::span<const Vec3> points, const std::array<Triangle, 4>& triangles,
+    const Vec3& place, double margin)
+{
+    const FourVectors<Four> a = corners<Four>(points, triangles, 0, place);
+    const FourVectors<Four> b = corners<Four>(points, triangles, 1, place);
+    const FourVectors<Four> c = corners<Four>(points, triangles, 2, place);
+    FourVectors<Four> centre;
+    Four to_boxes = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        centre.of[axis] = a.of[axis] + b.of[axis] + c.of[axis];
+        const Four low = smaller(smaller(a.of[axis], b.of[axis]), c.of[axis]);
+        const Four high = larger(larger(a.of[axis], b.of[axis]), c.of[axis]);
+        const Four away = larger(larger(low, -high) - margin, 0);
+        to_boxes = to_boxes + away * away;
+    }
+    const Four along = smaller(smaller(dot(centre, a), dot(centre, b)), dot(centre, c));
+    const Four to_triangles = larger(square_to_plane(along, dot(centre, centre), margin),
+                                     (1 - rounding_share) * to_boxes);
+    return to_triangles.numbers();
+}
+
+// GCC compiles the bounds for processors with AVX2 too. All versions give the same bits.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#define ENDMILL_CHOOSES_REGISTERS
+[[gnu::target("avx2")]] std::array<double, 4> wide_squares(const FourEnclosures& parts,
+                                                           const Vec3& place,
+                                                           double margin, double limit)
+{
+    return squares<FourInOne>(parts, place, margin, limit);
+}
+
+[[gnu::target("avx2")]] std::array<double, 4> wide_squares(
+    std::span<const Vec3> points, const std::array<Triangle, 4>& triangles,
+    const Vec3& place, double margin)
+{
+    return squares<FourInOne>(points, triangles, place, margin);
+}
+
+const bool has_wide_registers = __builtin_cpu_supports("avx2") != 0;
+#endif
 
 }  // namespace
 
@@ -184,50 +331,25 @@ Vec3 FourEnclosures::normal_of(Eigen::Index part) const
     return {normal[0][part], normal[1][part], normal[2][part]};
 }
 
-ENDMILL_WIDEST_REGISTERS
 std::array<double, 4> bound_squares(const FourEnclosures& parts, const Vec3& place,
                                     double margin, double limit)
 {
-    SeenBoxes seen;
-    for (int axis = 0; axis < 3; ++axis) {
-        seen.low.of[axis] = Four{parts.low[axis]} - place[axis];
-        seen.high.of[axis] = Four{parts.high[axis]} - place[axis];
-    }
-    const Four to_boxes = squares_to_boxes(seen);
-    const std::array<double, 4> bounds = to_boxes.numbers();
-    int near = 0;
-    for (const double bound : bounds)
-        near += bound <= limit && bound < infinity ? 1 : 0;
-    if (near < 2)
-        return bounds;
-    // no number for missing parts
-    const Four to_slabs = squares_to_slabs(parts, seen, place, margin);
-    return larger(to_slabs, to_boxes).numbers();
+#ifdef ENDMILL_CHOOSES_REGISTERS
+    if (has_wide_registers)
+        return wide_squares(parts, place, margin, limit);
+#endif
+    return squares<FourInTwo>(parts, place, margin, limit);
 }
 
-// The direction leads to the centre of a triangle. The box is the better bound for a
-// triangle that is large for its distance.
-ENDMILL_WIDEST_REGISTERS
 std::array<double, 4> bound_squares(std::span<const Vec3> points,
                                     const std::array<Triangle, 4>& triangles,
                                     const Vec3& place, double margin)
 {
-    const FourVectors a = corners(points, triangles, 0, place);
-    const FourVectors b = corners(points, triangles, 1, place);
-    const FourVectors c = corners(points, triangles, 2, place);
-    FourVectors centre;
-    Four to_boxes = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        centre.of[axis] = a.of[axis] + b.of[axis] + c.of[axis];
-        const Four low = smaller(smaller(a.of[axis], b.of[axis]), c.of[axis]);
-        const Four high = larger(larger(a.of[axis], b.of[axis]), c.of[axis]);
-        const Four away = larger(larger(low, -high) - margin, 0);
-        to_boxes = to_boxes + away * away;
-    }
-    const Four along = smaller(smaller(dot(centre, a), dot(centre, b)), dot(centre, c));
-    const Four to_triangles = larger(square_to_plane(along, dot(centre, centre), margin),
-                                     (1 - rounding_share) * to_boxes);
-    return to_triangles.numbers();
+#ifdef ENDMILL_CHOOSES_REGISTERS
+    if (has_wide_registers)
+        return wide_squares(points, triangles, place, margin);
+#endif
+    return squares<FourInTwo>(points, triangles, place, margin);
 }
 
 }  // namespace endmill
