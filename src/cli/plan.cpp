@@ -113,7 +113,7 @@ PlanContext mesh_context(PartFile& file, PlanOptions& options)
             ", or for a mesh another --strategy, such as best"};
     if (options.required != RequiredContinuity::None)
         throw DomainError{path + ": found a mesh; --require g1 expects a surface file"};
-    if (!options.cutter_diameter)
+    if (!options.cutter)
         throw DomainError{path +
                           ": found a mesh, whose curvature is not known; expected "
                           "--cutter ball:DIAMETER"};
@@ -127,8 +127,8 @@ PlanContext mesh_context(PartFile& file, PlanOptions& options)
     double highest = -std::numeric_limits<double>::infinity();
     for (const Vec3& point : mesh.points())
         highest = std::max(highest, axis.dot(point));
-    complete(options, *options.cutter_diameter, highest + clear_above_mesh);
-    return {file.name, file.source, {}, {}, *options.cutter_diameter, false, true};
+    complete(options, 2 * options.cutter->radius(), highest + clear_above_mesh);
+    return {file.name, file.source, {}, {}, *options.cutter, false, true};
 }
 
 // The context of surfaces that the ball fits.
@@ -136,14 +136,22 @@ PlanContext surface_context(const PartFile& file, PlanOptions& options,
                             const SurfaceContinuity& continuity)
 {
     const auto& surfaces = std::get<std::vector<Surface>>(file.part);
-    PlanContext context{file.name, file.source, continuity, {}, 0, surfaces.size() > 1};
     const Vec3& axis = options.planning.link.axis;
     const std::vector<double> sides = tool_side_signs(surfaces, axis);
     require_reachable(surfaces, axis, sides);
-    context.limit = largest_cutter(surfaces, sides);
-    context.cutter_diameter = chosen_diameter(options.cutter_diameter, context.limit);
-    complete(options, context.cutter_diameter, default_safe_height(surfaces, axis));
-    return context;
+    const bool is_several = surfaces.size() > 1;
+    const double highest = default_safe_height(surfaces, axis);
+    if (options.cutter && !options.cutter->is_ball()) {
+        complete(options, 2 * options.cutter->radius(), highest);
+        return {file.name, file.source, continuity, {}, *options.cutter, is_several};
+    }
+    const auto limit = largest_cutter(surfaces, sides);
+    const auto asked = options.cutter ? std::optional{2 * options.cutter->radius()}
+                                      : std::optional<double>{};
+    const double diameter = chosen_diameter(asked, limit);
+    complete(options, diameter, highest);
+    return {file.name, file.source, continuity, limit, Cutter::ball(diameter / 2),
+            is_several};
 }
 
 ExitCode run_plan(PlanOptions options)
@@ -151,7 +159,8 @@ ExitCode run_plan(PlanOptions options)
     complete_strategy(options);
     refuse_idle_plan_options(options);
     require_within_extent("--safe-height", options.safe_height, options.common.limits);
-    require_within_extent("--cutter", options.cutter_diameter, options.common.limits);
+    if (options.cutter)
+        require_within_extent("--cutter", *options.cutter, options.common.limits);
     require_within_extent("--chord-tolerance", options.requested.chord,
                           options.common.limits);
     PartFile file = read_part_for(options.part, options.common);
@@ -192,8 +201,8 @@ ExitCode run_plan(PlanOptions options)
 
 void add_plan_command(CLI::App& program, Action& action)
 {
-    CLI::App* command = program.add_subcommand(
-        "plan", "plan finishing passes of a ball-end mill on a surface");
+    CLI::App* command =
+        program.add_subcommand("plan", "plan finishing passes on a surface or a mesh");
     const auto options = std::make_shared<PlanOptions>();
     add_plan_options(*command, *options);
     command->footer(

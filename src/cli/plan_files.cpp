@@ -39,7 +39,7 @@ std::optional<double> tape_length(const ToolPath& path, const PlanTask& task)
         return std::nullopt;
     GcodeOptions program;
     program.name = context.name;
-    program.cutter = Cutter::ball(context.cutter_diameter / 2);
+    program.cutter = context.cutter;
     program.feed_mm_per_min = options.feed_mm_per_min.value_or(default_feed_mm_per_min);
     program.tolerance = std::min(
         {options.planning.chord_tolerance, options.motion.inner, options.motion.outer});
@@ -103,7 +103,7 @@ struct MeasuredPath {
 MeasuredPath plan_direction(const PlanTask& task, Parameter along, PlanProgress& progress)
 {
     const auto& [part, surfaces, context, options] = task;
-    const BallCutter ball{context.cutter_diameter / 2};
+    const BallCutter ball = context.ball();
     PlannerOptions planner = planner_options(options, along);
     std::visit([&](auto& own) { own.progress = progress.of(along, PlanWork::Passes); },
                planner);
@@ -175,7 +175,7 @@ DirectionResult write_direction(const PlanTask& task, MeasuredPath plan,
 // \throws LimitError if a single path does not fit.
 bool can_plan_together(const PlanTask& task, std::span<const Parameter> directions)
 {
-    const BallCutter ball{task.context.cutter_diameter / 2};
+    const BallCutter ball = task.context.ball();
     std::vector<double> points;
     for (const Parameter along : directions)
         points.push_back(

@@ -194,10 +194,12 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
         .add_option_function<std::string>(
             "--cutter",
             [&options](const std::string& word) {
-                options.cutter_diameter = ball_diameter_argument("--cutter", word);
+                options.cutter = cutter_argument("--cutter", word);
             },
-            "ball:DIAMETER in mm (default: the largest of 20, 15, 10, 6, 4, 3, 2, 1 that "
-            "fits; required for a mesh)")
+            "ball:DIAMETER, or with --strategy planar flat:DIAMETER or "
+            "bull:DIAMETER:CORNER_RADIUS, in mm (default: the largest ball of 20, 15, "
+            "10, "
+            "6, 4, 3, 2, 1 that fits; required for a mesh)")
         ->type_name("CUTTER");
     add_tolerances(command, options);
     add_choice<PlanDirection>(command, "--direction", options.direction, directions,
@@ -290,6 +292,26 @@ void refuse_for_strategy(const PlanOptions& options)
                           ": expected a tolerance above 0, or --strategy iso"};
 }
 
+bool is_no_ball(const PlanOptions& options)
+{
+    return options.cutter && !options.cutter->is_ball();
+}
+
+// Cutters that only upright planes have.
+void refuse_cutter(const PlanOptions& options)
+{
+    if (is_no_ball(options) && options.strategy != StrategyChoice::Planar)
+        throw DomainError{"--cutter " + cutter_word(*options.cutter) +
+                          " with --strategy " + strategy_word(options.strategy) +
+                          ": expected ball:DIAMETER, or --strategy planar"};
+    if (!is_no_ball(options))
+        return;
+    const std::string chosen = "--cutter " + cutter_word(*options.cutter);
+    refuse_idle_options(options.common, std::array{"--distance"}, chosen, "a ball");
+    if (options.bound != PlanBound::None)
+        refuse_idle_options(options.common, std::array{"--bound"}, chosen, "a ball");
+}
+
 // What iso cannot do.
 void refuse_for_iso(const PlanOptions& options)
 {
@@ -306,7 +328,8 @@ void refuse_for_iso(const PlanOptions& options)
 // Whether a direction was given that only upright planes have.
 bool has_planar_option(const PlanOptions& options)
 {
-    return options.pass_direction || options.direction == PlanDirection::Best;
+    return options.pass_direction || options.direction == PlanDirection::Best ||
+           is_no_ball(options);
 }
 
 // Whether an option was given that only passes along parameter lines have.
@@ -335,6 +358,7 @@ void refuse_idle_plan_options(const PlanOptions& options)
 {
     const CommonOptions& common = options.common;
     refuse_zero_tolerances(options);
+    refuse_cutter(options);
     if (options.strategy != StrategyChoice::Iso)
         refuse_for_strategy(options);
     else

@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/angle.h"
+#include "endmill/cutter/cutter.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/planned_path.h"
 
@@ -37,7 +38,7 @@ enum class PlanBound {
 struct PlanOptions {
     CommonOptions common;
     PartOptions part;
-    std::optional<double> cutter_diameter;  ///< of the ball, mm
+    std::optional<Cutter> cutter;  ///< a ball that fits if empty
     RequestedTolerances requested;
     std::optional<double> safe_height;  ///< mm along the axis
     std::optional<double> feed_mm_per_min;

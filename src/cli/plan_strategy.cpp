@@ -64,10 +64,10 @@ struct ChosenPlan {
 ChosenPlan chosen_plan(const PlanTask& task, const StrategyOptions& options)
 {
     const Part& part = task.part;
-    const BallCutter cutter{task.context.cutter_diameter / 2};
+    const Cutter& cutter = task.context.cutter;
     if (const auto strategy = chosen_strategy(task.options.strategy))
         return {plan_by_strategy(*strategy, part, cutter, options), {}};
-    BestPlan best = plan_by_best_strategy(part, cutter, options);
+    BestPlan best = plan_by_best_strategy(part, task.context.ball(), options);
     return {std::move(best.plan), std::move(best.tried)};
 }
 
@@ -101,23 +101,25 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
 {
     const auto& [part, surfaces, context, options] = task;
     const auto& [strategy, covering, economy, deviation, verdict] = chosen.plan;
-    Json summary{{"name", context.name},
-                 {"source", context.source},
-                 {"endmill", program_version},
-                 {"strategy", strategy_name(strategy)},
-                 {"mode", mode_word(options.mode)},
-                 {"cutter", "ball:" + to_text(context.cutter_diameter)},
-                 {"passes", covering.passes},
-                 {"pieces", covering.pieces},
-                 {"ncl", economy.ncl},
-                 {"cut_contact_mm", economy.cut.contact_mm},
-                 {"cut_tip_mm", economy.cut.tip_mm},
-                 {"link_mm", economy.link.tip_mm},
-                 {"lifted_mm", lifted_length(covering.path)},
-                 {"lifted_links", covering.lifted_links},
-                 {"scallop_mm", limits.scallop_height},
-                 {"inner_tolerance_mm", limits.inner_tolerance},
-                 {"outer_tolerance_mm", 0}};
+    Json summary{
+        {"name", context.name},
+        {"source", context.source},
+        {"endmill", program_version},
+        {"strategy", strategy_name(strategy)},
+        {"mode", mode_word(options.mode)},
+        {"cutter", cutter_word(context.cutter)},
+        {"passes", covering.passes},
+        {"pieces", covering.pieces},
+        {"ncl", economy.ncl},
+        {"cut_contact_mm",
+         context.cutter.is_ball() ? Json(economy.cut.contact_mm) : Json(nullptr)},
+        {"cut_tip_mm", economy.cut.tip_mm},
+        {"link_mm", economy.link.tip_mm},
+        {"lifted_mm", lifted_length(covering.path)},
+        {"lifted_links", covering.lifted_links},
+        {"scallop_mm", limits.scallop_height},
+        {"inner_tolerance_mm", limits.inner_tolerance},
+        {"outer_tolerance_mm", 0}};
     if (covering.direction)
         summary["direction_deg"] = covering.direction->written_degrees();
     if (!chosen.tried.empty())
@@ -131,10 +133,11 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
         summary["unreached_mm2"] = covering.unreached_mm2;
         summary["inaccessible"] = inaccessible_name(InaccessibleStock::Report);
         summary["inaccessible_area_mm2"] = deviation.inaccessible_area_mm2;
-    } else {
+    } else if (context.cutter.is_ball()) {
         add_cutter_limit(summary, context.limit, context.several);
-        add_continuity(summary, context.continuity, context.several);
     }
+    if (!context.is_mesh)
+        add_continuity(summary, context.continuity, context.several);
     summary["max_gouge_mm"] = deviation.max_gouge_mm;
     summary["gouge_bound_mm"] = finite_or_null(deviation.gouge_bound_mm);
     summary["max_left_mm"] = finite_or_null(deviation.max_scallop_mm);
@@ -155,8 +158,7 @@ void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering
     progress.begin("bounding the length");
     const std::vector<double> sides =
         tool_side_signs(task.surfaces, task.options.planning.link.axis);
-    BoundProblem problem{BallCutter{task.context.cutter_diameter / 2},
-                         task.options.planning.scallop_height};
+    BoundProblem problem{task.context.ball(), task.options.planning.scallop_height};
     const bool is_by_tips = task.options.distance == TravelKind::Tip;
     const char* cut_key = is_by_tips ? "cut_tip_mm" : "cut_contact_mm";
     problem.length = is_by_tips ? BoundedLength::Tip : BoundedLength::Contact;
@@ -227,7 +229,7 @@ std::string report(const Json& s, const CoveringPath& plan, const DeviationLimit
                                  ? "unknown"
                                  : shown_against(number("max_left_mm"), limits.scallop);
     return fmt::format(
-               "  {}   {} passes in {}, {}; cut {} mm by contacts, {} mm by tips, links "
+               "  {}   {} passes in {}, {}; cut {}{} mm by tips, links "
                "{} mm, "
                "{} lifted\n"
                "  judged        {}: gouge {} mm (limit {}), remaining {} mm (limit "
@@ -235,8 +237,10 @@ std::string report(const Json& s, const CoveringPath& plan, const DeviationLimit
                s["strategy"].get<std::string>(), s["passes"].get<std::size_t>(),
                counted(plan.pieces, "piece"),
                counted(s["ncl"].get<std::size_t>(), "point"),
-               shown(number("cut_contact_mm")), shown(number("cut_tip_mm")),
-               shown(number("link_mm")), plan.lifted_links,
+               s["cut_contact_mm"].is_null()
+                   ? std::string{}
+                   : shown(number("cut_contact_mm")) + " mm by contacts, ",
+               shown(number("cut_tip_mm")), shown(number("link_mm")), plan.lifted_links,
                s["verdict"].get<std::string>(),
                shown_against(number("max_gouge_mm"), limits.tolerance),
                shown_limit(limits.tolerance), left, shown_limit(limits.scallop),
@@ -330,7 +334,7 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     number_points(covering.path);
     const DeviationLimits limits{strategy.inner_tolerance, strategy.scallop_height};
     Json summary = summary_of(task, chosen, strategy);
-    if (options.bound != PlanBound::None)
+    if (options.bound != PlanBound::None && context.cutter.is_ball())
         add_bound(summary, task, covering, progress);
     add_path_totals(summary["path"], path_totals(covering.path));
     summary["path"]["points"] = covering.path.points.size();

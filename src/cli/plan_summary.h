@@ -22,9 +22,12 @@ struct PlanContext {
     std::string source;
     SurfaceContinuity continuity;
     std::optional<CutterLimit> limit;
-    double cutter_diameter;  ///< mm
-    bool several;            ///< the part has several surfaces, each planned separately
-    bool is_mesh = false;    ///< the part has no curvature and no continuity
+    Cutter cutter;
+    bool several;          ///< the part has several surfaces, each planned separately
+    bool is_mesh = false;  ///< the part has no curvature and no continuity
+
+    /// The ball. \pre the cutter is one.
+    BallCutter ball() const { return BallCutter{cutter.radius()}; }
 };
 
 /// The plan along one parameter and its measures.

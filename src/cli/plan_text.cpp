@@ -49,9 +49,10 @@ std::string settings_text(const PlanContext& context, const PlanOptions& options
             : fmt::format("inner tolerance {} mm, outer tolerance {} mm",
                           shown_limit(options.motion.inner),
                           shown_limit(options.motion.outer));
-    return fmt::format("{}: cutter ball:{} ({}), mode {}, {}, scallop height {} mm{}\n",
-                       context.name, to_text(context.cutter_diameter),
-                       limit_text(context), mode_word(options.mode), tolerance,
+    return fmt::format("{}: cutter {}{}, mode {}, {}, scallop height {} mm{}\n",
+                       context.name, cutter_word(context.cutter),
+                       context.cutter.is_ball() ? " (" + limit_text(context) + ")" : "",
+                       mode_word(options.mode), tolerance,
                        shown_limit(options.planning.scallop_height),
                        cross_curvature_text(options));
 }

@@ -53,6 +53,19 @@ class Strategies(ProgramTest):
                                      "--distance", distance, "-o", f"{distance}-v")
                 self.assertEqual(alone[key], lengths["iso-v"])
 
+    def test_flat_and_bull_nose_cutters_in_upright_planes(self):
+        part = self.file(json.dumps(plane(size=PLANE_SIZE)), "plane.json")
+        for cutter, width in (("flat:10", 10), ("bull:10:2", 6 + 2 * math.sqrt(0.2 * 3.8))):
+            with self.subTest(cutter=cutter):
+                facts = self.summary("plan", part, "--cutter", cutter, "--scallop", "0.2", "-o", cutter.replace(":", "-"))
+                self.assertEqual((facts["strategy"], facts["cutter"], facts["verdict"]), ("planar", cutter, "clean"))
+                self.assertIsNone(facts["cut_contact_mm"])
+                self.assertNotIn("bound_mm", facts)
+                self.assertGreaterEqual(facts["cut_tip_mm"], PLANE_SIZE[0] * (PLANE_SIZE[1] / width - 1))
+        result = endmill("plan", part, "--cutter", "flat:10", "--strategy", "field")
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--cutter flat:10 with --strategy field", result.stderr)
+
     def test_mesh_is_a_part_and_verify_agrees(self):
         # a roof of two planes with a ridge along x
         roof = "OFF\n6 4 0\n0 0 0\n40 0 0\n0 20 8\n40 20 8\n0 40 0\n40 40 0\n" \

@@ -11,6 +11,7 @@
 #include "endmill/core/tolerance.h"
 #include "endmill/drop_cutter/clearance.h"
 #include "endmill/strategy/detail/covering_path.h"
+#include "endmill/strategy/detail/dropped_path.h"
 #include "endmill/strategy/detail/field.h"
 #include "endmill/strategy/detail/iso_scallop.h"
 #include "endmill/strategy/detail/planar.h"
@@ -35,6 +36,11 @@ constexpr double along_share = 0.02;
 constexpr double laid_share = 0.8;
 constexpr double made_share = 0.9;
 
+// Share of the scallop height by which a path of dropped passes is made again, and trials at
+// most.
+constexpr double dropped_share = 0.8;
+constexpr int most_dropped_trials = 4;
+
 // Reports the share of a part of some work as a share of the whole.
 Progress part_of(const Progress& whole, double from, double to)
 {
@@ -50,11 +56,11 @@ StrategyOptions with_progress(const StrategyOptions& options, double from, doubl
     return result;
 }
 
-void require_sound(const BallCutter& cutter, const StrategyOptions& options)
+void require_sound(double radius, const StrategyOptions& options)
 {
-    require(0 < options.inner_tolerance && options.inner_tolerance < cutter.radius(),
+    require(0 < options.inner_tolerance && options.inner_tolerance < radius,
             "plan_by_strategy: need 0 < inner tolerance < cutter radius");
-    require(0 < options.scallop_height && options.scallop_height < cutter.radius(),
+    require(0 < options.scallop_height && options.scallop_height < radius,
             "plan_by_strategy: need 0 < scallop height < cutter radius");
 }
 
@@ -91,6 +97,13 @@ CoveringPath along_parameter(Parameter along, const Surfaces& surfaces,
     return result;
 }
 
+void require_upright(Strategy strategy, const StrategyOptions& options)
+{
+    if ((options.link.axis - Vec3::UnitZ()).norm() > unit_vector_rounding)
+        throw GeometryError{std::string{strategy_name(strategy)} +
+                            " plans along the axis +z only"};
+}
+
 CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& cutter,
                          const StrategyOptions& options)
 {
@@ -102,9 +115,7 @@ CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& 
         return along_parameter(strategy == Strategy::IsoU ? Parameter::U : Parameter::V,
                                *surfaces, cutter, options);
     }
-    if ((options.link.axis - Vec3::UnitZ()).norm() > unit_vector_rounding)
-        throw GeometryError{std::string{strategy_name(strategy)} +
-                            " plans along the axis +z only"};
+    require_upright(strategy, options);
     const CoveredPart covered{
         part, cutter, {options.inner_tolerance, options.scallop_height}};
     if (strategy == Strategy::Planar) {
@@ -125,25 +136,45 @@ CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& 
                          with_progress(options, laid_share, 1));
 }
 
+// The cost of a path whose contacts are not known.
+PathEconomy economy_of_tips(const ToolPath& path)
+{
+    PathEconomy economy{0, 0, {0, 0}, {0, 0}};
+    const PathPoint* previous = nullptr;
+    for (const PathPoint& point : path.points) {
+        if (!previous || point.pass != previous->pass)
+            ++economy.passes;
+        if (point.move != Move::Rapid && point.move != Move::Retract)
+            ++economy.ncl;
+        if (previous && (point.move == Move::Cut || point.move == Move::Link))
+            (point.move == Move::Cut ? economy.cut : economy.link).tip_mm +=
+                (point.location.tip - previous->location.tip).norm();
+        previous = &point;
+    }
+    return economy;
+}
+
 StrategyPlan judged(Strategy strategy, CoveringPath covering, const Part& part,
-                    const BallCutter& cutter, const StrategyOptions& options)
+                    const Cutter& cutter, const StrategyOptions& options)
 {
     const DeviationLimits limits{options.inner_tolerance, options.scallop_height};
     PathDeviationOptions judgement{limits};
+    if (!cutter.is_ball())
+        judgement.proof = LimitProof::GougeProved;  // by the drop cutter
     judgement.progress = options.progress;
     std::optional<DropCutter> drop;
     if (const auto* mesh = std::get_if<TriangleMesh>(&part)) {
-        drop.emplace(*mesh, Cutter::ball(cutter.radius()));
+        drop.emplace(*mesh, cutter);
         judgement.is_accessible = [&](const PartRay& ray) {
             return is_accessible(*drop, {ray.point, ray.normal},
                                  reached_share * limits.scallop);
         };
     }
-    Deviation deviation =
-        deviation_of_path(part, covering.path, Cutter::ball(cutter.radius()), judgement);
-    if (strategy == Strategy::IsoU || strategy == Strategy::IsoV)
+    Deviation deviation = deviation_of_path(part, covering.path, cutter, judgement);
+    if (strategy == Strategy::IsoU || strategy == Strategy::IsoV || !cutter.is_ball())
         covering.uncovered_mm2 = deviation.uncut_area_mm2;
-    const PathEconomy economy = path_economy(covering.path);
+    const PathEconomy economy =
+        cutter.is_ball() ? path_economy(covering.path) : economy_of_tips(covering.path);
     const Verdict found = verdict(deviation, limits);
     return {strategy, std::move(covering), economy, std::move(deviation), found};
 }
@@ -166,17 +197,40 @@ std::size_t most_part_samples(double memory_gib)
 StrategyPlan plan_by_strategy(Strategy strategy, const Part& part,
                               const BallCutter& cutter, const StrategyOptions& options)
 {
-    require_sound(cutter, options);
+    require_sound(cutter.radius(), options);
     CoveringPath covering =
         covering_by(strategy, part, cutter, with_progress(options, 0, made_share));
-    return judged(strategy, std::move(covering), part, cutter,
+    return judged(strategy, std::move(covering), part, Cutter::ball(cutter.radius()),
                   with_progress(options, made_share, 1));
+}
+
+StrategyPlan plan_by_strategy(Strategy strategy, const Part& part, const Cutter& cutter,
+                              const StrategyOptions& options)
+{
+    if (cutter.is_ball())
+        return plan_by_strategy(strategy, part, BallCutter{cutter.radius()}, options);
+    require_sound(cutter.radius(), options);
+    if (strategy != Strategy::Planar)
+        throw GeometryError{std::string{strategy_name(strategy)} +
+                            " plans for ball-end mills only; planar plans for others"};
+    require_upright(strategy, options);
+    // Planes are placed by samples. Where the judge finds more between them, the planes are
+    // laid for a smaller height.
+    StrategyOptions aimed = with_progress(options, 0, made_share);
+    for (int trial = 1;; ++trial) {
+        StrategyPlan plan = judged(strategy, dropped_path(part, cutter, aimed), part,
+                                   cutter, with_progress(options, made_share, 1));
+        if (plan.is_good() || trial == most_dropped_trials)
+            return plan;
+        aimed.scallop_height *= dropped_share;
+        aimed.direction = plan.covering.direction;
+    }
 }
 
 BestPlan plan_by_best_strategy(const Part& part, const BallCutter& cutter,
                                const StrategyOptions& options)
 {
-    require_sound(cutter, options);
+    require_sound(cutter.radius(), options);
     std::vector<TriedStrategy> tried;
     std::vector<Candidate> candidates;
     std::exception_ptr failure;
@@ -206,8 +260,9 @@ BestPlan plan_by_best_strategy(const Part& part, const BallCutter& cutter,
         [](const Candidate& a, const Candidate& b) { return a.travel < b.travel; });
     std::optional<StrategyPlan> shortest;
     for (Candidate& candidate : candidates) {
-        StrategyPlan plan = judged(candidate.strategy, std::move(candidate.covering),
-                                   part, cutter, with_progress(options, made_share, 1));
+        StrategyPlan plan =
+            judged(candidate.strategy, std::move(candidate.covering), part,
+                   Cutter::ball(cutter.radius()), with_progress(options, made_share, 1));
         if (plan.is_good())
             return {std::move(plan), std::move(tried)};
         if (!shortest)

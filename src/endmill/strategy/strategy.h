@@ -60,6 +60,14 @@ std::size_t most_part_samples(double memory_gib);
 StrategyPlan plan_by_strategy(Strategy strategy, const Part& part,
                               const BallCutter& cutter, const StrategyOptions& options);
 
+/// The same for any cutter. A cutter other than a ball is planned by Strategy::Planar only, by
+/// dropping it on a mesh of the part. The contacts of such a path are not known: its lengths by
+/// contacts are 0, and options.distance has no effect.
+/// Source: docs/methods/planar-passes.md, section 3.
+/// \throws GeometryError for another strategy with such a cutter.
+StrategyPlan plan_by_strategy(Strategy strategy, const Part& part, const Cutter& cutter,
+                              const StrategyOptions& options);
+
 /// A strategy that was tried, and its result.
 struct TriedStrategy {
     Strategy strategy;

@@ -399,8 +399,10 @@ Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter
     measure.is_accessible = options.is_accessible;
     measure.progress = options.progress;
     std::optional<DeviationLimits> proved;
-    if (options.proof == LimitProof::Proved)
+    if (options.proof != LimitProof::None)
         proved = options.limits;
+    if (options.proof == LimitProof::GougeProved)
+        proved->scallop = std::numeric_limits<double>::infinity();
     const ToolPath upright = turned(path, rotation);
     return measured_in_block(turned(part, rotation), {upright, cutter}, measure, proved);
 }

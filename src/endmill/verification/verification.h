@@ -45,8 +45,9 @@ Deviation deviation_in_block(const Part& part, const ToolPath& path, const Cutte
 
 /// Whether the planner has proved that a path keeps the limits of the deviation.
 enum class LimitProof {
-    None,    ///< nothing is known
-    Proved,  ///< no gouge and no remaining stock anywhere exceeds the limits
+    None,         ///< nothing is known
+    GougeProved,  ///< no gouge anywhere exceeds the limit
+    Proved,       ///< no gouge and no remaining stock anywhere exceeds the limits
 };
 
 /// Options of `deviation_of_path`.
