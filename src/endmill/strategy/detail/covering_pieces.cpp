@@ -463,31 +463,29 @@ void CoveringPieces::append(std::size_t number, std::span<const PassContact> way
     LaidPass& other = pieces_[next];
     std::vector<PassContact> link{piece.contacts.back()};
     link.insert(link.end(), way.begin(), way.end());
-    link.push_back(other.contacts.front());
+    const bool is_joined = way.empty() && piece.contacts.back().at.contact.point ==
+                                              other.contacts.front().at.contact.point;
+    if (!is_joined)
+        link.push_back(other.contacts.front());
     const MoveNumbers link_moves = moves_along(link);
     for (const std::int32_t move : link_moves)
         enter(move);
     outdate(link_moves, false);
-    MoveNumbers moves;
-    const auto add = [&](const MoveNumbers& some) {
-        moves.insert(moves.end(), some.begin(), some.end());
-    };
     // a piece of one contact has a move of length 0, which covers no more than the others
-    const auto own_moves = [&](std::size_t of) {
-        if (pieces_[of].contacts.size() > 1)
-            return std::exchange(moves_of_pieces_[of], {});
-        for (const std::int32_t move : moves_of_pieces_[of])
-            leave(move);
-        release(moves_of_pieces_[of]);
-        moves_of_pieces_[of].clear();
-        return MoveNumbers{};
-    };
-    add(own_moves(number));
-    add(link_moves);
-    add(own_moves(next));
-    moves_of_pieces_[number] = std::move(moves);
+    for (const std::size_t one : {number, next})
+        if (pieces_[one].contacts.size() == 1) {
+            for (const std::int32_t move : moves_of_pieces_[one])
+                leave(move);
+            release(moves_of_pieces_[one]);
+            moves_of_pieces_[one].clear();
+        }
+    MoveNumbers& moves = moves_of_pieces_[number];
+    moves.insert(moves.end(), link_moves.begin(), link_moves.end());
+    const MoveNumbers next_moves = std::exchange(moves_of_pieces_[next], {});
+    moves.insert(moves.end(), next_moves.begin(), next_moves.end());
     piece.contacts.insert(piece.contacts.end(), way.begin(), way.end());
-    piece.contacts.insert(piece.contacts.end(), other.contacts.begin(),
+    piece.contacts.insert(piece.contacts.end(),
+                          other.contacts.begin() + (is_joined ? 1 : 0),
                           other.contacts.end());
     other = {};
 }

@@ -64,7 +64,7 @@ public:
     /// Has a closed piece begin and end at one of its contacts.
     void open(std::size_t number, std::size_t start);
 
-    /// Appends another open piece to an open piece.
+    /// Appends another open piece to an open piece, at least one of them with two contacts.
     /// \param way contacts from the last one of the piece to the first one of `next`, without
     ///            these two.
     void append(std::size_t number, std::span<const PassContact> way, std::size_t next);

@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "endmill/strategy/detail/contact_link.h"
 
 namespace endmill {
@@ -59,6 +61,17 @@ std::vector<std::size_t> by_length(std::span<const LaidPass> pieces)
     }
     std::ranges::stable_sort(numbers, {}, [&](std::size_t k) { return lengths[k]; });
     return numbers;
+}
+
+using Box = Eigen::AlignedBox3d;
+
+// The box around the contacts of a piece.
+Box box_of(const LaidPass& piece)
+{
+    Box box;
+    for (const PassContact& contact : piece.contacts)
+        box.extend(point(contact));
+    return box;
 }
 
 // A detour of a piece over contacts of another one.
@@ -230,6 +243,10 @@ private:
     // Short pieces become detours of the pieces beside them.
     void make_detours()
     {
+        boxes_.clear();
+        boxes_.reserve(covering_.pieces().size());
+        for (const LaidPass& one : covering_.pieces())
+            boxes_.push_back(box_of(one));
         for (const std::size_t number : by_length(covering_.pieces())) {
             if (piece(number).contacts.empty() || piece(number).is_closed)
                 continue;
@@ -243,31 +260,41 @@ private:
                 if (detour.added > length + piece_price * width_ ||
                     tries++ == tried_detours)
                     break;
-                if (make_detour(number, detour))
+                if (make_detour(number, detour)) {
+                    boxes_[detour.piece] = box_of(piece(detour.piece));
+                    boxes_[number].setEmpty();
                     break;
+                }
             }
         }
     }
 
     std::vector<Detour> detours_over(std::size_t number) const
     {
-        std::vector<std::vector<PassContact>> ways;
         const std::vector<PassContact>& own = piece(number).contacts;
-        ways.push_back({own[own.size() / 2]});
+        std::vector<std::vector<PassContact>> ways{{own[own.size() / 2]}};
         if (own.size() > 1) {
             ways.push_back(own);
             ways.push_back({own.rbegin(), own.rend()});
             ways.push_back({own.front()});
             ways.push_back({own.back()});
-            if (own.size() == 2 && samples_.is_joined(own[0], own[1]))
-                ways.push_back({samples_.between(own[0], own[1], 0.5)});
         }
+        if (own.size() == 2 && samples_.is_joined(own[0], own[1]))
+            ways.push_back({samples_.between(own[0], own[1], 0.5)});
+        const double most = longest_way_to_detour();
         std::vector<Detour> detours;
         for (std::size_t other = 0; other < covering_.pieces().size(); ++other)
-            if (other != number)
+            if (other != number &&
+                boxes_[other].squaredExteriorDistance(boxes_[number]) <= most * most)
                 for (const auto& way : ways)
                     add_detours(other, way, detours);
         return detours;
+    }
+
+    // A detour whose ends are this far from its piece is longer than allowed, mm.
+    double longest_way_to_detour() const
+    {
+        return (longest_detour + piece_price) * width_;
     }
 
     void add_detours(std::size_t other, const std::vector<PassContact>& way,
@@ -276,7 +303,7 @@ private:
         const LaidPass& with = piece(other);
         const std::size_t count = with.contacts.size();
         const double own = pass_length({way, false});
-        const double most = (longest_detour + piece_price) * width_;
+        const double most = longest_way_to_detour();
         for (std::size_t k = 0; k + (with.is_closed ? 0 : 1) < count; ++k) {
             const Vec3& a = point(with.contacts[k]);
             const Vec3& b = point(with.contacts[(k + 1) % count]);
@@ -378,6 +405,9 @@ private:
         if (length > longest_link * width_ ||
             (length > paying_link * width_ && is_clear(from, to)))
             return false;
+        if (length == 0 &&
+            std::max(piece(last).contacts.size(), piece(next).contacts.size()) < 2)
+            return false;
         std::optional<std::vector<PassContact>> way;
         if (length > 0 && !(way = contact_link(from, to, samples_, part_, limits_)))
             return false;
@@ -397,7 +427,8 @@ private:
     const CoveredPart& part_;
     MoveLimits limits_;
     const LinkOptions& options_;
-    double width_;  // of a strip, mm
+    double width_;            // of a strip, mm
+    std::vector<Box> boxes_;  // around the contacts of each piece
     MoveTestState state_;
 };
 
