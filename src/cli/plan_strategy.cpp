@@ -151,6 +151,34 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
     return summary;
 }
 
+// The number of places at which a path covers a disc without travel in contact: after each
+// plunge, and after each link at feed that is shorter than `disc_mm`. A longer link pays for
+// its disc.
+std::size_t free_discs(const ToolPath& path, double disc_mm)
+{
+    std::size_t discs = 0;
+    for (std::size_t k = 0; k < path.points.size(); ++k) {
+        const Move move = path.points[k].move;
+        const bool is_short_link =
+            move == Move::Link &&
+            (path.points[k].location.tip - path.points[k - 1].location.tip).norm() <
+                disc_mm;
+        discs += move == Move::Plunge || is_short_link ? 1 : 0;
+    }
+    return discs;
+}
+
+// Compares all travel at feed by tips with a bound by tips.
+void add_total_bound(Json& summary, const ToolPath& path, const PathBound& bound)
+{
+    const double least =
+        bound.density_mm -
+        static_cast<double>(free_discs(path, bound.disc_mm)) * bound.disc_mm;
+    const double total =
+        summary["cut_tip_mm"].get<double>() + summary["link_mm"].get<double>();
+    summary["total_over_bound"] = least > 0 ? Json(total / least) : Json(nullptr);
+}
+
 // Compares the length of the cuts with the bound for every path that covers the part.
 void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering,
                ProgressLine& progress)
@@ -186,6 +214,8 @@ void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering
         summary["travel_over_bound"] =
             bound.bound_mm ? Json(summary[cut_key].get<double>() / *bound.bound_mm)
                            : Json(nullptr);
+        if (is_by_tips)
+            add_total_bound(summary, covering.path, bound);
         if (!bound.bound_mm)
             summary["bound_reason"] =
                 "the part is little larger than what the ball covers at rest";

@@ -10,9 +10,10 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
-#include "endmill/planning/detail/piece_order.h"
 #include "endmill/strategy/detail/coverage.h"
+#include "endmill/strategy/detail/covering_pieces.h"
 #include "endmill/strategy/detail/pass_moves.h"
+#include "endmill/strategy/detail/piece_joining.h"
 #include "endmill/strategy/detail/reach.h"
 
 namespace endmill {
@@ -20,15 +21,15 @@ namespace {
 
 // Share of the scallop height by which moves may miss what the rolling balls cover.
 constexpr double move_share = 0.01;
-// Share of the scallop height at which places count as missed. The rest is for the curvature
-// between the places that are looked at.
-constexpr double mend_share = 0.993;
+// Share of the scallop height at which places count as missed. The rest is for the error of
+// places between samples.
+constexpr double mend_share = 0.996;
 // Rounds in which passes are bent towards places that their moves miss.
-constexpr int mending_rounds = 12;
+constexpr int mending_rounds = 8;
 // The round from which short passes that were left out are laid again, and the one from which
 // places that bends do not cover get passes of their own.
 constexpr int restoring_round = 4;
-constexpr int adding_round = 10;
+constexpr int adding_round = 6;
 // Passes shorter than this share of the width of a strip are left out where bends of other
 // passes can cover what they cover.
 constexpr double short_pass_share = 0.4;
@@ -36,9 +37,6 @@ constexpr double short_pass_share = 0.4;
 // each further one.
 constexpr double first_excess = 1.5;
 constexpr double excess_growth = 0.3;
-// Halvings of the sides of a triangle in search of places that are not covered. Between two
-// strips the gap rises by half_width / R of the distance.
-constexpr int final_halvings = 6;
 // Least distance of two places at which a pass is bent in a round, in half widths of a strip.
 constexpr double bend_distance = 1;
 // Least gap that a pass is bent to close, as a share of the scallop height.
@@ -52,16 +50,6 @@ struct BendSize {
     bool adds;      // whether places get passes of their own
 };
 
-double pass_length(const LaidPass& pass)
-{
-    double length = 0;
-    const auto point = [&](std::size_t k) { return pass.contacts[k].at.contact.point; };
-    for (std::size_t k = 0; k + 1 < pass.contacts.size(); ++k)
-        length += (point(k + 1) - point(k)).norm();
-    return pass.is_closed ? length + (point(0) - point(pass.contacts.size() - 1)).norm()
-                          : length;
-}
-
 // Passes with the pieces into which they are divided.
 class DividedPasses {
 public:
@@ -71,11 +59,10 @@ public:
           part_{part},
           limits_{layout_share * height, move_share * height},
           passes_{std::move(passes)},
-          pieces_(passes_.size()),
+          numbers_(passes_.size()),
           is_changed_(passes_.size(), 1),
           is_dropped_(passes_.size(), 0)
     {
-        divide();
     }
 
     std::span<const LaidPass> passes() const { return passes_; }
@@ -87,12 +74,16 @@ public:
         for (std::size_t k = 0; k < passes_.size(); ++k)
             is_dropped_[k] = pass_length(passes_[k]) < length ? 1 : 0;
     }
-    void restore(std::size_t number) { is_dropped_[number] = 0; }
+    void restore(std::size_t number)
+    {
+        is_dropped_[number] = 0;
+        is_changed_[number] = 1;
+    }
 
     void add(LaidPass pass)
     {
         passes_.push_back(std::move(pass));
-        pieces_.emplace_back();
+        numbers_.emplace_back();
         is_changed_.push_back(1);
         is_dropped_.push_back(0);
     }
@@ -105,23 +96,22 @@ public:
     }
 
     // Divides the passes that were changed.
-    void divide()
+    void divide(CoveringPieces& covering)
     {
+        std::vector<std::vector<LaidPass>> pieces(passes_.size());
         parallel_for(passes_.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k)
-                if (std::exchange(is_changed_[k], 0) != 0)
-                    pieces_[k] = divided_into_moves(passes_[k], samples_, part_, limits_);
+                if (is_changed_[k] != 0 && !is_dropped(k))
+                    pieces[k] = divided_into_moves(passes_[k], samples_, part_, limits_);
         });
-    }
-
-    // All pieces, in the order of the passes.
-    std::vector<LaidPass> pieces() const
-    {
-        std::vector<LaidPass> all;
-        for (std::size_t k = 0; k < pieces_.size(); ++k)
-            if (!is_dropped(k))
-                all.insert(all.end(), pieces_[k].begin(), pieces_[k].end());
-        return all;
+        for (std::size_t k = 0; k < passes_.size(); ++k) {
+            if (std::exchange(is_changed_[k], 0) == 0)
+                continue;
+            for (const std::size_t number : std::exchange(numbers_[k], {}))
+                covering.remove(number);
+            for (LaidPass& piece : pieces[k])
+                numbers_[k].push_back(covering.add(std::move(piece)));
+        }
     }
 
 private:
@@ -129,89 +119,25 @@ private:
     const CoveredPart& part_;
     MoveLimits limits_;
     std::vector<LaidPass> passes_;
-    std::vector<std::vector<LaidPass>> pieces_;
+    std::vector<std::vector<std::size_t>> numbers_;  // of the pieces of each pass
     std::vector<char> is_changed_;
     std::vector<char> is_dropped_;
 };
-
-// The contacts of a piece in the order of cutting. A closed piece returns to its start.
-Pass contacts_of(const LaidPass& piece, const OrderedPiece& order)
-{
-    Pass contacts;
-    contacts.reserve(piece.contacts.size() + 1);
-    for (const PassContact& contact : piece.contacts)
-        contacts.push_back(contact.at);
-    if (piece.is_closed) {
-        std::rotate(contacts.begin(),
-                    contacts.begin() + static_cast<std::ptrdiff_t>(order.start),
-                    contacts.end());
-        contacts.push_back(contacts.front());
-    }
-    if (order.is_reversed)
-        std::reverse(contacts.begin(), contacts.end());
-    return contacts;
-}
 
 // The pieces in an order with short links.
 std::vector<PassPiece> in_cutting_order(std::span<const LaidPass> pieces,
                                         const BallCutter& cutter,
                                         const LinkOptions& options)
 {
-    const auto tip = [&](const PassContact& contact) {
-        return locate(cutter, contact.at.contact, options.axis).tip;
-    };
-    std::vector<PieceEnds> ends;
-    ends.reserve(pieces.size());
-    for (const LaidPass& piece : pieces) {
-        if (piece.is_closed) {
-            ClosedPiece closed;
-            for (const PassContact& contact : piece.contacts)
-                closed.starts.push_back(tip(contact));
-            ends.emplace_back(std::move(closed));
-        } else {
-            ends.emplace_back(OpenPiece{tip(piece.contacts.front()),
-                                        tip(piece.contacts.back()),
-                                        options.order != PassOrder::OneWay});
-        }
-    }
     std::vector<PassPiece> ordered;
-    for (const OrderedPiece& place : order_pieces(ends).pieces)
-        ordered.push_back(
-            {static_cast<int>(ordered.size()), contacts_of(pieces[place.piece], place)});
-    return ordered;
-}
-
-// The worst of the places found in each triangle that is not covered at `height`.
-std::vector<MissedPlace> uncovered_by(std::span<const LaidPass> pieces,
-                                      const PartSamples& samples,
-                                      const BallCutter& cutter, double height)
-{
-    Coverage coverage{samples, cutter, height};
-    for (const LaidPass& piece : pieces)
-        coverage.add(piece.contacts, piece.is_closed);
-    std::vector<MissedPlace> found;
-    std::vector<std::int32_t> whole;
-    for (std::size_t k = 0; k < samples.triangles().size(); ++k) {
-        const auto number = static_cast<std::int32_t>(k);
-        const auto gap = [&](int corner) {
-            return coverage.gaps()[samples.triangles()[k][corner]];
-        };
-        int worst = 0;
-        for (const int corner : {1, 2})
-            worst = gap(corner) > gap(worst) ? corner : worst;
-        if (gap(worst) > 0) {
-            found.push_back({number, {}, gap(worst)});
-            found.back().weights[worst] = 1;
-        } else {
-            whole.push_back(number);
-        }
+    ordered.reserve(pieces.size());
+    for (const OrderedPiece& place : cutting_order(pieces, cutter, options)) {
+        PassPiece piece{static_cast<int>(ordered.size()), {}};
+        for (const PassContact& contact : contacts_in_order(pieces[place.piece], place))
+            piece.contacts.push_back(contact.at);
+        ordered.push_back(std::move(piece));
     }
-    for (const MissedPlace& place : coverage.missed(whole, 0, final_halvings))
-        if (found.empty() || found.back().triangle != place.triangle)
-            found.push_back(place);
-        else if (place.gap > found.back().gap)
-            found.back() = place;
-    return found;
+    return ordered;
 }
 
 // A contact of a list of passes.
@@ -435,11 +361,11 @@ CoveringPath covering_path(LaidPasses laid, const CoveredPart& part,
     const std::size_t passes = laid.passes.size();
     DividedPasses divided{std::move(laid.passes), laid.samples, part, height};
     divided.drop_shorter_than(short_pass_share * strip_width(cutter, height));
-    std::vector<LaidPass> pieces;
+    CoveringPieces covering{laid.samples, cutter, mend_share * height};
     std::vector<MissedPlace> uncovered;
     for (int round = 0;; ++round) {
-        pieces = divided.pieces();
-        uncovered = uncovered_by(pieces, laid.samples, cutter, mend_share * height);
+        divided.divide(covering);
+        uncovered = covering.missed();
         if (uncovered.empty() || round == mending_rounds)
             break;
         if (options.progress)
@@ -447,8 +373,14 @@ CoveringPath covering_path(LaidPasses laid, const CoveredPart& part,
         PassMending{divided, laid.samples, cutter,
                     mending_size(mend_share * height, round)}
             .mend(std::move(uncovered));
-        divided.divide();
     }
+    join_pieces(covering, laid.samples, part,
+                {layout_share * height, move_share * height}, options.link);
+    uncovered = covering.missed();
+    std::vector<LaidPass> pieces;
+    for (const LaidPass& piece : covering.pieces())
+        if (!piece.contacts.empty())
+            pieces.push_back(piece);
 
     CoveringPath plan;
     plan.passes = passes;
