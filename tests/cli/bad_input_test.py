@@ -167,15 +167,17 @@ class BadArguments(ProgramTest):
         self.assert_nothing_left("surface.json")
 
     def test_numbers_outside_their_domain_are_refused(self):
-        for cutters, expected in ((("ball:0", "ball:-1", "ball:nan", "ball:"), "a diameter above 0 mm"),
-                                  (("ball", "ball:1:2", "x"), "ball:DIAMETER, such as"),
-                                  (("ball:10mm",), "a number in mm without a unit, as in ball:10"),
-                                  (("flat:3", "bull:10:2"), "the only cutter of this command")):
+        for cutters, expected in ((("ball:0", "ball:-1"), "a diameter above 0 mm"),
+                                  (("ball", "ball:", "ball:nan", "ball:1:2", "x"), "ball:DIAMETER, flat:DIAMETER or bull:"),
+                                  (("ball:10mm",), "numbers in mm without a unit, as in ball:10")):
             for cutter in cutters:
                 self.refused(2, "--cutter", cutter, words=[f'--cutter: found "{cutter}"; expected ', expected])
         for option in ("--chord-tolerance", "--scallop", "--feed", "--cross-step", "--max-memory"):
             for number in ("0", "-1", "nan", "inf", "1e999", "", "1,5", "0x10", "1 "):
                 self.refused(2, option, number, words=[f'{option}: found "{number}"; expected a number above 0'])
+        for cutter in ("flat:3", "bull:10:2"):
+            self.refused(2, "--cutter", cutter, "--strategy", "iso",
+                         words=[f"--cutter {cutter} with --strategy iso: expected ball:DIAMETER, or --strategy planar"])
         self.refused(2, "--cutter", "ball:10", "--scallop", "10", words=["--scallop 10: expected ", "10 mm"])
         self.refused(2, "--threads", "0", words=['--threads: found "0"; expected a whole number from 1 to 1024'])
         self.refused(2, "--safe-height", "nan", words=['--safe-height: found "nan"; expected a number'])
