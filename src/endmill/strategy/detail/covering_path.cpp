@@ -71,6 +71,7 @@ public:
           part_{part},
           limits_{layout_share * height, move_share * height},
           passes_{std::move(passes)},
+          divisions_(passes_.size(), PassDivision{samples, part, limits_}),
           pieces_(passes_.size()),
           is_changed_(passes_.size(), 1),
           is_dropped_(passes_.size(), 0)
@@ -92,6 +93,7 @@ public:
     void add(LaidPass pass)
     {
         passes_.push_back(std::move(pass));
+        divisions_.emplace_back(samples_, part_, limits_);
         pieces_.emplace_back();
         is_changed_.push_back(1);
         is_dropped_.push_back(0);
@@ -110,7 +112,7 @@ public:
         parallel_for(passes_.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k)
                 if (std::exchange(is_changed_[k], 0) != 0)
-                    pieces_[k] = divided_into_moves(passes_[k], samples_, part_, limits_);
+                    pieces_[k] = divisions_[k].pieces_of(passes_[k]);
         });
     }
 
@@ -129,6 +131,7 @@ private:
     const CoveredPart& part_;
     MoveLimits limits_;
     std::vector<LaidPass> passes_;
+    std::vector<PassDivision> divisions_;
     std::vector<std::vector<LaidPass>> pieces_;
     std::vector<char> is_changed_;
     std::vector<char> is_dropped_;

@@ -25,7 +25,7 @@ constexpr int few_rounds = 0;
 constexpr int rounds = 4;
 // Starts that are tried with many samples; only one with more than `many_samples`.
 constexpr std::size_t finalists = 3;
-constexpr std::size_t many_samples = 1'000'000;
+constexpr std::size_t many_samples = 80'000;
 // Starts are chosen on at most this many samples. A low scallop height is raised for the choice,
 // by this factor as often as needed, up to a share of the radius.
 constexpr std::size_t most_few_samples = 80'000;
