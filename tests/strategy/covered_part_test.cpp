@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/strategy/detail/covered_part.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
@@ -27,6 +29,35 @@ TEST(CoveredPart, SamplesItsSurfaces)
     const PartSamples samples = part.samples(1, 100'000);
     EXPECT_GE(samples.size(), 200u);
     EXPECT_THROW(part.samples(1, 100), LimitError);
+}
+
+// Strips of a ball of 5 mm are 6 mm wide at a height of 1 mm, and 2 mm at about 0.1 mm.
+TEST(FewSamples, KeepTheHeightIfTheySuffice)
+{
+    const Part part = std::vector<Surface>{test::plane(60, 30)};
+    const BallCutter ball{5};
+    const CoveredPart covered{part, ball, {0.01, 0.1}};
+    const FewSamples few = few_samples(covered, {2, 10'000}, 0.1, 1'000'000);
+    EXPECT_EQ(few.height, 0.1);
+    EXPECT_GT(few.samples.size(), 1800u);
+}
+
+TEST(FewSamples, HaveAGreaterHeightIfTheyWouldBeTooMany)
+{
+    const Part part = std::vector<Surface>{test::plane(60, 30)};
+    const BallCutter ball{5};
+    const CoveredPart covered{part, ball, {0.01, 0.001}};
+    const FewSamples few = few_samples(covered, {2, 10'000}, 0.001, 1'000'000);
+    EXPECT_GT(few.height, 0.001);
+    EXPECT_LE(few.samples.size(), 10'000u);
+}
+
+TEST(ScaledTravel, IsInverseToTheWidthOfStrips)
+{
+    const BallCutter ball{5};
+    const double low = 5 - std::sqrt(25 - 0.09);  // strips of 0.6 mm
+    EXPECT_NEAR(scaled_travel(100, ball, 1, low), 1000, 1e-9);
+    EXPECT_NEAR(scaled_travel(100, ball, 1, 1), 100, 1e-12);
 }
 
 }  // namespace

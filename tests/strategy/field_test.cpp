@@ -5,6 +5,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/planning/planner_options.h"
+#include "endmill/strategy/detail/section_march.h"
 #include "endmill/strategy/strategy.h"
 #include "test_surfaces.h"
 
@@ -36,6 +37,10 @@ TEST(FieldPasses, RunAroundAConvexCylinder)
     }
     // 40 mm in strips of 3.92 mm, at 0.97 of the height
     EXPECT_EQ(laid.passes.size(), 11u);
+    // trials on few samples find about the same length
+    EXPECT_NEAR(field_travel(covered, ball, options) /
+                    pass_lengths(laid.passes, ball.radius()).contact_mm,
+                1, 0.1);
 }
 
 TEST(FieldPasses, AreJudgedClean)

@@ -5,6 +5,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/planning/planner_options.h"
+#include "endmill/strategy/detail/section_march.h"
 #include "endmill/strategy/strategy.h"
 #include "test_surfaces.h"
 
@@ -56,8 +57,9 @@ TEST(IsoScallopPasses, CoverTheSamplesOnWhichTheyAreLaid)
     const Part part = std::vector<Surface>{test::saddle(40, 20)};
     const BallCutter ball{5};
     const CoveredPart covered{part, ball, {0.01, 0.3}};
-    const LaidPasses laid =
-        iso_scallop_passes(covered, ball, iso_scallop_options(part, 0.3));
+    const StrategyOptions options = iso_scallop_options(part, 0.3);
+    const LaidPasses laid = iso_scallop_passes(covered, ball, options,
+                                               scallop_starts(covered, ball, options));
     // a ball at a contact of a pass is near enough to the raised point of each sample
     for (std::size_t i = 0; i < laid.samples.size(); ++i) {
         const Vec3 raised = laid.samples.point(i) + 0.3 * laid.samples.normal(i);
@@ -69,6 +71,23 @@ TEST(IsoScallopPasses, CoverTheSamplesOnWhichTheyAreLaid)
     }
 }
 
+// At the lower height the trials use a greater one. Their estimate is about the area in
+// strips, and about the length of the passes that are laid.
+TEST(ScallopStarts, EstimateTheLengthOfThePasses)
+{
+    const Part part = std::vector<Surface>{test::saddle(60, 20)};
+    const BallCutter ball{5};
+    for (const double height : {0.3, 0.01}) {
+        const StrategyOptions options = iso_scallop_options(part, height);
+        const CoveredPart covered{part, ball, {options.inner_tolerance, height}};
+        const ScallopStarts starts = scallop_starts(covered, ball, options);
+        const LaidPasses laid = iso_scallop_passes(covered, ball, options, starts);
+        const double length = pass_lengths(laid.passes, ball.radius()).contact_mm;
+        EXPECT_NEAR(starts.travel / length, 1, 0.1) << height;
+        EXPECT_NEAR(starts.travel * strip_width(ball, height) / 1770, 1, 0.15) << height;
+    }
+}
+
 TEST(IsoScallopPasses, RefuseMoreSamplesThanTheLimit)
 {
     const Part part = std::vector<Surface>{test::plane(100, 100)};
@@ -76,7 +95,8 @@ TEST(IsoScallopPasses, RefuseMoreSamplesThanTheLimit)
     options.most_samples = 10'000;
     const BallCutter ball{5};
     const CoveredPart covered{part, ball, {options.inner_tolerance, 1e-3}};
-    EXPECT_THROW(iso_scallop_passes(covered, ball, options), LimitError);
+    EXPECT_THROW(iso_scallop_passes(covered, ball, options, {{BorderStart{0, 1}}, 0}),
+                 LimitError);
 }
 
 }  // namespace

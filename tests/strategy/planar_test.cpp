@@ -125,5 +125,21 @@ TEST(ParameterDirections, AreThoseOfTheMiddleOfEachSurface)
     EXPECT_NEAR(directions[1].degrees(), 90, 1e-12);
 }
 
+// Along the longer side 40 mm of width need eight strips of at most 6 mm less the reserve of
+// the height; the trials may need one more or less.
+TEST(PlanarDirections, EstimateTheLengthOfThePasses)
+{
+    const Part part = std::vector<Surface>{test::plane(100, 40)};
+    const BallCutter ball{5};
+    const CoveredPart covered{part, ball, {0.01, 1}};
+    StrategyOptions options;
+    options.scallop_height = 1;
+    const PlanarDirections found = planar_directions(covered, ball, options, {});
+    ASSERT_TRUE(found.travel);
+    EXPECT_NEAR(*found.travel, 700, 100);
+    options.direction = Angle::degrees(30);
+    EXPECT_FALSE(planar_directions(covered, ball, options, {}).travel);
+}
+
 }  // namespace
 }  // namespace endmill

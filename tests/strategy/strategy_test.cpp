@@ -86,9 +86,11 @@ TEST(PlanIsoScallop, RefusesWhatItCannotPlan)
 }
 
 StrategyPlan on_mesh(const TriangleMesh& mesh, const BallCutter& ball, double height,
-                     Strategy strategy = Strategy::IsoScallop)
+                     Strategy strategy = Strategy::IsoScallop,
+                     TravelKind distance = TravelKind::Contact)
 {
     StrategyOptions options;
+    options.distance = distance;
     options.scallop_height = height;
     options.link.safe_height = 60;
     return plan_by_strategy(strategy, mesh, ball, options);
@@ -101,14 +103,17 @@ void expect_covered(const StrategyPlan& plan)
     EXPECT_EQ(plan.covering.uncovered_mm2, 0);
 }
 
-// A path over the mesh of a smooth surface is as long as one over the surface.
+// A path over the mesh of a smooth surface is as long as one over the surface. By contacts
+// both directions of the saddle are about equally good, by tips one is better.
 TEST(StrategyOnAMesh, CutsASmoothPartAsItsSurface)
 {
     const std::vector<Surface> surfaces{test::saddle(60, 20)};
-    const StrategyPlan on_surface = iso_scallop(surfaces, 5, options_for(surfaces, 0.5));
+    StrategyOptions options = options_for(surfaces, 0.5);
+    options.distance = TravelKind::Tip;
+    const StrategyPlan on_surface = iso_scallop(surfaces, 5, options);
     const std::vector<double> sides = tool_side_signs(surfaces, Vec3::UnitZ());
-    const StrategyPlan plan =
-        on_mesh(sampled(surfaces, sides, 0.01).mesh, BallCutter{5}, 0.5);
+    const StrategyPlan plan = on_mesh(sampled(surfaces, sides, 0.01).mesh, BallCutter{5},
+                                      0.5, Strategy::IsoScallop, TravelKind::Tip);
     expect_covered(plan);
     EXPECT_EQ(plan.covering.unreached_mm2, 0);
     EXPECT_NEAR(plan.economy.cut.contact_mm / on_surface.economy.cut.contact_mm, 1,
@@ -184,6 +189,27 @@ TEST(StrategyOnAMesh, RefusesAMeshThatFacesDownAndParameterLines)
                          BallCutter{1}, 0.1),
                  GeometryError);
     EXPECT_THROW(on_mesh(flat, BallCutter{1}, 0.1, Strategy::IsoU), GeometryError);
+}
+
+// A strategy that is not laid has no length and a reason. The best plan is not longer than
+// that of any strategy by itself.
+TEST(BestPlan, IsNotLongerThanThePlanOfAnyStrategy)
+{
+    const std::vector<Surface> surfaces{test::saddle(60, 20)};
+    const BallCutter ball{5};
+    const StrategyOptions options = options_for(surfaces, 0.3);
+    const BestPlan best = plan_by_best_strategy(surfaces, ball, options);
+    EXPECT_TRUE(best.plan.is_good());
+    ASSERT_EQ(best.tried.size(), every_strategy.size());
+    for (const TriedStrategy& one : best.tried) {
+        EXPECT_NE(one.travel_mm.has_value(), !one.refusal.empty());
+        const StrategyPlan alone =
+            plan_by_strategy(one.strategy, surfaces, ball, options);
+        EXPECT_LE(best.plan.economy.cut.contact_mm, alone.economy.cut.contact_mm)
+            << strategy_name(one.strategy);
+    }
+    EXPECT_TRUE(best.tried[0].travel_mm && best.tried[1].travel_mm)
+        << "iso-u and iso-v are always planned";
 }
 
 }  // namespace

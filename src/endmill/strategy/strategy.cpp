@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 #include <utility>
 
 #include "endmill/core/error.h"
@@ -97,17 +100,74 @@ CoveringPath along_parameter(Parameter along, const Surfaces& surfaces,
     return result;
 }
 
-void require_upright(Strategy strategy, const StrategyOptions& options)
+void require_upright(const StrategyOptions& options)
 {
     if ((options.link.axis - Vec3::UnitZ()).norm() > unit_vector_rounding)
-        throw GeometryError{std::string{strategy_name(strategy)} +
-                            " plans along the axis +z only"};
+        throw GeometryError{"planar, iso-scallop and field plan along the axis +z only"};
+}
+
+// The part for strategies that plan on its samples.
+CoveredPart covered_part(const Part& part, const BallCutter& cutter,
+                         const StrategyOptions& options)
+{
+    require_upright(options);
+    return {part, cutter, {options.inner_tolerance, options.scallop_height}};
+}
+
+// What a strategy finds out by trials on few samples before it lays passes.
+struct Trials {
+    std::optional<PlanarDirections> directions = {};  // of Strategy::Planar
+    std::optional<ScallopStarts> starts = {};         // of Strategy::IsoScallop
+    std::optional<double> travel = {};                // of the cuts, mm; an estimate
+};
+
+bool follows_parameters(Strategy strategy)
+{
+    return strategy == Strategy::IsoU || strategy == Strategy::IsoV;
+}
+
+// The trials that Strategy::Planar and IsoScallop cannot do without.
+Trials trials_of(Strategy strategy, const Part& part, const CoveredPart& covered,
+                 const StrategyOptions& options)
+{
+    Trials trials;
+    if (strategy == Strategy::Planar) {
+        trials.directions = planar_directions(covered, covered.cutter(), options,
+                                              parameter_directions(part));
+        trials.travel = trials.directions->travel;
+    } else if (strategy == Strategy::IsoScallop) {
+        trials.starts = scallop_starts(covered, covered.cutter(), options);
+        trials.travel = trials.starts->travel;
+    }
+    return trials;
+}
+
+// The path of a strategy that plans on samples.
+CoveringPath covering_after(const Trials& trials, const CoveredPart& covered,
+                            const StrategyOptions& options)
+{
+    const BallCutter& cutter = covered.cutter();
+    const StrategyOptions laying = with_progress(options, 0, laid_share);
+    const StrategyOptions making = with_progress(options, laid_share, 1);
+    if (trials.directions) {
+        PlanarPasses planar =
+            planar_passes(covered, cutter, laying, trials.directions->best);
+        CoveringPath path =
+            covering_path(std::move(planar.laid), covered, cutter, making);
+        path.direction = planar.direction;
+        path.compared = trials.directions->compared;
+        return path;
+    }
+    LaidPasses laid = trials.starts
+                          ? iso_scallop_passes(covered, cutter, laying, *trials.starts)
+                          : field_passes(covered, cutter, laying);
+    return covering_path(std::move(laid), covered, cutter, making);
 }
 
 CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& cutter,
                          const StrategyOptions& options)
 {
-    if (strategy == Strategy::IsoU || strategy == Strategy::IsoV) {
+    if (follows_parameters(strategy)) {
         const auto* surfaces = std::get_if<Surfaces>(&part);
         if (!surfaces)
             throw GeometryError{std::string{strategy_name(strategy)} +
@@ -115,25 +175,8 @@ CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& 
         return along_parameter(strategy == Strategy::IsoU ? Parameter::U : Parameter::V,
                                *surfaces, cutter, options);
     }
-    require_upright(strategy, options);
-    const CoveredPart covered{
-        part, cutter, {options.inner_tolerance, options.scallop_height}};
-    if (strategy == Strategy::Planar) {
-        PlanarPasses planar =
-            planar_passes(covered, cutter, with_progress(options, 0, laid_share),
-                          parameter_directions(part));
-        CoveringPath path = covering_path(std::move(planar.laid), covered, cutter,
-                                          with_progress(options, laid_share, 1));
-        path.direction = planar.direction;
-        path.compared = std::move(planar.compared);
-        return path;
-    }
-    const StrategyOptions laying = with_progress(options, 0, laid_share);
-    LaidPasses laid = strategy == Strategy::Field
-                          ? field_passes(covered, cutter, laying)
-                          : iso_scallop_passes(covered, cutter, laying);
-    return covering_path(std::move(laid), covered, cutter,
-                         with_progress(options, laid_share, 1));
+    const CoveredPart covered = covered_part(part, cutter, options);
+    return covering_after(trials_of(strategy, part, covered, options), covered, options);
 }
 
 // The cost of a path whose contacts are not known.
@@ -171,7 +214,7 @@ StrategyPlan judged(Strategy strategy, CoveringPath covering, const Part& part,
         };
     }
     Deviation deviation = deviation_of_path(part, covering.path, cutter, judgement);
-    if (strategy == Strategy::IsoU || strategy == Strategy::IsoV || !cutter.is_ball())
+    if (follows_parameters(strategy) || !cutter.is_ball())
         covering.uncovered_mm2 = deviation.uncut_area_mm2;
     const PathEconomy economy =
         cutter.is_ball() ? path_economy(covering.path) : economy_of_tips(covering.path);
@@ -184,6 +227,152 @@ struct Candidate {
     Strategy strategy;
     CoveringPath covering;
     double travel;  // mm
+};
+
+// A strategy is not laid if its estimated length exceeds the least one by this factor.
+// Estimates differ from lengths by some per cent.
+constexpr double worth_laying = 1.08;
+
+// Compares strategies by estimates on few samples, and lays the promising ones.
+class StrategyComparison {
+public:
+    StrategyComparison(const Part& part, const BallCutter& cutter,
+                       const StrategyOptions& options)
+        : part_{part},
+          cutter_{cutter},
+          options_{options}
+    {
+        for (const Strategy strategy : every_strategy)
+            tried_.push_back({strategy, {}, {}});
+    }
+
+    void run()
+    {
+        for (const Strategy strategy : every_strategy)
+            attempt(strategy, [&] { try_one(strategy); });
+        std::stable_sort(estimated_.begin(), estimated_.end(),
+                         [](const Estimated& a, const Estimated& b) {
+                             return a.trials.travel.value_or(0) <
+                                    b.trials.travel.value_or(0);
+                         });
+        for (const Estimated& one : estimated_)
+            attempt(one.strategy, [&] { lay(one); });
+        if (candidates_.empty())
+            std::rethrow_exception(failure_);
+        std::stable_sort(
+            candidates_.begin(), candidates_.end(),
+            [](const Candidate& a, const Candidate& b) { return a.travel < b.travel; });
+    }
+
+    // The paths, the shortest one first.
+    std::vector<Candidate>& candidates() { return candidates_; }
+    std::vector<TriedStrategy>& tried() { return tried_; }
+
+private:
+    struct Estimated {
+        Strategy strategy;
+        Trials trials;
+    };
+
+    template <typename Step>
+    void attempt(Strategy strategy, const Step& step)
+    {
+        try {
+            step();
+        } catch (const GeometryError& error) {
+            refuse(strategy, error.what());
+        } catch (const LimitError& error) {
+            refuse(strategy, error.what());
+        }
+    }
+
+    TriedStrategy& tried(Strategy strategy)
+    {
+        return *std::find_if(tried_.begin(), tried_.end(), [&](const TriedStrategy& one) {
+            return one.strategy == strategy;
+        });
+    }
+
+    void refuse(Strategy strategy, std::string message)
+    {
+        tried(strategy).refusal = std::move(message);
+        failure_ = std::current_exception();
+    }
+
+    StrategyOptions next_share()
+    {
+        // two steps for each strategy
+        constexpr double share = made_share / (2 * every_strategy.size());
+        const double begin = share * static_cast<double>(steps_++);
+        return with_progress(options_, begin, begin + share);
+    }
+
+    void add(Strategy strategy, CoveringPath covering)
+    {
+        const double travel = counted_travel(path_economy(covering.path),
+                                             options_.distance, CountedMoves::Cuts);
+        tried(strategy).travel_mm = travel;
+        candidates_.push_back({strategy, std::move(covering), travel});
+    }
+
+    void try_one(Strategy strategy)
+    {
+        const StrategyOptions own = next_share();
+        if (follows_parameters(strategy)) {
+            add(strategy, covering_by(strategy, part_, cutter_, own));
+            return;
+        }
+        if (!covered_)
+            covered_.emplace(covered_part(part_, cutter_, options_));
+        Trials trials = trials_of(strategy, part_, *covered_, own);
+        if (strategy == Strategy::Field)
+            trials.travel = field_travel(*covered_, cutter_, own);
+        estimated_.push_back({strategy, std::move(trials)});
+    }
+
+    // The least length of a path, or estimate for a strategy that has not been refused, mm.
+    double least_travel() const
+    {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Candidate& one : candidates_)
+            least = std::min(least, one.travel);
+        for (const Estimated& one : estimated_)
+            if (is_possible(one))
+                least = std::min(least, one.trials.travel.value_or(least));
+        return least;
+    }
+
+    bool is_possible(const Estimated& one) const
+    {
+        return std::any_of(tried_.begin(), tried_.end(), [&](const TriedStrategy& other) {
+            return other.strategy == one.strategy && other.refusal.empty();
+        });
+    }
+
+    void lay(const Estimated& one)
+    {
+        const StrategyOptions own = next_share();
+        const double least = least_travel();
+        const double travel = one.trials.travel.value_or(0);
+        if (travel > worth_laying * least) {
+            std::ostringstream message;
+            message << "not laid: passes on few samples are " << std::setprecision(3)
+                    << travel / least << " times as long as those of another strategy";
+            tried(one.strategy).refusal = message.str();
+            return;
+        }
+        add(one.strategy, covering_after(one.trials, *covered_, own));
+    }
+
+    const Part& part_;
+    BallCutter cutter_;
+    const StrategyOptions& options_;
+    std::optional<CoveredPart> covered_;
+    std::vector<Estimated> estimated_;
+    std::vector<Candidate> candidates_;
+    std::vector<TriedStrategy> tried_;
+    std::exception_ptr failure_;
+    std::size_t steps_ = 0;
 };
 
 }  // namespace
@@ -213,7 +402,7 @@ StrategyPlan plan_by_strategy(Strategy strategy, const Part& part, const Cutter&
     if (strategy != Strategy::Planar)
         throw GeometryError{std::string{strategy_name(strategy)} +
                             " plans for ball-end mills only; planar plans for others"};
-    require_upright(strategy, options);
+    require_upright(options);
     // Planes are placed by samples. Where the judge finds more between them, the planes are
     // laid for a smaller height.
     StrategyOptions aimed = with_progress(options, 0, made_share);
@@ -231,35 +420,11 @@ BestPlan plan_by_best_strategy(const Part& part, const BallCutter& cutter,
                                const StrategyOptions& options)
 {
     require_sound(cutter.radius(), options);
-    std::vector<TriedStrategy> tried;
-    std::vector<Candidate> candidates;
-    std::exception_ptr failure;
-    constexpr double share_of_one = made_share / every_strategy.size();
-    for (const Strategy strategy : every_strategy) {
-        const double begin = share_of_one * static_cast<double>(tried.size());
-        try {
-            CoveringPath covering =
-                covering_by(strategy, part, cutter,
-                            with_progress(options, begin, begin + share_of_one));
-            const double travel = counted_travel(path_economy(covering.path),
-                                                 options.distance, CountedMoves::Cuts);
-            tried.push_back({strategy, travel, {}});
-            candidates.push_back({strategy, std::move(covering), travel});
-        } catch (const GeometryError& error) {
-            tried.push_back({strategy, {}, error.what()});
-            failure = std::current_exception();
-        } catch (const LimitError& error) {
-            tried.push_back({strategy, {}, error.what()});
-            failure = std::current_exception();
-        }
-    }
-    if (candidates.empty())
-        std::rethrow_exception(failure);
-    std::stable_sort(
-        candidates.begin(), candidates.end(),
-        [](const Candidate& a, const Candidate& b) { return a.travel < b.travel; });
+    StrategyComparison comparison{part, cutter, options};
+    comparison.run();
+    std::vector<TriedStrategy>& tried = comparison.tried();
     std::optional<StrategyPlan> shortest;
-    for (Candidate& candidate : candidates) {
+    for (Candidate& candidate : comparison.candidates()) {
         StrategyPlan plan =
             judged(candidate.strategy, std::move(candidate.covering), part,
                    Cutter::ball(cutter.radius()), with_progress(options, made_share, 1));

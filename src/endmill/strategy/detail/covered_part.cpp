@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/strategy/detail/covered_part.h"
 
+#include <algorithm>
+
+#include "endmill/core/error.h"
 #include "endmill/deviation/deviation.h"
 #include "endmill/surface/tool_side.h"
 
@@ -10,6 +13,10 @@ namespace {
 // Spacing of the net of a fine mesh, as a share of the width of a strip. Samples are as
 // far apart where few are wanted; where more are wanted the net is refined.
 constexpr double net_share = 0.25;
+
+// A height is raised for trials by this factor, up to a share of the radius.
+constexpr double raising_factor = 2;
+constexpr double greatest_raised_share = 0.2;
 
 }  // namespace
 
@@ -58,6 +65,23 @@ std::span<const Surface> CoveredPart::surfaces() const
     if (const auto* own = std::get_if<CoveredSurfaces>(&source_))
         return *own->surfaces;
     return {};
+}
+
+FewSamples few_samples(const CoveredPart& part, const FewSamplesLimits& limits,
+                       double height, std::size_t most_samples)
+{
+    const BallCutter& cutter = part.cutter();
+    for (; raising_factor * height < greatest_raised_share * cutter.radius();
+         height *= raising_factor)
+        try {
+            return {part.samples(strip_width(cutter, height) / limits.across,
+                                 std::min(limits.most_samples, most_samples)),
+                    height};
+        } catch (const LimitError&) {
+            continue;
+        }
+    return {part.samples(strip_width(cutter, height) / limits.across, most_samples),
+            height};
 }
 
 }  // namespace endmill

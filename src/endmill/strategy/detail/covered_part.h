@@ -30,6 +30,15 @@ inline double strip_width(const BallCutter& cutter, double height)
     return 2 * std::sqrt(height * (2 * cutter.radius() - height));
 }
 
+/// The length of passes for one height, from their length for another height: the same area
+/// in strips of another width.
+/// \param travel of the passes for the height `from`, mm.
+inline double scaled_travel(double travel, const BallCutter& cutter, double from,
+                            double to)
+{
+    return travel * strip_width(cutter, from) / strip_width(cutter, to);
+}
+
 /// What a path over a part must keep.
 struct CoverLimits {
     double tolerance;  ///< greatest depth of a gouge, mm; above 0 and below the radius
@@ -82,5 +91,25 @@ private:
     double accessible_distance_;
     Source source_;
 };
+
+/// Samples for trials, and the scallop height for which they are dense enough.
+struct FewSamples {
+    PartSamples samples;
+    double height;  ///< mm
+};
+
+/// How many samples trials have.
+struct FewSamplesLimits {
+    double across;             ///< samples across a strip
+    std::size_t most_samples;  ///< that the part may have at the wanted height
+};
+
+/// Few samples of a part. A low height is doubled until few suffice, at most to a fifth of
+/// the radius. At that height the part may have more of them than wanted.
+/// \param limits       number of samples.
+/// \param height       wanted scallop height, mm.
+/// \param most_samples a part that needs more throws LimitError.
+FewSamples few_samples(const CoveredPart& part, const FewSamplesLimits& limits,
+                       double height, std::size_t most_samples);
 
 }  // namespace endmill

@@ -60,6 +60,7 @@ public:
           limits_{layout_share * height, move_share * height},
           passes_{std::move(passes)},
           numbers_(passes_.size()),
+          divisions_(passes_.size(), PassDivision{samples, part, limits_}),
           is_changed_(passes_.size(), 1),
           is_dropped_(passes_.size(), 0)
     {
@@ -84,6 +85,7 @@ public:
     {
         passes_.push_back(std::move(pass));
         numbers_.emplace_back();
+        divisions_.emplace_back(samples_, part_, limits_);
         is_changed_.push_back(1);
         is_dropped_.push_back(0);
     }
@@ -102,7 +104,7 @@ public:
         parallel_for(passes_.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k)
                 if (is_changed_[k] != 0 && !is_dropped(k))
-                    pieces[k] = divided_into_moves(passes_[k], samples_, part_, limits_);
+                    pieces[k] = divisions_[k].pieces_of(passes_[k]);
         });
         for (std::size_t k = 0; k < passes_.size(); ++k) {
             if (std::exchange(is_changed_[k], 0) == 0)
@@ -120,6 +122,7 @@ private:
     MoveLimits limits_;
     std::vector<LaidPass> passes_;
     std::vector<std::vector<std::size_t>> numbers_;  // of the pieces of each pass
+    std::vector<PassDivision> divisions_;
     std::vector<char> is_changed_;
     std::vector<char> is_dropped_;
 };

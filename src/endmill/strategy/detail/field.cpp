@@ -18,6 +18,19 @@ constexpr std::size_t most_field_samples = 400'000;
 // Share of the layout height by which a sample may miss its cover.
 constexpr double field_slack_share = 0.005;
 
+// Samples for the estimate of the length.
+constexpr FewSamplesLimits estimate_samples{3, 40'000};
+
+std::vector<LaidPass> passes_along_field(const PartSamples& samples,
+                                         const BallCutter& cutter, double height,
+                                         TravelKind distance)
+{
+    Coverage coverage{samples, cutter, layout_share * height};
+    return SectionMarch{coverage, guide_field(samples, cutter, height, distance),
+                        field_slack_share * height}
+        .passes();
+}
+
 }  // namespace
 
 LaidPasses field_passes(const CoveredPart& part, const BallCutter& cutter,
@@ -27,11 +40,22 @@ LaidPasses field_passes(const CoveredPart& part, const BallCutter& cutter,
     PartSamples samples =
         part.samples(strip_width(cutter, height) / field_samples_across,
                      std::min(options.most_samples, most_field_samples));
-    Coverage coverage{samples, cutter, layout_share * height};
-    SectionMarch march{coverage, guide_field(samples, cutter, height, options.distance),
-                       field_slack_share * height};
-    std::vector<LaidPass> passes = march.passes();
+    std::vector<LaidPass> passes =
+        passes_along_field(samples, cutter, height, options.distance);
     return {std::move(samples), std::move(passes)};
+}
+
+double field_travel(const CoveredPart& part, const BallCutter& cutter,
+                    const StrategyOptions& options)
+{
+    const auto [samples, height] =
+        few_samples(part, estimate_samples, options.scallop_height,
+                    std::min(options.most_samples, most_field_samples));
+    const PassLengths lengths = pass_lengths(
+        passes_along_field(samples, cutter, height, options.distance), cutter.radius());
+    return scaled_travel(
+        options.distance == TravelKind::Tip ? lengths.tip_mm : lengths.contact_mm, cutter,
+        height, options.scallop_height);
 }
 
 }  // namespace endmill

@@ -14,4 +14,10 @@ namespace endmill {
 LaidPasses field_passes(const CoveredPart& part, const BallCutter& cutter,
                         const StrategyOptions& options);
 
+/// The length of the passes of field_passes by `options.distance`, mm, from passes on few
+/// samples.
+/// \param part, cutter, options as above.
+double field_travel(const CoveredPart& part, const BallCutter& cutter,
+                    const StrategyOptions& options);
+
 }  // namespace endmill

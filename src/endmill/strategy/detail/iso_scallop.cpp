@@ -17,33 +17,39 @@ namespace {
 
 // Share of it by which a sample may miss its cover.
 constexpr double slack_share = 0.005;
-// Samples across a strip for the choice of the start, and for the result.
-constexpr double few_samples_across = 2;
+// Samples across a strip for the result; less if they would be too many.
 constexpr double samples_across = 5;
+constexpr double least_samples_across = 3.5;
+constexpr std::size_t most_dense_samples = 1'000'000;
 // Rounds in which a pass is bent, for the choice and for the result.
 constexpr int few_rounds = 0;
 constexpr int rounds = 4;
-// Starts that are tried with many samples; only one with more than `many_samples`.
+// Starts that are tried with many samples; only one with more than `most_compared_samples`.
 constexpr std::size_t finalists = 3;
-constexpr std::size_t many_samples = 1'000'000;
-// Starts are chosen on at most this many samples. A low scallop height is raised for the choice,
-// by this factor as often as needed, up to a share of the radius.
-constexpr std::size_t most_few_samples = 80'000;
-constexpr double raising_factor = 2;
-constexpr double greatest_raised_share = 0.2;
+constexpr std::size_t most_compared_samples = 80'000;
+// Starts are chosen on about this many samples at most.
+constexpr FewSamplesLimits trial_samples{2.5, 40'000};
 // Share of the work until starts are ranked on few samples.
 constexpr double ranked_share = 0.4;
 
-double length(const LevelLine& line, const PartSamples& samples)
+// The way between two places, mm, by the distance that counts.
+double way(const PartSamples& samples, const SampleEdge& from, const SampleEdge& to,
+           double radius, TravelKind distance)
+{
+    return distance == TravelKind::Tip
+               ? (samples.near_centre(to, radius) - samples.near_centre(from, radius))
+                     .norm()
+               : (samples.near_place(to).point - samples.near_place(from).point).norm();
+}
+
+double length(const LevelLine& line, const PartSamples& samples, double radius,
+              TravelKind distance)
 {
     double sum = 0;
-    const auto point = [&](std::size_t k) {
-        return samples.near_place(line.places[k]).point;
-    };
     for (std::size_t k = 0; k + 1 < line.places.size(); ++k)
-        sum += (point(k + 1) - point(k)).norm();
+        sum += way(samples, line.places[k], line.places[k + 1], radius, distance);
     if (line.is_closed)
-        sum += (point(0) - point(line.places.size() - 1)).norm();
+        sum += way(samples, line.places.back(), line.places.front(), radius, distance);
     return sum;
 }
 
@@ -51,16 +57,6 @@ double length(const LevelLine& line, const PartSamples& samples)
 // than a strip is wide is often left out later.
 constexpr double pass_price = 1;
 constexpr double short_pass_price = 0.5;
-
-double cost(std::span<const LevelLine> lines, const PartSamples& samples, double width)
-{
-    double sum = 0;
-    for (const LevelLine& line : lines) {
-        const double own = length(line, samples);
-        sum += own + (own < width ? short_pass_price : pass_price) * width;
-    }
-    return sum;
-}
 
 // Reports the share of some work, from one share of all work to another.
 class ShareCounter {
@@ -92,77 +88,80 @@ private:
 
 struct Trial {
     std::vector<LevelLine> lines;
-    double cost;
+    double travel = 0;  // length of the lines, mm
+    double cost = 0;
 };
 
 Trial trial(const PartSamples& samples, const MarchStart& start, const BallCutter& cutter,
-            double height, int bending_rounds)
+            double height, TravelKind distance, int bending_rounds)
 {
     Coverage coverage{samples, cutter, layout_share * height};
-    std::vector<LevelLine> lines =
-        lay_lines(coverage, start, slack_share * height, bending_rounds);
-    const double sum = cost(lines, samples, strip_width(cutter, height));
-    return {std::move(lines), sum};
+    Trial result{lay_lines(coverage, start, slack_share * height, bending_rounds)};
+    const double width = strip_width(cutter, height);
+    for (const LevelLine& line : result.lines) {
+        const double own = length(line, samples, cutter.radius(), distance);
+        result.travel += own;
+        result.cost += own + (own < width ? short_pass_price : pass_price) * width;
+    }
+    return result;
 }
 
-// A start and what it costs on few samples.
+// A start and its passes on few samples.
 struct RankedStart {
     MarchStart start;
+    double travel;
     double cost;
 };
 
 std::vector<RankedStart> ranked(const std::vector<MarchStart>& starts,
-                                const PartSamples& samples, const BallCutter& cutter,
-                                double height, ShareCounter& counter)
+                                const FewSamples& few, const BallCutter& cutter,
+                                TravelKind distance, ShareCounter& counter)
 {
     std::vector<RankedStart> ranked(starts.size());
     parallel_for(starts.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            ranked[k] = {starts[k],
-                         trial(samples, starts[k], cutter, height, few_rounds).cost};
+            const Trial tried =
+                trial(few.samples, starts[k], cutter, few.height, distance, few_rounds);
+            ranked[k] = {starts[k], tried.travel, tried.cost};
             counter.finish_item();
         }
     });
-    std::stable_sort(
-        ranked.begin(), ranked.end(),
-        [](const RankedStart& a, const RankedStart& b) { return a.cost < b.cost; });
     return ranked;
 }
 
-// Samples for the choice of the start, and the scallop height for which they are dense enough.
-struct FewSamples {
-    PartSamples samples;
-    double height;  // mm
-};
-
-FewSamples few_samples(const CoveredPart& part, const BallCutter& cutter,
-                       const StrategyOptions& options)
+void sort_by_cost(std::vector<RankedStart>& starts)
 {
-    const std::size_t most = std::min(most_few_samples, options.most_samples);
-    double height = options.scallop_height;
-    for (; raising_factor * height < greatest_raised_share * cutter.radius();
-         height *= raising_factor)
-        try {
-            return {part.samples(strip_width(cutter, height) / few_samples_across, most),
-                    height};
-        } catch (const LimitError&) {
-            continue;
-        }
-    return {part.samples(strip_width(cutter, height) / few_samples_across,
-                         options.most_samples),
-            height};
+    std::stable_sort(
+        starts.begin(), starts.end(),
+        [](const RankedStart& a, const RankedStart& b) { return a.cost < b.cost; });
 }
 
-// The starts that cost least on few samples, the best one first. Sections in other places
-// are tried in the best directions only.
-std::vector<MarchStart> best_starts(const FewSamples& few, const BallCutter& cutter,
-                                    const StrategyOptions& options)
+PartSamples samples_for_march(const CoveredPart& part, double height,
+                              std::size_t most_samples)
 {
-    const auto& [samples, height] = few;
-    const std::vector<MarchStart> starts = march_starts(samples);
+    const double width = strip_width(part.cutter(), height);
+    try {
+        return part.samples(width / samples_across,
+                            std::min(most_samples, most_dense_samples));
+    } catch (const LimitError&) {
+        return part.samples(width / least_samples_across, most_samples);
+    }
+}
+
+}  // namespace
+
+// Sections in other places are tried in the best directions only.
+ScallopStarts scallop_starts(const CoveredPart& part, const BallCutter& cutter,
+                             const StrategyOptions& options)
+{
+    const FewSamples few =
+        few_samples(part, trial_samples, options.scallop_height, options.most_samples);
+    const std::vector<MarchStart> starts = march_starts(few.samples);
     ShareCounter counter{options.progress, 0, ranked_share,
                          starts.size() + 2 * finalists};
-    std::vector<RankedStart> known = ranked(starts, samples, cutter, height, counter);
+    std::vector<RankedStart> known =
+        ranked(starts, few, cutter, options.distance, counter);
+    sort_by_cost(known);
     std::vector<MarchStart> further;
     std::size_t directions = 0;
     for (const RankedStart& candidate : known)
@@ -172,34 +171,30 @@ std::vector<MarchStart> best_starts(const FewSamples& few, const BallCutter& cut
             for (const double share : {0.25, 0.75})
                 further.push_back(LineStart{line->angle, share});
         }
-    for (const RankedStart& candidate : ranked(further, samples, cutter, height, counter))
+    for (const RankedStart& candidate :
+         ranked(further, few, cutter, options.distance, counter))
         known.push_back(candidate);
-    std::stable_sort(
-        known.begin(), known.end(),
-        [](const RankedStart& a, const RankedStart& b) { return a.cost < b.cost; });
-    std::vector<MarchStart> best;
+    sort_by_cost(known);
+    ScallopStarts result{
+        {},
+        scaled_travel(known.front().travel, cutter, few.height, options.scallop_height)};
     for (std::size_t k = 0; k < std::min(finalists, known.size()); ++k)
-        best.push_back(known[k].start);
-    return best;
+        result.best.push_back(known[k].start);
+    return result;
 }
 
-}  // namespace
-
 LaidPasses iso_scallop_passes(const CoveredPart& part, const BallCutter& cutter,
-                              const StrategyOptions& options)
+                              const StrategyOptions& options, const ScallopStarts& starts)
 {
     const double height = options.scallop_height;
-    const double width = strip_width(cutter, height);
-    std::vector<MarchStart> starts =
-        best_starts(few_samples(part, cutter, options), cutter, options);
-    PartSamples samples = part.samples(width / samples_across, options.most_samples);
-    if (samples.size() > many_samples)
-        starts.resize(1);
-    std::vector<Trial> trials(starts.size());
-    ShareCounter counter{options.progress, ranked_share, 1, starts.size()};
-    parallel_for(starts.size(), [&](std::size_t begin, std::size_t end) {
+    PartSamples samples = samples_for_march(part, height, options.most_samples);
+    std::vector<Trial> trials(
+        samples.size() > most_compared_samples ? 1 : starts.best.size());
+    ShareCounter counter{options.progress, ranked_share, 1, trials.size()};
+    parallel_for(trials.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            trials[k] = trial(samples, starts[k], cutter, height, rounds);
+            trials[k] =
+                trial(samples, starts.best[k], cutter, height, options.distance, rounds);
             counter.finish_item();
         }
     });

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <iomanip>
+#include <limits>
+#include <numbers>
 #include <numeric>
 #include <optional>
 #include <sstream>
@@ -41,12 +43,16 @@ PassContact mesh_contact(const CutterContact& contact, std::int32_t near)
     return {{contact.point.x(), contact.point.y(), contact}, 0, near};
 }
 
-// Steps of the first net across each patch. Its edges are then halved until they are short
-// enough; a patch whose curves oscillate more often than this within a step is not resolved.
+// Sides of a triangle whose squares differ by a smaller share are equally long.
+constexpr double same_length = 1e-9;
+
+// Least steps of the first net across each patch. Its edges are then halved until they are
+// short enough; a patch whose curves oscillate more often than this within a step is not
+// resolved.
 constexpr int first_steps = 8;
 
-// The parameters of the first net: every patch border, and equal steps between them.
-std::vector<double> first_lines(const Surface& surface, Parameter along)
+// The parameters of every patch border, and equal steps between them.
+std::vector<double> equal_lines(const Surface& surface, Parameter along)
 {
     const std::span<const double> breaks = surface.breaks(along);
     std::vector<double> lines{breaks.front()};
@@ -57,6 +63,82 @@ std::vector<double> first_lines(const Surface& surface, Parameter along)
         lines.push_back(breaks[k + 1]);
     }
     return lines;
+}
+
+// The greatest lengths of the steps between lines, mm.
+struct StepLengths {
+    std::vector<double> us;
+    std::vector<double> vs;
+};
+
+// The greatest multiple of `side` by a power of two with which every patch has at least
+// `first_steps` steps; at least `side`.
+double first_side(const StepLengths& lengths, double side)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto* own : {&lengths.us, &lengths.vs})
+        for (auto step = own->begin(); step != own->end(); step += first_steps)
+            least = std::min(least, std::accumulate(step, step + first_steps, 0.0));
+    double result = side;
+    while (result * 2 * first_steps < least)
+        result *= 2;
+    return result;
+}
+
+// The lines of a net whose edges are at most `side` mm long, from lines at equal parameters.
+// \param lengths of the steps between the equal lines, mm.
+std::vector<double> even_lines(const std::vector<double>& equal,
+                               const std::vector<double>& lengths, double side)
+{
+    std::vector<double> lines{equal.front()};
+    for (std::size_t first = 0; first < lengths.size(); first += first_steps) {
+        const auto begin = lengths.begin() + static_cast<std::ptrdiff_t>(first);
+        const double length = std::accumulate(begin, begin + first_steps, 0.0);
+        const int steps =
+            std::max(first_steps, static_cast<int>(std::ceil(length / side)));
+        double passed = 0;  // length up to the beginning of step k
+        std::size_t k = first;
+        for (int step = 1; step < steps; ++step) {
+            const double wanted = length * step / steps;
+            for (; k + 1 < first + first_steps && passed + lengths[k] < wanted; ++k)
+                passed += lengths[k];
+            const double share = lengths[k] > 0 ? (wanted - passed) / lengths[k] : 0;
+            const double line =
+                std::lerp(equal[k], equal[k + 1], std::clamp(share, 0.0, 1.0));
+            if (line > lines.back())
+                lines.push_back(line);
+        }
+        lines.push_back(equal[first + first_steps]);
+    }
+    return lines;
+}
+
+// The parameters of the first net.
+struct FirstLines {
+    std::vector<double> us;
+    std::vector<double> vs;
+};
+
+// The greatest length of each step of equal lines, across all other lines, counts.
+FirstLines even_lines(const Surface& surface, const FirstLines& equal, double side)
+{
+    const auto& [us, vs] = equal;
+    StepLengths lengths{std::vector<double>(us.size() - 1, 0),
+                        std::vector<double>(vs.size() - 1, 0)};
+    std::vector<Vec3> row(us.size());
+    std::vector<Vec3> row_before(us.size());
+    for (std::size_t j = 0; j < vs.size(); ++j) {
+        std::swap(row, row_before);
+        for (std::size_t i = 0; i < us.size(); ++i)
+            row[i] = surface.tangents(us[i], vs[j]).point;
+        for (std::size_t i = 0; i + 1 < us.size(); ++i)
+            lengths.us[i] = std::max(lengths.us[i], (row[i + 1] - row[i]).norm());
+        for (std::size_t i = 0; i < us.size() && j > 0; ++i)
+            lengths.vs[j - 1] =
+                std::max(lengths.vs[j - 1], (row[i] - row_before[i]).norm());
+    }
+    const double first = first_side(lengths, side);
+    return {even_lines(us, lengths.us, first), even_lines(vs, lengths.vs, first)};
 }
 
 [[noreturn]] void throw_too_many(double needed, std::size_t most_samples)
@@ -136,8 +218,12 @@ std::int32_t PartSamples::add_middle(std::int32_t a, std::int32_t b, double shar
 
 void PartSamples::add_surface(const Surface& surface, int number)
 {
-    const std::vector<double> us = first_lines(surface, Parameter::U);
-    const std::vector<double> vs = first_lines(surface, Parameter::V);
+    FirstLines lines{equal_lines(surface, Parameter::U),
+                     equal_lines(surface, Parameter::V)};
+    // surfaces beside each other need samples at the same places of their border
+    if (std::get<SampledSurfaces>(source_).surfaces.size() == 1)
+        lines = even_lines(surface, lines, spacing_ / std::numbers::sqrt2);
+    const auto& [us, vs] = lines;
     const std::size_t first = points_.size();
     for (const double v : vs)
         for (const double u : us)
@@ -176,52 +262,75 @@ void PartSamples::require_enough() const
         throw_too_many(needed, most_samples_);
 }
 
-// Halves every edge that is longer than the spacing, until there is none.
+// Halves the longest edge of every triangle, until none is longer than the spacing. Sides of
+// the triangles then differ by less than if all long edges were halved at once.
 void PartSamples::refine()
 {
     require_enough();
-    const auto is_long = [&](std::int32_t a, std::int32_t b) {
-        return (points_[a] - points_[b]).norm() > spacing_;
-    };
     const auto middle = [&](std::int32_t a, std::int32_t b) {
         return add_middle(a, b, 0.5);
     };
-    while (divide_edges(is_long, middle)) {
+    while (divide_edges(longest_edges(), middle)) {
     }
+}
+
+// The longest edge of each triangle, if it is longer than the spacing.
+std::vector<MeshEdge> PartSamples::longest_edges() const
+{
+    std::vector<MeshEdge> longest;
+    for (const Triangle& triangle : triangles_) {
+        double square = spacing_ * spacing_;
+        int found = -1;
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 way = points_[triangle[k]] - points_[triangle[(k + 1) % 3]];
+            const double own = way.squaredNorm();
+            if (own > square * (found < 0 ? 1 : 1 + same_length)) {
+                square = own;
+                found = k;
+            }
+        }
+        if (found >= 0)
+            longest.push_back({triangle[found], triangle[(found + 1) % 3]});
+    }
+    return longest;
 }
 
 // Divides edges by new samples, and the triangles at them. Edges of twins are divided
 // together.
 // \return whether there are any.
 bool PartSamples::divide_edges(
-    const std::function<bool(std::int32_t a, std::int32_t b)>& is_divided,
+    std::vector<MeshEdge> edges,
     const std::function<std::int32_t(std::int32_t a, std::int32_t b)>& add_between)
 {
-    const std::vector<NetEdge> edges = net_edges(triangles_, representatives_);
+    if (edges.empty())
+        return false;
+    const auto place_of = [&](std::int32_t a, std::int32_t b) {
+        const auto [low, high] = std::minmax(representatives_[a], representatives_[b]);
+        return MeshEdge{low, high};
+    };
+    // the middles by the places of the edges, that of the first of twins
+    EdgeMiddles places;
+    for (const auto& [a, b] : edges) {
+        const auto [low, high] = place_of(a, b);
+        places.add(low, high, -1);
+    }
     EdgeMiddles middles;
-    for (std::size_t k = 0, next = 0; k < edges.size(); k = next) {
-        bool is_any = false;
-        for (; next < edges.size() && edges[next][0] == edges[k][0] &&
-               edges[next][1] == edges[k][1];
-             ++next)
-            is_any = is_any || is_divided(edges[next][2], edges[next][3]);
-        std::int32_t representative = -1;
-        for (std::size_t l = k; l < next && is_any; ++l) {
-            const auto [ra, rb, a, b] = edges[l];
-            if (middles.of(a, b))
+    for (const Triangle& triangle : triangles_)
+        for (int k = 0; k < 3; ++k) {
+            const auto [a, b] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
+            const auto [low, high] = place_of(a, b);
+            std::int32_t* const first = places.find(low, high);
+            if (!first || middles.of(a, b))
                 continue;
             if (points_.size() >= most_samples_)
                 throw LimitError{"the part needs more than " +
                                  std::to_string(most_samples_) +
                                  " samples for this scallop height"};
             const std::int32_t middle = add_between(a, b);
-            representative = representative < 0 ? middle : representative;
-            representatives_.push_back(representative);
+            *first = *first < 0 ? middle : *first;
+            representatives_.push_back(*first);
             middles.add(a, b, middle);
         }
-    }
-    if (middles.empty())
-        return false;
     triangles_ = divided_triangles(triangles_, middles);
     return true;
 }
@@ -243,18 +352,21 @@ void PartSamples::find_accessible(double distance)
             reached[i] = is_reached({points_[i], normals_[i]}) ? 1 : 0;
     });
     is_wanted_.assign(reached.begin(), reached.end());
-    divide_edges(
-        [&](std::int32_t a, std::int32_t b) { return is_wanted_[a] != is_wanted_[b]; },
-        [&](std::int32_t a, std::int32_t b) {
-            const std::int32_t inside = is_wanted_[a] ? a : b;
-            const std::int32_t outside = is_wanted_[a] ? b : a;
-            double share = 0;
-            for (double step = 0.5; step >= std::exp2(-border_halvings); step /= 2)
-                if (is_reached(mesh_place(mesh, {inside, outside, share + step})))
-                    share += step;
-            is_wanted_.push_back(true);
-            return add_middle(inside, outside, share);
-        });
+    std::vector<MeshEdge> crossing;
+    for (const Triangle& triangle : triangles_)
+        for (int k = 0; k < 3; ++k)
+            if (is_wanted_[triangle[k]] != is_wanted_[triangle[(k + 1) % 3]])
+                crossing.push_back({triangle[k], triangle[(k + 1) % 3]});
+    divide_edges(std::move(crossing), [&](std::int32_t a, std::int32_t b) {
+        const std::int32_t inside = is_wanted_[a] ? a : b;
+        const std::int32_t outside = is_wanted_[a] ? b : a;
+        double share = 0;
+        for (double step = 0.5; step >= std::exp2(-border_halvings); step /= 2)
+            if (is_reached(mesh_place(mesh, {inside, outside, share + step})))
+                share += step;
+        is_wanted_.push_back(true);
+        return add_middle(inside, outside, share);
+    });
 }
 
 // Finds the contacts of the ball at the samples of a mesh.

@@ -171,8 +171,9 @@ private:
     void find_twins(std::span<const Surface> surfaces);
     void require_enough() const;
     void refine();
+    std::vector<MeshEdge> longest_edges() const;
     bool divide_edges(
-        const std::function<bool(std::int32_t a, std::int32_t b)>& is_divided,
+        std::vector<MeshEdge> edges,
         const std::function<std::int32_t(std::int32_t a, std::int32_t b)>& add_between);
     void find_accessible(double distance);
     void number_by_place();

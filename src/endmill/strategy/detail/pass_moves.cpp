@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 #include "endmill/planning/detail/segmentation.h"
 #include "endmill/strategy/detail/reach.h"
@@ -18,14 +19,21 @@ namespace {
 constexpr int demand_directions = 6;
 using Demands = std::array<Vec3, demand_directions + 1>;
 
+// A contact, and whether the move from the contact before it is clear.
+struct ClearContact {
+    PassContact at;
+    bool is_clear_move;
+};
+
 // The points that a move past a contact must reach: the one above it, and some on the
 // circle of the ball at the height to which it covers.
-Demands demands_at(std::span<const PassContact> contacts, std::size_t k, double radius,
+Demands demands_at(std::span<const ClearContact> contacts, std::size_t k, double radius,
                    double height)
 {
-    const CutterContact& contact = contacts[k].at.contact;
-    const Vec3& before = contacts[k > 0 ? k - 1 : k].at.contact.point;
-    const Vec3& after = contacts[std::min(k + 1, contacts.size() - 1)].at.contact.point;
+    const CutterContact& contact = contacts[k].at.at.contact;
+    const Vec3& before = contacts[k > 0 ? k - 1 : k].at.at.contact.point;
+    const Vec3& after =
+        contacts[std::min(k + 1, contacts.size() - 1)].at.at.contact.point;
     const Vec3 feed = after - before;
     const Vec3 across =
         contact.normal.cross(feed.norm() > 0 ? feed : contact.normal.unitOrthogonal())
@@ -55,60 +63,53 @@ public:
     {
     }
 
-    std::vector<PassContact> of(const LaidPass& pass)
+    std::vector<ClearContact> of(std::span<const PassContact> contacts)
     {
-        contacts_ = {pass.contacts.front()};
-        for (std::size_t k = 1; k < pass.contacts.size(); ++k)
-            lead_to(pass.contacts[k], most_halvings);
-        if (pass.is_closed && pass.contacts.size() > 2)
-            lead_to(pass.contacts.front(), most_halvings);
+        contacts_ = {{contacts.front(), false}};
+        for (const PassContact& contact : contacts.subspan(1))
+            lead_to(contact, most_halvings);
         return std::move(contacts_);
     }
 
 private:
     void lead_to(const PassContact& to, int halvings)
     {
-        const PassContact from = contacts_.back();
-        const bool can_halve = halvings > 0 && samples_->is_joined(from, to);
-        if (can_halve && !part_->is_clear(ball_centre(from.at, part_->cutter()),
-                                          ball_centre(to.at, part_->cutter()), state_)) {
+        const PassContact from = contacts_.back().at;
+        const bool is_clear =
+            part_->is_clear(ball_centre(from.at, part_->cutter()),
+                            ball_centre(to.at, part_->cutter()), state_);
+        if (!is_clear && halvings > 0 && samples_->is_joined(from, to)) {
             lead_to(samples_->between(from, to, 0.5), halvings - 1);
             lead_to(to, halvings - 1);
         } else {
-            contacts_.push_back(to);
+            contacts_.push_back({to, is_clear});
         }
     }
 
     const PartSamples* samples_;
     const CoveredPart* part_;
     MoveTestState state_;
-    std::vector<PassContact> contacts_;
+    std::vector<ClearContact> contacts_;
 };
 
-}  // namespace
-
-std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples& samples,
-                                         const CoveredPart& part,
-                                         const MoveLimits& limits)
+// Divides a stretch: contacts of which only the first and the last may be required.
+std::vector<StretchPiece> divided_stretch(std::span<const PassContact> stretch,
+                                          const PartSamples& samples,
+                                          const CoveredPart& part,
+                                          const MoveLimits& limits)
 {
     const double radius = part.cutter().radius();
-    const std::vector<PassContact> contacts = ClearContacts{samples, part}.of(pass);
+    const std::vector<ClearContact> contacts = ClearContacts{samples, part}.of(stretch);
     std::vector<Demands> demands;
     demands.reserve(contacts.size());
     for (std::size_t k = 0; k < contacts.size(); ++k)
         demands.push_back(demands_at(contacts, k, radius, limits.covered_height));
     MoveTestState state;
     const auto centre = [&](std::size_t k) {
-        return ball_centre(contacts[k].at, part.cutter());
+        return ball_centre(contacts[k].at.at, part.cutter());
     };
     const auto is_clear = [&](std::size_t from, std::size_t to) {
         return part.is_clear(centre(from), centre(to), state);
-    };
-    const auto passes_required = [&](std::size_t from, std::size_t to) {
-        return std::any_of(
-            contacts.begin() + static_cast<std::ptrdiff_t>(from) + 1,
-            contacts.begin() + static_cast<std::ptrdiff_t>(to),
-            [](const PassContact& contact) { return contact.is_required; });
     };
     const auto reaches_demands = [&](std::size_t from, std::size_t to) {
         const UprightSweep sweep{centre(from), centre(to)};
@@ -119,38 +120,95 @@ std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples
                     return false;
         return true;
     };
-    std::vector<LaidPass> pieces;
+    std::vector<StretchPiece> pieces;
     for (std::size_t first = 0; first < contacts.size();) {
-        if (!is_clear(first, first)) {
-            ++first;
-            continue;
-        }
         // the longest run whose neighbours are joined by clear moves
         std::size_t last = first;
-        while (last + 1 < contacts.size() && is_clear(last, last + 1))
+        while (last + 1 < contacts.size() && contacts[last + 1].is_clear_move)
             ++last;
-        LaidPass piece{{contacts[first]}, false};
+        StretchPiece piece{{contacts[first].at}, first == 0, last + 1 == contacts.size()};
         if (last > first) {
             const auto divided = fewest_moves(
                 last - first + 1, PassShape::Open, [&](std::size_t from, std::size_t to) {
-                    return to == from + 1 ||
-                           (!passes_required(first + from, first + to) &&
-                            reaches_demands(first + from, first + to) &&
-                            is_clear(first + from, first + to));
+                    return to == from + 1 || (reaches_demands(first + from, first + to) &&
+                                              is_clear(first + from, first + to));
                 });
-            piece.contacts.clear();
-            for (const std::size_t vertex : divided->vertices)
-                piece.contacts.push_back(contacts[first + vertex]);
+            for (const std::size_t vertex : std::span{divided->vertices}.subspan(1))
+                piece.contacts.push_back(contacts[first + vertex].at);
         }
-        const bool is_whole = first == 0 && last + 1 == contacts.size();
-        if (pass.is_closed && is_whole && piece.contacts.size() > 2) {
-            piece.contacts.pop_back();
-            piece.is_closed = true;
-        }
-        pieces.push_back(std::move(piece));
+        // a run of several contacts consists of clear moves
+        if (last > first || is_clear(first, first))
+            pieces.push_back(std::move(piece));
         first = last + 1;
     }
     return pieces;
+}
+
+// Adds the pieces of a stretch to those of the stretch before it.
+void append(const std::vector<StretchPiece>& stretch, std::vector<StretchPiece>& pieces)
+{
+    for (const StretchPiece& piece : stretch) {
+        const bool continues =
+            piece.has_first && !pieces.empty() && pieces.back().has_last;
+        if (!continues) {
+            pieces.push_back(piece);
+            continue;
+        }
+        StretchPiece& whole = pieces.back();
+        whole.contacts.insert(whole.contacts.end(), piece.contacts.begin() + 1,
+                              piece.contacts.end());
+        whole.has_last = piece.has_last;
+    }
+    if (stretch.empty() && !pieces.empty())
+        pieces.back().has_last = false;
+}
+
+}  // namespace
+
+const std::vector<StretchPiece>& PassDivision::pieces_of(
+    std::span<const PassContact> stretch)
+{
+    const Vec3& first = stretch.front().at.contact.point;
+    const Vec3& last = stretch.back().at.contact.point;
+    const auto [known, is_new] =
+        known_.try_emplace({static_cast<double>(stretch.size()), first.x(), first.y(),
+                            first.z(), last.x(), last.y(), last.z()});
+    if (is_new)
+        known->second = divided_stretch(stretch, *samples_, *part_, limits_);
+    return known->second;
+}
+
+std::vector<LaidPass> PassDivision::pieces_of(const LaidPass& pass)
+{
+    std::vector<PassContact> contacts = pass.contacts;
+    if (pass.is_closed && contacts.size() > 2)
+        contacts.push_back(contacts.front());
+    std::vector<StretchPiece> joined;
+    for (std::size_t first = 0; first < contacts.size();) {
+        std::size_t last = first + 1;
+        while (last + 1 < contacts.size() && !contacts[last].is_required)
+            ++last;
+        last = std::min(last, contacts.size() - 1);
+        append(pieces_of(std::span{contacts}.subspan(first, last - first + 1)), joined);
+        first = last + 1 < contacts.size() ? last : contacts.size();
+    }
+    std::vector<LaidPass> pieces;
+    pieces.reserve(joined.size());
+    for (StretchPiece& piece : joined) {
+        const bool is_whole = joined.size() == 1 && piece.has_first && piece.has_last;
+        const bool is_closed = pass.is_closed && is_whole && piece.contacts.size() > 3;
+        if (is_closed)
+            piece.contacts.pop_back();
+        pieces.push_back({std::move(piece.contacts), is_closed});
+    }
+    return pieces;
+}
+
+std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples& samples,
+                                         const CoveredPart& part,
+                                         const MoveLimits& limits)
+{
+    return PassDivision{samples, part, limits}.pieces_of(pass);
 }
 
 }  // namespace endmill

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -17,9 +19,50 @@ struct MoveLimits {
     double cover_slack;
 };
 
+/// A piece of a stretch of a pass.
+struct StretchPiece {
+    std::vector<PassContact> contacts;
+    bool has_first;  ///< whether it begins where the stretch begins
+    bool has_last;   ///< whether it ends where the stretch ends
+};
+
+/// Divides one pass into straight moves, and again after it has been changed. The pass is
+/// divided at its required contacts into stretches. A change is a further required contact,
+/// so that only the stretches beside it are divided again.
+class PassDivision {
+public:
+    /// \param samples of the part on which the pass was laid; they must outlive this object,
+    ///        and the part too.
+    PassDivision(const PartSamples& samples, const CoveredPart& part,
+                 const MoveLimits& limits)
+        : samples_{&samples},
+          part_{&part},
+          limits_{limits}
+    {
+    }
+
+    /// The pieces of the pass; see divided_into_moves.
+    /// \param pass the pass of the earlier calls with further contacts, all of them required,
+    ///        or with more required contacts.
+    std::vector<LaidPass> pieces_of(const LaidPass& pass);
+
+private:
+    // The number of contacts of a stretch, and its first and last place. They distinguish
+    // the stretches of a pass.
+    using StretchKey = std::array<double, 7>;
+
+    const std::vector<StretchPiece>& pieces_of(std::span<const PassContact> stretch);
+
+    const PartSamples* samples_;
+    const CoveredPart* part_;
+    MoveLimits limits_;
+    std::map<StretchKey, std::vector<StretchPiece>> known_;
+};
+
 /// Divides `pass` into as few straight moves as the limits allow. Each move is clear of
 /// the part, and reaches the points that the rolling ball reaches at `covered_height`:
-/// the one above each contact and those on both sides of it.
+/// the one above each contact and those on both sides of it. Moves begin and end at required
+/// contacts.
 /// \return the pieces of the pass; the pass is interrupted where no move is clear.
 /// \param samples of the part on which the pass was laid.
 std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples& samples,

@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -26,7 +27,7 @@ constexpr double search_samples_across = 2.5;
 constexpr double planar_samples_across = 8;
 // The search uses about so many samples. If strips are too narrow for that, it uses a
 // greater height.
-constexpr double search_samples = 60'000;
+constexpr double search_samples = 20'000;
 // The greatest height of the search, as a share of the radius.
 constexpr double greatest_search_height = 0.25;
 // Equal steps of the direction over half a turn, 5 degrees.
@@ -34,8 +35,9 @@ constexpr std::size_t equal_steps = 36;
 // Valleys of the travel in which the search continues, and its steps.
 constexpr std::size_t valleys = 3;
 constexpr int golden_steps = 4;
-// Directions that are laid on the fine net.
+// Directions that are laid on the fine net; only the best one with more than `most_samples_for_several`.
 constexpr std::size_t laid_directions = 3;
+constexpr std::size_t most_samples_for_several = 200'000;
 // Directions of parameter lines that differ by less are the same, and directions that are
 // laid on the fine net differ by more, rad.
 constexpr double same_turn = 0.01 * pi / 180;
@@ -102,6 +104,8 @@ public:
                          });
         return known_;
     }
+
+    double height() const { return height_; }  // scallop height of the search, mm
 
 private:
     // The height of the search: the scallop height, or one for which the samples are few
@@ -203,19 +207,19 @@ private:
 };
 
 // The directions that cost least, and differ.
-std::vector<double> best_directions(std::vector<TriedDirection> known)
+std::vector<Angle> best_directions(std::vector<TriedDirection> known)
 {
     std::stable_sort(known.begin(), known.end(),
                      [](const TriedDirection& a, const TriedDirection& b) {
                          return a.travel < b.travel;
                      });
-    std::vector<double> best;
+    std::vector<Angle> best;
     for (const TriedDirection& one : known) {
-        const bool is_new = std::none_of(best.begin(), best.end(), [&](double other) {
-            return std::abs(other - one.angle) < least_turn;
+        const bool is_new = std::none_of(best.begin(), best.end(), [&](Angle other) {
+            return std::abs(other.radians() - one.angle) < least_turn;
         });
         if (is_new && best.size() < laid_directions)
-            best.push_back(one.angle);
+            best.push_back(Angle::radians(one.angle));
     }
     return best;
 }
@@ -239,36 +243,46 @@ std::vector<Angle> parameter_directions(const Part& part)
     return directions;
 }
 
+PlanarDirections planar_directions(const CoveredPart& part, const BallCutter& cutter,
+                                   const StrategyOptions& options,
+                                   std::span<const Angle> further)
+{
+    if (options.direction)
+        return {{*options.direction}, {}, {}};
+    std::vector<double> further_angles;
+    further_angles.reserve(further.size());
+    for (const Angle direction : further)
+        further_angles.push_back(half_turn(direction.radians()));
+    DirectionSearch search{part, cutter, options};
+    const std::vector<TriedDirection> known = search.search(further_angles);
+    PlanarDirections result{best_directions(known), {}, {}};
+    double least = std::numeric_limits<double>::infinity();
+    for (const TriedDirection& one : known) {
+        result.compared.push_back({Angle::radians(one.angle), one.lengths.contact_mm,
+                                   one.lengths.tip_mm, one.passes});
+        least = std::min(least, one.travel);
+    }
+    result.travel = scaled_travel(least, cutter, search.height(), options.scallop_height);
+    return result;
+}
+
 PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
-                           const StrategyOptions& options, std::span<const Angle> further)
+                           const StrategyOptions& options,
+                           std::span<const Angle> directions)
 {
     const double height = options.scallop_height;
-    std::vector<ComparedDirection> compared;
-    std::vector<double> angles;
-    if (options.direction) {
-        angles.push_back(options.direction->radians());
-    } else {
-        std::vector<double> further_angles;
-        for (const Angle direction : further)
-            further_angles.push_back(half_turn(direction.radians()));
-        const std::vector<TriedDirection> known =
-            DirectionSearch{part, cutter, options}.search(further_angles);
-        for (const TriedDirection& one : known)
-            compared.push_back({Angle::radians(one.angle), one.lengths.contact_mm,
-                                one.lengths.tip_mm, one.passes});
-        angles = best_directions(known);
-    }
     PartSamples samples = part.samples(
         strip_width(cutter, height) / planar_samples_across, options.most_samples);
-    std::vector<std::vector<LaidPass>> laid(angles.size());
-    std::vector<double> travel(angles.size());
-    parallel_for(angles.size(), [&](std::size_t begin, std::size_t end) {
+    if (samples.size() > most_samples_for_several)
+        directions = directions.first(1);
+    std::vector<std::vector<LaidPass>> laid(directions.size());
+    std::vector<double> travel(directions.size());
+    parallel_for(directions.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             Coverage coverage{samples, cutter, planar_share * height};
-            laid[k] =
-                SectionMarch{coverage, Angle::radians(angles[k]),
-                             planar_slack_share * height, SectionContacts::OnSurface}
-                    .passes();
+            laid[k] = SectionMarch{coverage, directions[k], planar_slack_share * height,
+                                   SectionContacts::OnSurface}
+                          .passes();
             const PassLengths lengths = pass_lengths(laid[k], cutter.radius());
             travel[k] =
                 options.distance == TravelKind::Tip ? lengths.tip_mm : lengths.contact_mm;
@@ -276,9 +290,7 @@ PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
     });
     const auto best = static_cast<std::size_t>(
         std::min_element(travel.begin(), travel.end()) - travel.begin());
-    return {{std::move(samples), std::move(laid[best])},
-            Angle::radians(angles[best]),
-            std::move(compared)};
+    return {{std::move(samples), std::move(laid[best])}, directions[best]};
 }
 
 }  // namespace endmill

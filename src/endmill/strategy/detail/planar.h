@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,29 +9,44 @@
 
 namespace endmill {
 
-/// Passes in parallel upright planes.
-struct PlanarPasses {
-    LaidPasses laid;
-    Angle direction;                          ///< of the passes, from +x towards +y
-    std::vector<ComparedDirection> compared;  ///< by rising angle; none if it was given
-};
-
 /// The directions of the parameter lines through the middle of each surface, from 0 to below
 /// 180 degrees; none for a mesh.
 std::vector<Angle> parameter_directions(const Part& part);
 
-/// Lays passes in parallel upright planes, in the given direction or in the best one: the
-/// one with the shortest passes by `options.distance`. The best direction is searched for
-/// on a coarse net, in steps of 5 degrees and then between them; the best few are laid on
-/// the fine net.
-/// Source: docs/methods/planar-passes.md.
-/// \param part    on whose samples passes are laid.
-/// \param cutter  the ball.
-/// \param options height, direction, limits and progress.
+/// Directions of passes in parallel upright planes, and what to expect of them.
+struct PlanarDirections {
+    std::vector<Angle> best;                  ///< the best one first, or the given one
+    std::vector<ComparedDirection> compared;  ///< by rising angle; none if it was given
+    /// Length of the passes by `options.distance`, mm, found on few samples; nothing if the
+    /// direction was given.
+    std::optional<double> travel;
+};
+
+/// Searches for the directions with the shortest passes by `options.distance`, in steps of 5
+/// degrees and then between them. The passes are laid on a coarse net.
+/// Source: docs/methods/planar-passes.md, section 2.
+/// \param part, cutter, options as below.
 /// \param further directions to compare beside those of the search.
+PlanarDirections planar_directions(const CoveredPart& part, const BallCutter& cutter,
+                                   const StrategyOptions& options,
+                                   std::span<const Angle> further);
+
+/// Passes in parallel upright planes.
+struct PlanarPasses {
+    LaidPasses laid;
+    Angle direction;  ///< of the passes, from +x towards +y
+};
+
+/// Lays passes in parallel upright planes in the directions on the fine net. Returns the
+/// shortest.
+/// Source: docs/methods/planar-passes.md.
+/// \param part       on whose samples passes are laid.
+/// \param cutter     the ball.
+/// \param options    height, direction, limits and progress.
+/// \param directions to compare, at least one.
 /// \throws LimitError if the part needs too many samples.
 PlanarPasses planar_passes(const CoveredPart& part, const BallCutter& cutter,
                            const StrategyOptions& options,
-                           std::span<const Angle> further);
+                           std::span<const Angle> directions);
 
 }  // namespace endmill

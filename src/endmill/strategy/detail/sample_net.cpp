@@ -9,6 +9,9 @@
 namespace endmill {
 namespace {
 
+// An edge of a triangle: the representatives of its ends, then its ends, lower ones first.
+using NetEdge = std::array<std::int32_t, 4>;
+
 // The bits of three numbers from 0 to 1, interleaved; 21 of each.
 std::uint64_t morton_code(const Vec3& place)
 {
@@ -169,26 +172,11 @@ std::vector<std::int32_t> numbers_by_place(std::span<const Vec3> points)
     return numbers;
 }
 
-std::vector<NetEdge> net_edges(std::span<const Triangle> triangles,
-                               std::span<const std::int32_t> representatives)
-{
-    std::vector<NetEdge> edges;
-    edges.reserve(3 * triangles.size());
-    for (const Triangle& triangle : triangles)
-        for (int k = 0; k < 3; ++k) {
-            const auto [a, b] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
-            const auto [ra, rb] = std::minmax(representatives[a], representatives[b]);
-            edges.push_back({ra, rb, a, b});
-        }
-    std::sort(edges.begin(), edges.end());
-    return edges;
-}
-
 std::vector<Triangle> divided_triangles(std::span<const Triangle> triangles,
                                         const EdgeMiddles& middles)
 {
     std::vector<Triangle> divided;
-    divided.reserve(triangles.size() * 4);
+    divided.reserve(triangles.size() * 2);
     for (const Triangle& triangle : triangles)
         divide(triangle, middles, divided);
     return divided;

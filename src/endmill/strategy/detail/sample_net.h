@@ -53,29 +53,43 @@ std::vector<MeshEdge> net_border(std::span<const Triangle> triangles,
 /// neighbours have near numbers and share cache lines.
 std::vector<std::int32_t> numbers_by_place(std::span<const Vec3> points);
 
-/// An edge of a triangle: the representatives of its ends, then its ends, lower ones first.
-using NetEdge = std::array<std::int32_t, 4>;
-
-/// The edges of all triangles, one for each of their uses, in rising order.
-std::vector<NetEdge> net_edges(std::span<const Triangle> triangles,
-                               std::span<const std::int32_t> representatives);
-
 /// The samples in the middle of edges.
 class EdgeMiddles {
 public:
+    /// An edge that has a middle already keeps it.
     void add(std::int32_t a, std::int32_t b, std::int32_t middle)
     {
+        const auto size = static_cast<std::size_t>(std::max(a, b)) + 1;
+        if (is_end_.size() < size)
+            is_end_.resize(std::max(size, 2 * is_end_.size()), false);
+        is_end_[a] = is_end_[b] = true;
         middles_.emplace(key(a, b), middle);
+    }
+    /// The middle of an edge, which may be changed; null if the edge is not divided.
+    std::int32_t* find(std::int32_t a, std::int32_t b)
+    {
+        if (!are_ends(a, b))
+            return nullptr;
+        const auto found = middles_.find(key(a, b));
+        return found == middles_.end() ? nullptr : &found->second;
     }
     /// Nothing if the edge is not divided.
     std::optional<std::int32_t> of(std::int32_t a, std::int32_t b) const
     {
+        if (!are_ends(a, b))
+            return std::nullopt;
         const auto found = middles_.find(key(a, b));
         return found == middles_.end() ? std::nullopt : std::optional{found->second};
     }
-    bool empty() const { return middles_.empty(); }
 
 private:
+    // Whether both are ends of divided edges: most edges are ruled out in this way.
+    bool are_ends(std::int32_t a, std::int32_t b) const
+    {
+        const auto last = static_cast<std::size_t>(std::max(a, b));
+        return last < is_end_.size() && is_end_[a] && is_end_[b];
+    }
+
     static std::uint64_t key(std::int32_t a, std::int32_t b)
     {
         return static_cast<std::uint64_t>(std::min(a, b)) << 32 |
@@ -83,6 +97,7 @@ private:
     }
 
     std::unordered_map<std::uint64_t, std::int32_t> middles_;
+    std::vector<bool> is_end_;  // by number
 };
 
 /// The triangles, divided at the middles of their edges into two to four.
