@@ -17,6 +17,9 @@ namespace {
 // strips the gap rises by half_width / R of the distance.
 constexpr int most_halvings = 6;
 
+// Triangles that are tested before the results are kept. It limits memory.
+constexpr std::size_t updated_at_once = 100'000;
+
 // Makes a list of moves a set; a move that a piece passes twice counts once.
 void make_set(std::vector<std::int32_t>& numbers)
 {
@@ -273,20 +276,24 @@ void CoveringPieces::outdate(std::span<const std::int32_t> moves, bool also_cove
 
 void CoveringPieces::update()
 {
-    std::vector<std::optional<MissedPlace>> worst(outdated_.size());
-    parallel_for(outdated_.size(), [&](std::size_t begin, std::size_t end) {
-        TriangleTest test{*this};
-        for (std::size_t k = begin; k < end; ++k)
-            worst[k] = test.worst(outdated_[k]);
-    });
-    for (std::size_t k = 0; k < outdated_.size(); ++k) {
-        const std::int32_t triangle = outdated_[k];
-        is_outdated_[triangle] = 0;
-        is_missed_[triangle] = worst[k] ? 1 : 0;
-        if (worst[k])
-            missed_[triangle] = *worst[k];
-        else
-            missed_.erase(triangle);
+    std::vector<std::optional<MissedPlace>> worst;
+    for (std::size_t first = 0; first < outdated_.size(); first += updated_at_once) {
+        const std::size_t count = std::min(updated_at_once, outdated_.size() - first);
+        worst.assign(count, std::nullopt);
+        parallel_for(count, [&](std::size_t begin, std::size_t end) {
+            TriangleTest test{*this};
+            for (std::size_t k = begin; k < end; ++k)
+                worst[k] = test.worst(outdated_[first + k]);
+        });
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::int32_t triangle = outdated_[first + k];
+            is_outdated_[triangle] = 0;
+            is_missed_[triangle] = worst[k] ? 1 : 0;
+            if (worst[k])
+                missed_[triangle] = *worst[k];
+            else
+                missed_.erase(triangle);
+        }
     }
     outdated_.clear();
 }
