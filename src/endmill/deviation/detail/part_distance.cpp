@@ -63,9 +63,9 @@ std::optional<NearestPoint> PartDistance::nearest(const Vec3& place,
                                                   double within) const
 {
     prepare();
-    std::optional<NearestPoint> found =
-        surface_tree_ ? surface_tree_->nearest(place, hint, within)
-                      : whole().nearest(place, hint, within);
+    std::optional<NearestPoint> found = surface_tree_
+                                            ? surface_tree_->nearest(place, hint, within)
+                                            : whole().nearest(place, hint, within);
     if (found)
         hint = found->triangle;
     return found;

@@ -21,9 +21,10 @@ constexpr double longest_detour = 4;
 // By how much a detour may be longer than its piece, in widths of a strip. Each piece costs
 // what the ball covers where it begins, and a link.
 constexpr double piece_price = 2;
-// A contact link of this many widths of a strip pays: it makes the cuts longer by as much as
-// one piece less raises the bound of their length, on a plane.
-constexpr double paying_link = std::numbers::pi / 4;
+// Longest contact link, in widths of a strip. Parallel passes lie farther apart: a link between
+// them would only make the cuts longer. Below pi / 4 a link makes them longer by less than one
+// piece less raises the bound of their length, on a plane.
+constexpr double paying_link = 0.6;
 // Longest contact link where a straight link is not clear and would be lifted, in widths of a
 // strip.
 constexpr double longest_link = 2;
