@@ -86,9 +86,11 @@ double lifted_length(const ToolPath& path)
 Json tried_json(const std::vector<TriedStrategy>& tried)
 {
     Json list = Json::array();
-    for (const auto& [strategy, travel_mm, refusal] : tried) {
+    for (const auto& [strategy, travel_mm, estimated_mm, refusal] : tried) {
         Json one{{"strategy", strategy_name(strategy)}};
         one["cut_mm"] = travel_mm ? Json(*travel_mm) : Json(nullptr);
+        if (estimated_mm)
+            one["estimated_mm"] = *estimated_mm;
         if (!refusal.empty())
             one["refusal"] = refusal;
         list.push_back(std::move(one));
@@ -242,13 +244,17 @@ std::string tried_text(const Json& s)
 {
     if (!s.contains("tried"))
         return {};
+    const auto length = [](const Json& one) -> std::string {
+        if (!one["cut_mm"].is_null())
+            return shown(one["cut_mm"].get<double>()) + " mm";
+        if (one.contains("estimated_mm"))
+            return "about " + shown(one["estimated_mm"].get<double>()) + " mm";
+        return "no path";
+    };
     std::string text;
     for (const Json& one : s["tried"])
         text += fmt::format("{} {} {}", text.empty() ? "  tried        " : ",",
-                            one["strategy"].get<std::string>(),
-                            one["cut_mm"].is_null()
-                                ? "no path"
-                                : shown(one["cut_mm"].get<double>()) + " mm");
+                            one["strategy"].get<std::string>(), length(one));
     return text + "\n";
 }
 

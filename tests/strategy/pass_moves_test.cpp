@@ -50,5 +50,31 @@ TEST(PassMoves, KeepTheInnerToleranceOnASaddle)
     EXPECT_GT(moves, 2u);
 }
 
+// A pass that is changed and divided again has the pieces of a new one.
+TEST(PassDivision, DividesAChangedPassAsANewOne)
+{
+    const Part saddle = std::vector<Surface>{test::saddle(60, 20)};
+    const CoveredPart part{saddle, BallCutter{5}, {0.01, 0.1}};
+    const PartSamples samples = part.samples(1, 100'000);
+    const MoveLimits limits{0.4, 0.05};
+    PassDivision division{samples, part, limits};
+    LaidPass pass = straight_pass(samples, 41);
+    division.pieces_of(pass);
+    pass.contacts[9].is_required = true;
+    division.pieces_of(pass);
+    PassContact bend = samples.contact({0.51, 0.52}, 0);
+    bend.is_required = true;
+    pass.contacts.insert(pass.contacts.begin() + 21, bend);
+    const auto again = division.pieces_of(pass);
+    const auto anew = divided_into_moves(pass, samples, part, limits);
+    ASSERT_EQ(again.size(), anew.size());
+    for (std::size_t k = 0; k < anew.size(); ++k) {
+        ASSERT_EQ(again[k].contacts.size(), anew[k].contacts.size());
+        for (std::size_t l = 0; l < anew[k].contacts.size(); ++l)
+            EXPECT_EQ(again[k].contacts[l].at.contact.point,
+                      anew[k].contacts[l].at.contact.point);
+    }
+}
+
 }  // namespace
 }  // namespace endmill

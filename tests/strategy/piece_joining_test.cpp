@@ -152,7 +152,7 @@ TEST_F(JoinedPieces, KeepTheirDirectionInOneWayOrder)
 {
     for (const double y : {2.5, 7.5, 12.5, 17.5})
         add_line(y, 0, 40);
-    LinkOptions options;
+    StrategyOptions options;
     options.order = PassOrder::OneWay;
     const std::vector<LaidPass> pieces = joined(options);
     EXPECT_EQ(pieces.size(), 4u);

@@ -5,9 +5,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "endmill/core/error.h"
@@ -243,7 +241,7 @@ public:
           options_{options}
     {
         for (const Strategy strategy : every_strategy)
-            tried_.push_back({strategy, {}, {}});
+            tried_.push_back({strategy, {}, {}, {}});
     }
 
     void run()
@@ -352,13 +350,9 @@ private:
     void lay(const Estimated& one)
     {
         const StrategyOptions own = next_share();
-        const double least = least_travel();
         const double travel = one.trials.travel.value_or(0);
-        if (travel > worth_laying * least) {
-            std::ostringstream message;
-            message << "not laid: passes on few samples are " << std::setprecision(3)
-                    << travel / least << " times as long as those of another strategy";
-            tried(one.strategy).refusal = message.str();
+        if (travel > worth_laying * least_travel()) {
+            tried(one.strategy).estimated_mm = travel;
             return;
         }
         add(one.strategy, covering_after(one.trials, *covered_, own));

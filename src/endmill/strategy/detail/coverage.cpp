@@ -193,6 +193,9 @@ public:
         found_ = &found;
         std::sort(near_.begin(), near_.end());
         near_.erase(std::unique(near_.begin(), near_.end()), near_.end());
+        // They are about a dozen. Without the rest a place may count as missed, never as
+        // covered.
+        near_.resize(std::min(near_.size(), most_near));
         search({corner(contacts[0], {1, 0, 0}), corner(contacts[1], {0, 1, 0}),
                 corner(contacts[2], {0, 0, 1})},
                halvings_);
@@ -203,7 +206,10 @@ private:
         CutterContact contact;
         Vec3 raised;
         std::array<double, 3> weights;
+        std::uint64_t covering;  // bit k is set if the move k of near_ covers it
     };
+
+    static constexpr std::size_t most_near = 64;
 
     double gap_to(std::int32_t move, const Vec3& raised) const
     {
@@ -213,7 +219,11 @@ private:
     Corner corner(const CutterContact& contact,
                   const std::array<double, 3>& weights) const
     {
-        return {contact, contact.point + height_ * contact.normal, weights};
+        Corner result{contact, contact.point + height_ * contact.normal, weights, 0};
+        for (std::size_t k = 0; k < near_.size(); ++k)
+            if (gap_to(near_[k], result.raised) <= slack_)
+                result.covering |= std::uint64_t{1} << k;
+        return result;
     }
 
     Corner middle(const Corner& a, const Corner& b) const
@@ -226,6 +236,8 @@ private:
 
     void note(const Corner& corner)
     {
+        if (corner.covering != 0)
+            return;
         double gap = radius_;
         for (const std::int32_t move : near_)
             gap = std::min(gap, gap_to(move, corner.raised));
@@ -236,7 +248,7 @@ private:
     void search(const std::array<Corner, 3>& corners, int depth)
     {
         const auto& [a, b, c] = corners;
-        if (depth == 0 || is_covered({a.raised, b.raised, c.raised}, near_))
+        if (depth == 0 || (a.covering & b.covering & c.covering) != 0)
             return;
         const Corner ab = middle(a, b);
         const Corner bc = middle(b, c);

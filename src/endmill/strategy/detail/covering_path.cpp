@@ -378,7 +378,7 @@ CoveringPath covering_path(LaidPasses laid, const CoveredPart& part,
             .mend(std::move(uncovered));
     }
     join_pieces(covering, laid.samples, part,
-                {layout_share * height, move_share * height}, options.link);
+                {layout_share * height, move_share * height}, options);
     uncovered = covering.missed();
     std::vector<LaidPass> pieces;
     for (const LaidPass& piece : covering.pieces())

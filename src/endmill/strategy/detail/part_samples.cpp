@@ -223,7 +223,8 @@ void PartSamples::add_surface(const Surface& surface, int number)
     // surfaces beside each other need samples at the same places of their border
     if (std::get<SampledSurfaces>(source_).surfaces.size() == 1)
         lines = even_lines(surface, lines, spacing_ / std::numbers::sqrt2);
-    const auto& [us, vs] = lines;
+    const std::vector<double>& us = lines.us;
+    const std::vector<double>& vs = lines.vs;
     const std::size_t first = points_.size();
     for (const double v : vs)
         for (const double u : us)

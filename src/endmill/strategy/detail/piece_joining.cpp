@@ -89,7 +89,7 @@ class PieceJoining {
 public:
     PieceJoining(CoveringPieces& covering, const PartSamples& samples,
                  const CoveredPart& part, const MoveLimits& limits,
-                 const LinkOptions& options)
+                 const StrategyOptions& options)
         : covering_{covering},
           samples_{samples},
           part_{part},
@@ -111,7 +111,7 @@ private:
     {
         trim();
         // a detour may lead over its piece in the other direction
-        if (options_.order != PassOrder::OneWay)
+        if (options_.link.order != PassOrder::OneWay)
             make_detours();
         for (const std::size_t moves : straightened_moves)
             straighten(moves);
@@ -382,7 +382,7 @@ private:
             }
         std::optional<std::size_t> last;
         std::size_t last_start = 0;  // of a closed piece
-        for (const OrderedPiece& place : cutting_order(own, part_.cutter(), options_)) {
+        for (const OrderedPiece& place : cutting_order(own, part_.cutter(), options_.link)) {
             const std::size_t next = numbers[place.piece];
             if (place.is_reversed)
                 covering_.reverse(next);
@@ -403,8 +403,9 @@ private:
             is_closed ? piece(last).contacts[last_start] : piece(last).contacts.back();
         const PassContact& to = piece(next).contacts[next_start];
         const double length = distance(from, to);
+        const bool saves_lifts = options_.distance == TravelKind::Contact;
         if (length > longest_link * width_ ||
-            (length > paying_link * width_ && is_clear(from, to)))
+            (length > paying_link * width_ && (!saves_lifts || is_clear(from, to))))
             return false;
         if (length == 0 &&
             std::max(piece(last).contacts.size(), piece(next).contacts.size()) < 2)
@@ -427,7 +428,7 @@ private:
     const PartSamples& samples_;
     const CoveredPart& part_;
     MoveLimits limits_;
-    const LinkOptions& options_;
+    const StrategyOptions& options_;
     double width_;            // of a strip, mm
     std::vector<Box> boxes_;  // around the contacts of each piece
     MoveTestState state_;
@@ -437,7 +438,7 @@ private:
 
 void join_pieces(CoveringPieces& covering, const PartSamples& samples,
                  const CoveredPart& part, const MoveLimits& limits,
-                 const LinkOptions& options)
+                 const StrategyOptions& options)
 {
     PieceJoining{covering, samples, part, limits, options}.run();
 }

@@ -9,6 +9,7 @@
 #include "endmill/strategy/detail/covered_part.h"
 #include "endmill/strategy/detail/covering_pieces.h"
 #include "endmill/strategy/detail/pass_moves.h"
+#include "endmill/strategy/strategy_options.h"
 
 namespace endmill {
 
@@ -23,10 +24,10 @@ namespace endmill {
 /// \param samples  of the part.
 /// \param part     tests the moves.
 /// \param limits   of the moves.
-/// \param options  order and axis.
+/// \param options  order, axis, and the length that is kept short.
 void join_pieces(CoveringPieces& covering, const PartSamples& samples,
                  const CoveredPart& part, const MoveLimits& limits,
-                 const LinkOptions& options);
+                 const StrategyOptions& options);
 
 /// An order of pieces with short links.
 std::vector<OrderedPiece> cutting_order(std::span<const LaidPass> pieces,
