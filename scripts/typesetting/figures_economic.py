@@ -111,4 +111,17 @@ def verified(data):
     return figure
 
 
-FIGURES = {"scallops": scallops, "cells": cells, "paths": paths, "noise": noise, "verified": verified}
+def angles(data):
+    """Length of planar passes against their direction, by contacts and by tips."""
+    figure, axes = panels(2, 2.4)
+    for one, surface, title in zip(axes, ("cylinder", "saddle"), ("(a) cylinder", "(b) saddle")):
+        rows = data.rows("economy/directions", "angles", surface=surface, distance="contact")
+        for i, (name, text) in enumerate((("cut_contact_mm", "by contacts"), ("cut_tip_mm", "by tips"))):
+            one.plot(column(rows, "angle_deg"), column(rows, name), **{**look(i), "marker": ""}, label=text)
+        one.set_xticks(range(0, 181, 45))
+        label(one, "direction of the passes, degrees", "length of the cuts, mm", title)
+        one.legend()
+    return figure
+
+
+FIGURES = {"angles": angles, "scallops": scallops, "cells": cells, "paths": paths, "noise": noise, "verified": verified}

@@ -157,6 +157,20 @@ TEST(EstimatedBoundOf, TheSaddleIsThatOfAnIndependentProgram)
                 0.005 * 2109.1);
 }
 
+// The value of another implementation, which tested the condition a quarter of a spacing
+// apart. experiments/economy/bound compares nodes 2 mm apart too.
+TEST(EstimatedBoundOf, TheNetIsThatOfAnIndependentProgram)
+{
+    const SidedSurfaces net = test::dataset("net_rot24_7D");
+    BoundProblem ball = test::usual_problem();
+    ball.tool = CoveringTool::Ball;
+    EstimateOptions options;
+    options.node_spacing = 4;
+    options.random_places = 2000;
+    const double density = path_bound(net.surfaces, net.sides, ball, options).density_mm;
+    EXPECT_NEAR(density, 10276, 0.005 * 10276);
+}
+
 TEST(EstimatedBoundOf, TheFlankAndStrayAreLower)
 {
     const SidedSurfaces steep = test::dataset("parabolic-cylinder");

@@ -32,7 +32,7 @@ protected:
     }
 
     // The pieces after joining.
-    std::vector<LaidPass> joined(const LinkOptions& options = {})
+    std::vector<LaidPass> joined(const StrategyOptions& options = {})
     {
         join_pieces(covering_, samples_, part_, {1, 0.01}, options);
         std::vector<LaidPass> pieces;
@@ -153,7 +153,7 @@ TEST_F(JoinedPieces, KeepTheirDirectionInOneWayOrder)
     for (const double y : {2.5, 7.5, 12.5, 17.5})
         add_line(y, 0, 40);
     StrategyOptions options;
-    options.order = PassOrder::OneWay;
+    options.link.order = PassOrder::OneWay;
     const std::vector<LaidPass> pieces = joined(options);
     EXPECT_EQ(pieces.size(), 4u);
     for (const LaidPass& piece : pieces)

@@ -231,8 +231,10 @@ CoverTask::CoverTask(const Surface& surface, const BallCutter& ball,
 PlanePoint CoverTask::place_of(std::size_t sample) const
 {
     const auto columns = static_cast<std::size_t>(columns_);
-    return {size_.x() * static_cast<double>(sample % columns) / (columns_ - 1),
-            size_.y() * static_cast<double>(sample / columns) / (rows_ - 1)};
+    const std::size_t row = sample / columns;
+    const std::size_t column = sample % columns;
+    return {size_.x() * static_cast<double>(column) / (columns_ - 1),
+            size_.y() * static_cast<double>(row) / (rows_ - 1)};
 }
 
 CoverTask::Contact CoverTask::contact_at(const PlanePoint& place) const
