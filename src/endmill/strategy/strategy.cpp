@@ -417,17 +417,18 @@ BestPlan plan_by_best_strategy(const Part& part, const BallCutter& cutter,
     StrategyComparison comparison{part, cutter, options};
     comparison.run();
     std::vector<TriedStrategy>& tried = comparison.tried();
-    std::optional<StrategyPlan> shortest;
+    std::optional<StrategyPlan> cleanest;
     for (Candidate& candidate : comparison.candidates()) {
         StrategyPlan plan =
             judged(candidate.strategy, std::move(candidate.covering), part,
                    Cutter::ball(cutter.radius()), with_progress(options, made_share, 1));
         if (plan.is_good())
             return {std::move(plan), std::move(tried)};
-        if (!shortest)
-            shortest = std::move(plan);
+        if (!cleanest ||
+            plan.deviation.uncut_area_mm2 < cleanest->deviation.uncut_area_mm2)
+            cleanest = std::move(plan);
     }
-    return {std::move(*shortest), std::move(tried)};
+    return {std::move(*cleanest), std::move(tried)};
 }
 
 }  // namespace endmill

@@ -87,7 +87,8 @@ struct BestPlan {
 /// among those judged good. Strategy::IsoU and IsoV are always planned. The others are compared
 /// by trials on few samples, and those that are estimated to be 8 per cent longer than the
 /// shortest are not planned. Paths are judged in the order of their lengths, up to the first
-/// good one. If none is good, the shortest is returned.
+/// good one. If none is good, the one
+/// that leaves the least area uncut is returned.
 /// \param part, cutter, options as above.
 /// \throws as plan_by_strategy, if no strategy makes a path.
 BestPlan plan_by_best_strategy(const Part& part, const BallCutter& cutter,
