@@ -9,6 +9,11 @@
 // It holds for every direction, and is close if the direction leads to the nearest point
 // of the part: rounding of the direction does no harm.
 
+// GCC compiles the bounds for processors with AVX2 too. All versions give the same bits.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#define ENDMILL_CHOOSES_REGISTERS
+#endif
+
 namespace endmill {
 namespace {
 
@@ -21,72 +26,8 @@ constexpr double rounding_share = 1e-13;
 // Here r is margin / margin_share: many margins, so that the share of d^2 is small.
 constexpr double margin_share = 1e-7;
 
-// Four numbers in a register of 32 bytes. Everything that uses them is inlined, so that it is
-// compiled for the registers of the caller.
-class FourInOne {
-public:
-    [[gnu::always_inline]] FourInOne(double value) : values_{Vector{} + value} {}
-    [[gnu::always_inline]] FourInOne(double a, double b, double c, double d)
-        : values_{a, b, c, d}
-    {
-    }
-    [[gnu::always_inline]] explicit FourInOne(const Eigen::Array4f& floats)
-    {
-        FloatVector values;
-        std::memcpy(&values, floats.data(), sizeof values);
-        values_ = __builtin_convertvector(values, Vector);
-    }
-
-    [[gnu::always_inline]] std::array<double, 4> numbers() const
-    {
-        std::array<double, 4> numbers;
-        std::memcpy(numbers.data(), &values_, sizeof values_);
-        return numbers;
-    }
-
-    [[gnu::always_inline]] FourInOne operator-() const { return FourInOne{-values_}; }
-    [[gnu::always_inline]] friend FourInOne operator+(const FourInOne& a,
-                                                      const FourInOne& b)
-    {
-        return FourInOne{a.values_ + b.values_};
-    }
-    [[gnu::always_inline]] friend FourInOne operator-(const FourInOne& a,
-                                                      const FourInOne& b)
-    {
-        return FourInOne{a.values_ - b.values_};
-    }
-    [[gnu::always_inline]] friend FourInOne operator*(const FourInOne& a,
-                                                      const FourInOne& b)
-    {
-        return FourInOne{a.values_ * b.values_};
-    }
-    [[gnu::always_inline]] friend FourInOne operator/(const FourInOne& a,
-                                                      const FourInOne& b)
-    {
-        return FourInOne{a.values_ / b.values_};
-    }
-    [[gnu::always_inline]] friend FourInOne smaller(const FourInOne& a,
-                                                    const FourInOne& b)
-    {
-        return FourInOne{a.values_ < b.values_ ? a.values_ : b.values_};
-    }
-    // b where a is no number
-    [[gnu::always_inline]] friend FourInOne larger(const FourInOne& a, const FourInOne& b)
-    {
-        return FourInOne{a.values_ > b.values_ ? a.values_ : b.values_};
-    }
-
-private:
-    using Vector = double __attribute__((vector_size(4 * sizeof(double))));
-    using FloatVector = float __attribute__((vector_size(4 * sizeof(float))));
-
-    [[gnu::always_inline]] explicit FourInOne(const Vector& values) : values_{values} {}
-
-    Vector values_;
-};
-
-// The same in two registers of 16 bytes, which every processor has. GCC compares the halves of
-// a longer vector number by number there.
+// Four numbers in two registers of 16 bytes, which every processor has. Everything that uses
+// them is inlined, so that it is compiled for the registers of the caller.
 class FourInTwo {
 public:
     [[gnu::always_inline]] FourInTwo(double value)
@@ -153,6 +94,71 @@ private:
     Two low_;
     Two high_;
 };
+
+#ifdef ENDMILL_CHOOSES_REGISTERS
+// The same in a register of 32 bytes. Without AVX2, GCC would compare them one by one.
+class FourInOne {
+public:
+    [[gnu::always_inline]] FourInOne(double value) : values_{Vector{} + value} {}
+    [[gnu::always_inline]] FourInOne(double a, double b, double c, double d)
+        : values_{a, b, c, d}
+    {
+    }
+    [[gnu::always_inline]] explicit FourInOne(const Eigen::Array4f& floats)
+    {
+        FloatVector values;
+        std::memcpy(&values, floats.data(), sizeof values);
+        values_ = __builtin_convertvector(values, Vector);
+    }
+
+    [[gnu::always_inline]] std::array<double, 4> numbers() const
+    {
+        std::array<double, 4> numbers;
+        std::memcpy(numbers.data(), &values_, sizeof values_);
+        return numbers;
+    }
+
+    [[gnu::always_inline]] FourInOne operator-() const { return FourInOne{-values_}; }
+    [[gnu::always_inline]] friend FourInOne operator+(const FourInOne& a,
+                                                      const FourInOne& b)
+    {
+        return FourInOne{a.values_ + b.values_};
+    }
+    [[gnu::always_inline]] friend FourInOne operator-(const FourInOne& a,
+                                                      const FourInOne& b)
+    {
+        return FourInOne{a.values_ - b.values_};
+    }
+    [[gnu::always_inline]] friend FourInOne operator*(const FourInOne& a,
+                                                      const FourInOne& b)
+    {
+        return FourInOne{a.values_ * b.values_};
+    }
+    [[gnu::always_inline]] friend FourInOne operator/(const FourInOne& a,
+                                                      const FourInOne& b)
+    {
+        return FourInOne{a.values_ / b.values_};
+    }
+    [[gnu::always_inline]] friend FourInOne smaller(const FourInOne& a,
+                                                    const FourInOne& b)
+    {
+        return FourInOne{a.values_ < b.values_ ? a.values_ : b.values_};
+    }
+    // b where a is no number
+    [[gnu::always_inline]] friend FourInOne larger(const FourInOne& a, const FourInOne& b)
+    {
+        return FourInOne{a.values_ > b.values_ ? a.values_ : b.values_};
+    }
+
+private:
+    using Vector = double __attribute__((vector_size(4 * sizeof(double))));
+    using FloatVector = float __attribute__((vector_size(4 * sizeof(float))));
+
+    [[gnu::always_inline]] explicit FourInOne(const Vector& values) : values_{values} {}
+
+    Vector values_;
+};
+#endif
 
 // Four points or directions, by coordinate.
 template <typename Four>
@@ -288,9 +294,7 @@ template <typename Four>
     return to_triangles.numbers();
 }
 
-// GCC compiles the bounds for processors with AVX2 too. All versions give the same bits.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
-#define ENDMILL_CHOOSES_REGISTERS
+#ifdef ENDMILL_CHOOSES_REGISTERS
 [[gnu::target("avx2")]] std::array<double, 4> wide_squares(const FourEnclosures& parts,
                                                            const Vec3& place,
                                                            double margin, double limit)
