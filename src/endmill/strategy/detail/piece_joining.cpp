@@ -382,7 +382,8 @@ private:
             }
         std::optional<std::size_t> last;
         std::size_t last_start = 0;  // of a closed piece
-        for (const OrderedPiece& place : cutting_order(own, part_.cutter(), options_.link)) {
+        for (const OrderedPiece& place :
+             cutting_order(own, part_.cutter(), options_.link)) {
             const std::size_t next = numbers[place.piece];
             if (place.is_reversed)
                 covering_.reverse(next);
