@@ -315,7 +315,8 @@ std::string angles_csv(const std::vector<ComparedDirection>& compared)
 {
     CsvTable table{{"angle_deg", "cut_contact_mm", "cut_tip_mm", "passes"}};
     for (const auto& [direction, cut_contact_mm, cut_tip_mm, passes] : compared)
-        table.add_row({direction.written_degrees(), cut_contact_mm, cut_tip_mm,
+        table.add_row({direction.written_degrees(),
+                       cut_contact_mm ? CsvCell{*cut_contact_mm} : CsvCell{}, cut_tip_mm,
                        static_cast<std::int64_t>(passes)});
     return table.text();
 }

@@ -88,7 +88,7 @@ TEST(DroppedPath, KeepsHeightAndToleranceOnCurvedParts)
                     if (normal.z() < 0)
                         normal = -normal;
                     const Vec3 raised = at.point + options.scallop_height * normal;
-                    // planes are placed by samples; the judge finds the rest
+                    // planes are placed by samples: 1.4 % more was seen, which the judge finds
                     EXPECT_LE(left_height(path, cutter, raised.x(), raised.y()),
                               raised.z() + 0.02 * options.scallop_height)
                         << cutter_word(cutter) << raised.transpose();

@@ -53,8 +53,9 @@ void add_angles(CsvTable& angles, const std::string& surface, const char* distan
                 const std::vector<ComparedDirection>& compared)
 {
     for (const ComparedDirection& one : compared)
-        angles.add_row({surface, distance, one.direction.degrees(), one.cut_contact_mm,
-                        one.cut_tip_mm, static_cast<std::int64_t>(one.passes)});
+        angles.add_row({surface, distance, one.direction.degrees(),
+                        one.cut_contact_mm.value(), one.cut_tip_mm,
+                        static_cast<std::int64_t>(one.passes)});
 }
 
 void add_surface(CsvTable& result, CsvTable& angles, const std::string& name,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/figures/travel_svg.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "endmill/figures/detail/stacked_chart.h"
@@ -24,9 +25,11 @@ std::string direction_travel_svg(std::span<const DirectionTravel> travel,
         contact.emplace_back(one.contact_mm);
         tip.emplace_back(one.tip_mm);
     }
-    const std::vector<ChartPanel> panels{
-        {"length, mm",
-         {{"by contacts", contact_style, contact}, {"by tips", tip_style, tip}}}};
+    ChartPanel lengths{"length, mm", {}};
+    if (std::ranges::any_of(contact, [](const auto& one) { return one.has_value(); }))
+        lengths.lines.push_back({"by contacts", contact_style, contact});
+    lengths.lines.push_back({"by tips", tip_style, tip});
+    const std::vector<ChartPanel> panels{lengths};
     return stacked_chart({figure.title, figure.captions, "direction of passes, degrees"},
                          places, panels);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,9 +12,9 @@ namespace endmill {
 
 /// The length of passes in a direction.
 struct DirectionTravel {
-    Angle direction;    ///< of the passes, from +x towards +y
-    double contact_mm;  ///< by contacts
-    double tip_mm;      ///< by tips
+    Angle direction;                   ///< of the passes, from +x towards +y
+    std::optional<double> contact_mm;  ///< by contacts, if they are known
+    double tip_mm;                     ///< by tips
 };
 
 /// Title and captions of the chart of lengths.
@@ -22,8 +23,8 @@ struct TravelFigure {
     std::vector<std::string> captions = {};  ///< lines below the title
 };
 
-/// The lengths of passes over their direction, as an SVG file: a curve by contacts and one
-/// by tips.
+/// The lengths of passes over their direction, as an SVG file: a curve by tips, and
+/// one by contacts where they are known.
 /// \param travel by rising direction, at least one.
 /// \throws DomainError unless directions do not fall and every number is finite.
 std::string direction_travel_svg(std::span<const DirectionTravel> travel,

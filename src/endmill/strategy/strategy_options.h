@@ -55,10 +55,11 @@ struct StrategyOptions {
 
 /// What passes of Strategy::Planar in a direction would cost, found on a coarse net.
 struct ComparedDirection {
-    Angle direction;        ///< from +x towards +y, from 0 to below 180 degrees
-    double cut_contact_mm;  ///< length of the passes by contacts
-    double cut_tip_mm;      ///< length of the passes by tips
-    std::size_t passes;     ///< number of passes
+    Angle direction;  ///< from +x towards +y, from 0 to below 180 degrees
+    /// Length of the passes by contacts; unknown for a cutter other than a ball.
+    std::optional<double> cut_contact_mm;
+    double cut_tip_mm;   ///< length of the passes by tips
+    std::size_t passes;  ///< number of passes
 };
 
 /// A path that covers a part, and the places that it is known to leave.

@@ -127,7 +127,7 @@ Angle best_direction(const DropCutter& drop, const CurveLimits& limits,
         const Angle direction = Angle::degrees(half_turn_deg * k / directions);
         const auto passes = passes_along(drop, direction, limits);
         const double travel = length(passes);
-        compared.push_back({direction, travel, travel, passes.size()});
+        compared.push_back({direction, {}, travel, passes.size()});
         if (travel < least) {
             least = travel;
             best = direction;

@@ -13,7 +13,7 @@ namespace endmill {
 /// placed by samples, so that the path should be judged.
 ///
 /// Without a direction, every 5 degrees is tried with coarse curves, and the direction whose
-/// passes are shortest by tips is taken. The result depends on no number of threads.
+/// passes are shortest by tips is taken. The result is the same on any number of threads.
 /// Source: docs/methods/planar-passes.md, section 3; docs/methods/interference.md, section 6
 /// (R3).
 /// \param part    surfaces or a mesh.
