@@ -291,8 +291,10 @@ std::string report(const Json& s, const CoveringPath& plan, const DeviationLimit
 FigureOptions strategy_figure(const Json& s)
 {
     FigureOptions figure;
-    figure.title = s["name"].get<std::string>() + ": contact points in cutting order, " +
-                   s["strategy"].get<std::string>();
+    figure.title =
+        fmt::format("{}: {} in cutting order, {}", s["name"].get<std::string>(),
+                    s["cut_contact_mm"].is_null() ? "tips" : "contact points",
+                    s["strategy"].get<std::string>());
     figure.captions = {fmt::format(
         "{}, scallop height {:g} mm, {} points", s["cutter"].get<std::string>(),
         s["scallop_mm"].get<double>(), s["ncl"].get<std::size_t>())};
@@ -331,10 +333,10 @@ void write_directions(const CoveringPath& covering, const Json& s, OutputFolder&
         travel.push_back({direction, cut_contact_mm, cut_tip_mm});
     TravelFigure figure;
     figure.title = s["name"].get<std::string>() + ": length of passes in upright planes";
-    figure.captions = {
-        fmt::format("{}, scallop height {:g} mm; on a coarse net; chosen: {:.4g} degrees",
-                    s["cutter"].get<std::string>(), s["scallop_mm"].get<double>(),
-                    covering.direction->degrees())};
+    figure.captions = {fmt::format(
+        "{}, scallop height {:g} mm; by coarse trials; chosen: {:.4g} degrees",
+        s["cutter"].get<std::string>(), s["scallop_mm"].get<double>(),
+        covering.direction->degrees())};
     folder.write("angles.csv", angles_csv(covering.compared));
     folder.write("angles.svg", direction_travel_svg(travel, figure));
 }
