@@ -103,6 +103,7 @@ inline void replace_by_height_share(Row& u)
         even[i] = Lanes{} + height_share[height_share.size() - 1];
         odd[i] = Lanes{} + height_share[height_share.size() - 2];
     }
+    ENDMILL_NOT_UNROLLED
     for (std::size_t k = height_share.size() - 1; k > 2; k -= 2)
         for (std::size_t i = 0; i < v.size(); ++i) {
             even[i] = even[i] * square[i] + height_share[k - 2];
