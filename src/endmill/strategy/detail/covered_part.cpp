@@ -14,9 +14,22 @@ namespace {
 // far apart where few are wanted; where more are wanted the net is refined.
 constexpr double net_share = 0.25;
 
+// Share of the scallop height by which the normals at an edge may change what is left.
+constexpr double turn_share = 0.002;
+
 // A height is raised for trials by this factor, up to a share of the radius.
 constexpr double raising_factor = 2;
 constexpr double greatest_raised_share = 0.2;
+
+// Where the normal of a place turns by t, the place is raised h t beside its own normal.
+// What is left between two passes has the slope tan a, cos a = 1 - h / R, so that this
+// changes what is left by h t sin a. At an edge, t is half the turn of the edge.
+MeshNetLimits net_limits(const BallCutter& cutter, double height)
+{
+    const double width = strip_width(cutter, height);
+    const double slope = width / (2 * cutter.radius());  // sin a
+    return {net_share * width, std::min(crease_angle, 2 * turn_share / slope)};
+}
 
 }  // namespace
 
@@ -24,8 +37,7 @@ CoveredPart::Source CoveredPart::source_of(const Part& part, const BallCutter& c
                                            const CoverLimits& limits)
 {
     if (const auto* mesh = std::get_if<TriangleMesh>(&part)) {
-        MeshNet net =
-            mesh_net(*mesh, net_share * strip_width(cutter, limits.scallop_height));
+        MeshNet net = mesh_net(*mesh, net_limits(cutter, limits.scallop_height));
         const MeshEdges edges = net.has_creases ? MeshEdges::Sharp : MeshEdges::Smooth;
         return CoveredMesh{std::move(net), std::make_shared<const BallOnMesh>(
                                                *mesh, cutter, limits.tolerance, edges)};
