@@ -106,6 +106,16 @@ class Strategies(ProgramTest):
         for name in ("toolpath.svg", "toolpath.vtp"):
             self.assertGreater((self.folder / "out" / name).stat().st_size, 1000)
 
+    def test_mesh_of_a_surface_is_cut_in_a_path_as_long_as_on_the_surface(self):
+        part = SURFACES / "saddle.json"
+        self.summary("sample", part, "--chord-tolerance", "0.01", "--format", "off", "-o", "mesh")
+        options = [*BALL, "--strategy", "iso-scallop", "--bound", "none"]
+        on_surface = self.summary("plan", part, *options, "-o", "surface")
+        on_mesh = self.summary("plan", self.folder / "mesh/mesh.off", *options, "-o", "facets")
+        self.assertEqual((on_mesh["verdict"], on_mesh["uncovered_mm2"]), ("clean", 0))
+        for key in ("cut_contact_mm", "cut_tip_mm"):
+            self.assertAlmostEqual(on_mesh[key] / on_surface[key], 1, delta=0.015)
+
     def test_mesh_needs_a_cutter_and_a_strategy_without_parameters(self):
         part = self.file("OFF\n3 1 0\n0 0 0\n20 0 0\n0 20 0\n3 0 1 2\n", "one.off")
         for options, word in (([], "--strategy iso"), (["--strategy", "best"], "--cutter")):
