@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include "endmill/core/error.h"
@@ -104,6 +106,11 @@ void require_upright(const StrategyOptions& options)
         throw GeometryError{"planar, iso-scallop and field plan along the axis +z only"};
 }
 
+Parameter parameter_of(Strategy strategy)
+{
+    return strategy == Strategy::IsoU ? Parameter::U : Parameter::V;
+}
+
 // The part for strategies that plan on its samples.
 CoveredPart covered_part(const Part& part, const BallCutter& cutter,
                          const StrategyOptions& options)
@@ -170,8 +177,7 @@ CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& 
         if (!surfaces)
             throw GeometryError{std::string{strategy_name(strategy)} +
                                 " follows parameter lines, which a mesh does not have"};
-        return along_parameter(strategy == Strategy::IsoU ? Parameter::U : Parameter::V,
-                               *surfaces, cutter, options);
+        return along_parameter(parameter_of(strategy), *surfaces, cutter, options);
     }
     const CoveredPart covered = covered_part(part, cutter, options);
     return covering_after(trials_of(strategy, part, covered, options), covered, options);
@@ -230,6 +236,34 @@ struct Candidate {
 // A strategy is not laid if its estimated length exceeds the least one by this factor.
 // Estimates differ from lengths by some per cent.
 constexpr double worth_laying = 1.08;
+// The same for passes along parameter lines on a large part.
+constexpr double worth_following = 1.25;
+
+// A part is large if it has more squares with the side of a strip's width. On a large part
+// one strategy is laid on samples at most, and a still larger one is not sampled where there
+// are parameter lines: samples and their moves take time and memory.
+constexpr double most_squares_compared = 4000;
+constexpr double most_squares_sampled = 300'000;
+// Passes along parameter lines are estimated for so many squares.
+constexpr double squares_for_estimate = 1000;
+// A height is doubled for such an estimate, up to this share of the radius.
+constexpr double greatest_estimated_share = 0.2;
+
+// Distance of samples that no part exceeds, mm.
+constexpr double no_spacing = 1e9;
+
+// Area of a part by the first net of each of its patches, or by its mesh, mm^2.
+double area_of(const CoveredPart& part, std::size_t most_samples)
+{
+    const PartSamples first = part.samples(no_spacing, most_samples);
+    double area = 0;
+    for (const auto& [a, b, c] : first.triangles())
+        area += (first.point(b) - first.point(a))
+                    .cross(first.point(c) - first.point(a))
+                    .norm() /
+                2;
+    return area;
+}
 
 // Compares strategies by estimates on few samples, and lays the promising ones.
 class StrategyComparison {
@@ -246,15 +280,19 @@ public:
 
     void run()
     {
+        attempt(Strategy::Planar, [&] { cover(); });
         for (const Strategy strategy : every_strategy)
             attempt(strategy, [&] { try_one(strategy); });
         std::stable_sort(estimated_.begin(), estimated_.end(),
                          [](const Estimated& a, const Estimated& b) {
-                             return a.trials.travel.value_or(0) <
-                                    b.trials.travel.value_or(0);
+                             return a.travel() < b.travel();
                          });
-        for (const Estimated& one : estimated_)
-            attempt(one.strategy, [&] { lay(one); });
+        // passes along parameter lines are planned last on a large part: the length of
+        // another path tells whether they are worth it
+        for (const bool follows : {false, true})
+            for (const Estimated& one : estimated_)
+                if (follows_parameters(one.strategy) == follows)
+                    attempt(one.strategy, [&] { lay(one); });
         if (candidates_.empty())
             std::rethrow_exception(failure_);
         std::stable_sort(
@@ -270,6 +308,8 @@ private:
     struct Estimated {
         Strategy strategy;
         Trials trials;
+
+        double travel() const { return trials.travel.value_or(0); }
     };
 
     template <typename Step>
@@ -305,6 +345,29 @@ private:
         return with_progress(options_, begin, begin + share);
     }
 
+    // Prepares the part for strategies that plan on its samples, if it suits them.
+    void cover()
+    {
+        if (covered_)
+            return;
+        CoveredPart covered = covered_part(part_, cutter_, options_);
+        area_ = area_of(covered, options_.most_samples);
+        covered_.emplace(std::move(covered));
+    }
+
+    // The number of squares of a strip's width on the part; 0 if it suits none of these
+    // strategies.
+    double squares(double height) const
+    {
+        const double width = strip_width(cutter_, height);
+        return area_ / (width * width);
+    }
+
+    bool is_large() const
+    {
+        return squares(options_.scallop_height) > most_squares_compared;
+    }
+
     void add(Strategy strategy, CoveringPath covering)
     {
         const double travel = counted_travel(path_economy(covering.path),
@@ -316,16 +379,46 @@ private:
     void try_one(Strategy strategy)
     {
         const StrategyOptions own = next_share();
-        if (follows_parameters(strategy)) {
+        if (!follows_parameters(strategy)) {
+            cover();
+            require_few_squares();
+            Trials trials = trials_of(strategy, part_, *covered_, own);
+            if (strategy == Strategy::Field)
+                trials.travel = field_travel(*covered_, cutter_, own);
+            estimated_.push_back({strategy, std::move(trials)});
+        } else if (is_large()) {
+            Trials trials;
+            trials.travel = estimated_along(strategy, own);
+            estimated_.push_back({strategy, std::move(trials)});
+        } else {
             add(strategy, covering_by(strategy, part_, cutter_, own));
-            return;
         }
-        if (!covered_)
-            covered_.emplace(covered_part(part_, cutter_, options_));
-        Trials trials = trials_of(strategy, part_, *covered_, own);
-        if (strategy == Strategy::Field)
-            trials.travel = field_travel(*covered_, cutter_, own);
-        estimated_.push_back({strategy, std::move(trials)});
+    }
+
+    // Refuses a part that would need too many samples, if there are parameter lines.
+    void require_few_squares() const
+    {
+        const double needed = squares(options_.scallop_height);
+        if (needed <= most_squares_sampled || !std::holds_alternative<Surfaces>(part_))
+            return;
+        std::ostringstream message;
+        message << std::setprecision(2) << "the part has " << needed
+                << " squares of a strip's width; best samples at most "
+                << most_squares_sampled << " (name the strategy to have it planned)";
+        throw LimitError{message.str()};
+    }
+
+    // The length of passes along parameter lines, from that for a greater height.
+    double estimated_along(Strategy strategy, StrategyOptions options) const
+    {
+        while (squares(options.scallop_height) > squares_for_estimate &&
+               2 * options.scallop_height < greatest_estimated_share * cutter_.radius())
+            options.scallop_height *= 2;
+        const CoveringPath path = covering_by(strategy, part_, cutter_, options);
+        const double travel =
+            counted_travel(path_economy(path.path), options.distance, CountedMoves::Cuts);
+        return scaled_travel(travel, cutter_, options.scallop_height,
+                             options_.scallop_height);
     }
 
     // The least length of a path, or estimate for a strategy that has not been refused, mm.
@@ -347,21 +440,32 @@ private:
         });
     }
 
+    // Whether a strategy may give the shortest path, by its estimate.
+    bool is_promising(const Estimated& one) const
+    {
+        const double travel = one.travel();
+        if (follows_parameters(one.strategy))
+            return travel <= worth_following * least_travel();
+        return travel <= worth_laying * least_travel() &&
+               (candidates_.empty() || !is_large());
+    }
+
     void lay(const Estimated& one)
     {
         const StrategyOptions own = next_share();
-        const double travel = one.trials.travel.value_or(0);
-        if (travel > worth_laying * least_travel()) {
-            tried(one.strategy).estimated_mm = travel;
-            return;
-        }
-        add(one.strategy, covering_after(one.trials, *covered_, own));
+        if (!is_promising(one))
+            tried(one.strategy).estimated_mm = one.travel();
+        else if (follows_parameters(one.strategy))
+            add(one.strategy, covering_by(one.strategy, part_, cutter_, own));
+        else
+            add(one.strategy, covering_after(one.trials, *covered_, own));
     }
 
     const Part& part_;
     BallCutter cutter_;
     const StrategyOptions& options_;
     std::optional<CoveredPart> covered_;
+    double area_ = 0;  // mm^2
     std::vector<Estimated> estimated_;
     std::vector<Candidate> candidates_;
     std::vector<TriedStrategy> tried_;

@@ -72,7 +72,7 @@ StrategyPlan plan_by_strategy(Strategy strategy, const Part& part, const Cutter&
 struct TriedStrategy {
     Strategy strategy;
     std::optional<double> travel_mm;  ///< of its cuts; nothing if it made no path
-    /// Length of its cuts by trials on few samples; set if it was not planned for that reason.
+    /// Length of its cuts by trials; set if it was not planned for that reason.
     std::optional<double> estimated_mm;
     std::string refusal;  ///< why it can make no path; else empty
 };
@@ -84,11 +84,19 @@ struct BestPlan {
 };
 
 /// Plans by the strategies that suit the part and returns the plan with the shortest cuts
-/// among those judged good. Strategy::IsoU and IsoV are always planned. The others are compared
+/// among those judged good. Strategy::IsoU and IsoV are planned. The others are compared
 /// by trials on few samples, and those that are estimated to be 8 per cent longer than the
-/// shortest are not planned. Paths are judged in the order of their lengths, up to the first
-/// good one. If none is good, the one
-/// that leaves the least area uncut is returned.
+/// shortest are not planned.
+///
+/// A part is large if its area exceeds 4000 squares of a strip's width. Of the strategies other
+/// than Strategy::IsoU and IsoV, only the one with the least estimate is then planned. IsoU and
+/// IsoV are estimated by a plan for a greater height, and planned unless the estimate exceeds
+/// the length of that path by more than 25 per cent. With more than 300 000 squares only IsoU
+/// and IsoV are compared, unless the part is a mesh. These rules depend on the part alone, not
+/// on the time that planning takes.
+///
+/// Paths are judged in the order of their lengths, up to the first good one. If none is good,
+/// the one that leaves the least area uncut is returned.
 /// \param part, cutter, options as above.
 /// \throws as plan_by_strategy, if no strategy makes a path.
 BestPlan plan_by_best_strategy(const Part& part, const BallCutter& cutter,
