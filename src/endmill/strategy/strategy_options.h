@@ -71,6 +71,7 @@ struct CoveringPath {
     double stray_mm = 0;
     std::size_t pieces = 0;        ///< parts of passes that are cut in contact throughout
     std::size_t lifted_links = 0;  ///< links that are lifted because they are not clear
+    std::size_t arched_links = 0;  ///< links that are arched at feed for that reason
     /// Area in mm^2 of the parts of the sampled surface in which a place was found that
     /// keeps more than the scallop height.
     double uncovered_mm2 = 0;

@@ -398,14 +398,17 @@ CoveringPath covering_path(LaidPasses laid, const CoveredPart& part,
         plan.uncovered_mm2 += area(laid.samples, place.triangle);
         plan.uncovered.push_back({at.surface, {at.at.u, at.at.v}, at.at.contact.point});
     }
-    const auto is_clear = [&](const SurfaceContact& from, const SurfaceContact& to) {
+    const auto is_clear = [&](const Vec3& from, const Vec3& to) {
         MoveTestState state;
-        return part.is_clear(ball_centre(from, cutter), ball_centre(to, cutter), state);
+        return part.is_clear(from, to, state);
     };
-    LinkedPath linked = link_pieces(in_cutting_order(pieces, cutter, options.link),
-                                    cutter, options.link, is_clear);
+    LinkOptions linking = options.link;
+    linking.barred = BarredLink::Arched;
+    LinkedPath linked = link_pieces(in_cutting_order(pieces, cutter, linking), cutter,
+                                    linking, is_clear);
     plan.path = std::move(linked.path);
     plan.lifted_links = linked.lifted_links;
+    plan.arched_links = linked.arched_links;
     if (plan.path.points.empty())
         throw GeometryError{
             "the ball fits nowhere on the part without entering it by more "
