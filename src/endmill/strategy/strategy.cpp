@@ -65,6 +65,9 @@ void require_sound(double radius, const StrategyOptions& options)
             "plan_by_strategy: need 0 < inner tolerance < cutter radius");
     require(0 < options.scallop_height && options.scallop_height < radius,
             "plan_by_strategy: need 0 < scallop height < cutter radius");
+    require(
+        !options.protected_part || options.protected_part->cutter().radius() == radius,
+        "plan_by_strategy: the protected part is for another ball");
 }
 
 // The number of runs of cuts.
@@ -116,7 +119,10 @@ CoveredPart covered_part(const Part& part, const BallCutter& cutter,
                          const StrategyOptions& options)
 {
     require_upright(options);
-    return {part, cutter, {options.inner_tolerance, options.scallop_height}};
+    return {part,
+            cutter,
+            {options.inner_tolerance, options.scallop_height},
+            options.protected_part};
 }
 
 // What a strategy finds out by trials on few samples before it lays passes.
@@ -147,6 +153,14 @@ Trials trials_of(Strategy strategy, const Part& part, const CoveredPart& covered
     return trials;
 }
 
+// The path, if it does not enter the protected part.
+CoveringPath clear_of_protected(CoveringPath covering, const StrategyOptions& options)
+{
+    if (options.protected_part)
+        options.protected_part->require_clear(covering.path);
+    return covering;
+}
+
 // The path of a strategy that plans on samples.
 CoveringPath covering_after(const Trials& trials, const CoveredPart& covered,
                             const StrategyOptions& options)
@@ -161,12 +175,13 @@ CoveringPath covering_after(const Trials& trials, const CoveredPart& covered,
             covering_path(std::move(planar.laid), covered, cutter, making);
         path.direction = planar.direction;
         path.compared = trials.directions->compared;
-        return path;
+        return clear_of_protected(std::move(path), options);
     }
     LaidPasses laid = trials.starts
                           ? iso_scallop_passes(covered, cutter, laying, *trials.starts)
                           : field_passes(covered, cutter, laying);
-    return covering_path(std::move(laid), covered, cutter, making);
+    return clear_of_protected(covering_path(std::move(laid), covered, cutter, making),
+                              options);
 }
 
 CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& cutter,
@@ -177,7 +192,10 @@ CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& 
         if (!surfaces)
             throw GeometryError{std::string{strategy_name(strategy)} +
                                 " follows parameter lines, which a mesh does not have"};
-        return along_parameter(parameter_of(strategy), *surfaces, cutter, options);
+        if (options.protected_part)
+            require_upright(options);
+        return clear_of_protected(
+            along_parameter(parameter_of(strategy), *surfaces, cutter, options), options);
     }
     const CoveredPart covered = covered_part(part, cutter, options);
     return covering_after(trials_of(strategy, part, covered, options), covered, options);
@@ -209,21 +227,30 @@ StrategyPlan judged(Strategy strategy, CoveringPath covering, const Part& part,
     if (!cutter.is_ball())
         judgement.proof = LimitProof::GougeProved;  // by the drop cutter
     judgement.progress = options.progress;
+    const double near = reached_share * limits.scallop;
+    const ProtectedPart* const guard = options.protected_part.get();
     std::optional<DropCutter> drop;
-    if (const auto* mesh = std::get_if<TriangleMesh>(&part)) {
+    if (const auto* mesh = std::get_if<TriangleMesh>(&part))
         drop.emplace(*mesh, cutter);
+    if (drop || guard)
         judgement.is_accessible = [&](const PartRay& ray) {
-            return is_accessible(*drop, {ray.point, ray.normal},
-                                 reached_share * limits.scallop);
+            const CutterContact place{ray.point, ray.normal};
+            return (!drop || is_accessible(*drop, place, near)) &&
+                   (!guard || guard->is_accessible(place, near));
         };
-    }
     Deviation deviation = deviation_of_path(part, covering.path, cutter, judgement);
     if (follows_parameters(strategy) || !cutter.is_ball())
         covering.uncovered_mm2 = deviation.uncut_area_mm2;
     const PathEconomy economy =
         cutter.is_ball() ? path_economy(covering.path) : economy_of_tips(covering.path);
-    const Verdict found = verdict(deviation, limits);
-    return {strategy, std::move(covering), economy, std::move(deviation), found};
+    StrategyPlan plan{strategy, std::move(covering), economy, std::move(deviation),
+                      Verdict::Clean};
+    plan.verdict = verdict(plan.deviation, limits);
+    if (guard) {
+        plan.of_protected = guard->deviation(plan.covering.path);
+        plan.verdict = guard->verdict(*plan.of_protected, plan.verdict);
+    }
+    return plan;
 }
 
 // A path that has not been judged, and the length by which it is compared.
@@ -500,6 +527,8 @@ StrategyPlan plan_by_strategy(Strategy strategy, const Part& part, const Cutter&
     if (strategy != Strategy::Planar)
         throw GeometryError{std::string{strategy_name(strategy)} +
                             " plans for ball-end mills only; planar plans for others"};
+    require(!options.protected_part,
+            "plan_by_strategy: only a ball keeps off a protected part");
     require_upright(options);
     // Planes are placed by samples. Where the judge finds more between them, the planes are
     // laid for a smaller height.

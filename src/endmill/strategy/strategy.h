@@ -26,7 +26,9 @@ struct StrategyPlan {
     CoveringPath covering;  ///< the path
     PathEconomy economy;    ///< of the path
     Deviation deviation;    ///< of the stock that the path leaves
-    Verdict verdict;        ///< on it
+    Verdict verdict;        ///< on it, and on the gouges of a protected part
+    /// Gouges of the protected part; nothing without one.
+    std::optional<Deviation> of_protected = {};
 
     /// Whether the path is judged clean, and no place is known to be uncovered.
     bool is_good() const
@@ -47,6 +49,10 @@ std::size_t most_part_samples(double memory_gib);
 /// judgement is that of verify_path with is_accessible as test of the cutter's position.
 /// Contacts have x and y of their point in place of parameters u and v. A mesh must be
 /// oriented consistently.
+///
+/// Places that a protected part keeps the ball from coming within half the scallop height of
+/// need not be covered, and are not judged. No move enters the protected part.
+/// Strategy::IsoU and IsoV do not avoid it: they plan only if their path is clear of it.
 /// Source: docs/methods/iso-scallop.md.
 /// \param strategy how passes are laid.
 /// \param part     surfaces or a mesh.
@@ -55,7 +61,8 @@ std::size_t most_part_samples(double memory_gib);
 /// \throws DomainError if a tolerance, the height or the axis is out of range.
 /// \throws GeometryError with the place if N . axis <= 0 or the surface has no normal, on a
 ///         mesh only if no facet faces the tool; if the ball fits nowhere; or if the strategy
-///         does not suit the part.
+///         does not suit the part; if a protected part bars all of it, or a path along
+///         parameter lines or at the safe height enters it.
 /// \throws LimitError if the part needs too many samples or points.
 StrategyPlan plan_by_strategy(Strategy strategy, const Part& part,
                               const BallCutter& cutter, const StrategyOptions& options);

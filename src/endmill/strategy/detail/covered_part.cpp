@@ -2,6 +2,7 @@
 #include "endmill/strategy/detail/covered_part.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "endmill/core/error.h"
 #include "endmill/deviation/deviation.h"
@@ -50,9 +51,11 @@ CoveredPart::Source CoveredPart::source_of(const Part& part, const BallCutter& c
 }
 
 CoveredPart::CoveredPart(const Part& part, const BallCutter& cutter,
-                         const CoverLimits& limits)
+                         const CoverLimits& limits,
+                         std::shared_ptr<const ProtectedPart> guard)
     : cutter_{cutter},
       accessible_distance_{reached_share * limits.scallop_height},
+      guard_{std::move(guard)},
       source_{source_of(part, cutter, limits)}
 {
 }
@@ -60,13 +63,17 @@ CoveredPart::CoveredPart(const Part& part, const BallCutter& cutter,
 PartSamples CoveredPart::samples(double spacing, std::size_t most_samples) const
 {
     if (const auto* mesh = std::get_if<CoveredMesh>(&source_))
-        return {mesh->net, mesh->ball, {spacing, accessible_distance_}, most_samples};
+        return {
+            mesh->net, mesh->ball, {spacing, accessible_distance_, guard_}, most_samples};
     const auto& [surfaces, sides, clear] = std::get<CoveredSurfaces>(source_);
-    return {*surfaces, sides, spacing, most_samples};
+    return {*surfaces, sides, PartSampling{spacing, accessible_distance_, guard_},
+            most_samples};
 }
 
 bool CoveredPart::is_clear(const Vec3& from, const Vec3& to, MoveTestState& state) const
 {
+    if (guard_ && !guard_->is_clear(from, to))
+        return false;
     if (const auto* mesh = std::get_if<CoveredMesh>(&source_))
         return mesh->ball->is_clear(from, to);
     return std::get<CoveredSurfaces>(source_).clear.is_clear({from, to}, state.finer);
