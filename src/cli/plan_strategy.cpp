@@ -300,6 +300,9 @@ FigureOptions strategy_figure(const Json& s)
     figure.captions = {fmt::format(
         "{}, scallop height {:g} mm, {} points", s["cutter"].get<std::string>(),
         s["scallop_mm"].get<double>(), s["ncl"].get<std::size_t>())};
+    if (!s["cut_contact_mm"].is_null())
+        figure.captions.emplace_back(
+            "use: width that a cut newly covers, as a share of the strip on a plane");
     return figure;
 }
 

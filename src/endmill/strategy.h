@@ -6,3 +6,4 @@
 
 #include "endmill/strategy/strategy.h"
 #include "endmill/strategy/strategy_options.h"
+#include "endmill/strategy/strip_use.h"

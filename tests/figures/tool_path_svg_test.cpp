@@ -106,7 +106,7 @@ TEST(ToolPathSvg, ColoursCutsByTheUseOfTheirStrips)
     const std::string svg = tool_path_svg(path, {}, PathDrawing{nullptr, use});
     for (const char* colour : {"#d7301f", "#f08a3c", "#5aae61", "#3690c0", "#173f7a"})
         EXPECT_EQ(lines_of(svg, colour).size(), 1U + 1) << colour;  // and the legend's
-    EXPECT_TRUE(texts_of(svg).contains("cut, below 25 % of a strip"));
+    EXPECT_TRUE(texts_of(svg).contains("cut, use below 25 %"));
     EXPECT_TRUE(lines_of(svg, "#1d4f91").empty());
     EXPECT_THROW(tool_path_svg(path, {}, PathDrawing{nullptr, std::span{use}.first(3)}),
                  DomainError);

@@ -39,7 +39,7 @@ constexpr std::array<Stroke, 3> plain_strokes{
 // The same with cuts by the use of their strips: the first four below these shares.
 constexpr std::array<double, 4> use_limits{0.25, 0.5, 0.75, 1};
 constexpr std::array<Stroke, 7> use_strokes{
-    Stroke{"cut, below 25 % of a strip", {"#d7301f", 1.1, ""}},
+    Stroke{"cut, use below 25 %", {"#d7301f", 1.1, ""}},
     Stroke{"cut, 25 to 50 %", {"#f08a3c", 1.1, ""}},
     Stroke{"cut, 50 to 75 %", {"#5aae61", 1.1, ""}},
     Stroke{"cut, 75 to 100 %", {"#3690c0", 1.1, ""}},
