@@ -18,6 +18,7 @@
 #include "endmill/bound/points_bound.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/figures/axonometric_figure.h"
 #include "endmill/figures/tool_path_svg.h"
 #include "endmill/figures/travel_svg.h"
@@ -26,6 +27,7 @@
 #include "endmill/files/vtk.h"
 #include "endmill/planning/economy.h"
 #include "endmill/strategy/strategy.h"
+#include "endmill/strategy/strip_use.h"
 #include "endmill/surface/tool_side.h"
 #include "endmill/verification/verification.h"
 
@@ -334,7 +336,21 @@ FigureOptions strategy_figure(const Json& s)
     figure.captions = {fmt::format(
         "{}, scallop height {:g} mm, {} points", s["cutter"].get<std::string>(),
         s["scallop_mm"].get<double>(), s["ncl"].get<std::size_t>())};
+    if (!s["cut_contact_mm"].is_null())
+        figure.captions.emplace_back(
+            "use: width that a cut newly covers, as a share of the strip on a plane");
     return figure;
+}
+
+// How much of their strips the cuts use; nothing where it is not known.
+std::vector<double> shown_strip_use(const PlanTask& task, const ToolPath& path)
+{
+    const Vec3& axis = task.options.planning.link.axis;
+    if (!task.context.cutter.is_ball() ||
+        (axis - Vec3::UnitZ()).norm() > unit_vector_rounding)
+        return {};
+    return strip_use(task.part, path, task.context.ball(),
+                     task.options.planning.scallop_height);
 }
 
 void warn_of_uncovered(const CoveringPath& plan, const CommonOptions& options)
@@ -427,8 +443,9 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     identify_path(summary, covering.path.points.size(), content_sha256(table));
     folder.write("toolpath.csv", table);
     folder.write("toolpath.vtp", tool_path_vtp(covering.path));
-    folder.write("toolpath.svg",
-                 tool_path_svg(covering.path, strategy_figure(summary), surfaces));
+    const std::vector<double> use = shown_strip_use(task, covering.path);
+    folder.write("toolpath.svg", tool_path_svg(covering.path, strategy_figure(summary),
+                                               PathDrawing{&part, use}));
     write_directions(covering, summary, folder);
     folder.write("summary.json", summary.dump(2) + "\n");
     PlanResult result{

@@ -7,3 +7,4 @@
 #include "endmill/strategy/protected_part.h"
 #include "endmill/strategy/strategy.h"
 #include "endmill/strategy/strategy_options.h"
+#include "endmill/strategy/strip_use.h"

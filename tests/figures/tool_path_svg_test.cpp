@@ -2,13 +2,16 @@
 #include "endmill/figures/tool_path_svg.h"
 
 #include <set>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "drawn_svg.h"
 #include "endmill/core/error.h"
+#include "test_meshes.h"
 #include "wavy_path.h"
 
 namespace endmill {
@@ -91,6 +94,39 @@ TEST(ToolPathSvg, DrawsAPathOfOnePointAndRefusesNone)
     path.points.resize(1);
     EXPECT_NO_THROW(SmallXml::parse(tool_path_svg(path)));
     EXPECT_THROW(tool_path_svg({}), DomainError);
+}
+
+// One cut in each class, and a link.
+TEST(ToolPathSvg, ColoursCutsByTheUseOfTheirStrips)
+{
+    ToolPath path = wavy_path(1, 7);
+    path.points.resize(7);
+    path.points.back().move = Move::Link;
+    const std::vector<double> use{0, 0, 0.3, 0.6, 0.9, 1.2, 0};
+    const std::string svg = tool_path_svg(path, {}, PathDrawing{nullptr, use});
+    for (const char* colour : {"#d7301f", "#f08a3c", "#5aae61", "#3690c0", "#173f7a"})
+        EXPECT_EQ(lines_of(svg, colour).size(), 1U + 1) << colour;  // and the legend's
+    EXPECT_TRUE(texts_of(svg).contains("cut, use below 25 %"));
+    EXPECT_TRUE(lines_of(svg, "#1d4f91").empty());
+    EXPECT_THROW(tool_path_svg(path, {}, PathDrawing{nullptr, std::span{use}.first(3)}),
+                 DomainError);
+}
+
+TEST(ToolPathSvg, DrawsAMeshUnderThePath)
+{
+    const Part part = test::grid_mesh(3, 2, [](int i, int j) {
+        return Vec3{20.0 * i, 20.0 * j, 0};
+    });
+    const std::string svg = tool_path_svg(wavy_path(2, 5), {}, PathDrawing{&part});
+    int triangles = 0;
+    for (const XmlElement& element : SmallXml::parse(svg))
+        triangles += element.name == "path" && element.attributes.at("fill") != "none" &&
+                             points_of(element.attributes.at("d")).size() == 3
+                         ? 1
+                         : 0;
+    EXPECT_GE(triangles, 12);
+    EXPECT_TRUE(texts_of(svg).contains("part"));
+    EXPECT_FALSE(texts_of(tool_path_svg(wavy_path(2, 5))).contains("part"));
 }
 
 }  // namespace

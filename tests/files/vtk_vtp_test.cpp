@@ -77,6 +77,29 @@ TEST(ToolPathVtp, PolylinesCoverEveryMoveOnce)
     EXPECT_EQ(covered + 1, std::ssize(path.points));
 }
 
+// The first pass continues in the second one without a link.
+TEST(ToolPathVtp, NumbersThePiecesThatAreCutWithoutInterruption)
+{
+    ToolPath path;
+    const auto add = [&](int pass, Move move) {
+        const double x = static_cast<double>(path.points.size());
+        path.points.push_back({pass, 0, move, 0, {{x, 0, 0}, Vec3::UnitZ()}});
+    };
+    add(0, Move::Plunge);
+    add(0, Move::Cut);
+    add(1, Move::Cut);
+    add(2, Move::Retract);
+    add(2, Move::Rapid);
+    add(2, Move::Cut);
+    add(2, Move::Cut);
+    add(3, Move::Link);
+    const VtpReader reader{tool_path_vtp(path)};
+    EXPECT_EQ(reader.array<std::int32_t>("pass", "Int32"),
+              (std::vector<std::int32_t>{0, 1, 2, 2, 2, 3}));
+    EXPECT_EQ(reader.array<std::int32_t>("piece", "Int32"),
+              (std::vector<std::int32_t>{0, 0, 1, 1, 1, 2}));
+}
+
 TEST(ToolPathVtp, AnEmptyPathIsAFileWithoutPoints)
 {
     const VtpReader reader{tool_path_vtp({})};

@@ -7,10 +7,13 @@
 #include <span>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/error.h"
+#include "endmill/figures/detail/drawn_mesh.h"
 #include "endmill/figures/detail/surface_cells.h"
 
 // The part is drawn first, from back to front. Moves are grouped by style: cuts, links,
@@ -27,9 +30,21 @@ struct Stroke {
 };
 
 // In the order of drawing; the last is on top.
-constexpr std::array<Stroke, 3> strokes{
+constexpr std::array<Stroke, 3> plain_strokes{
     Stroke{"cut", {"#1d4f91", 0.7, ""}},
     Stroke{"link", {"#d1402f", 1.5, ""}},
+    Stroke{"rapid, plunge, retract", {"#7d8590", 1, "5 3"}},
+};
+
+// The same with cuts by the use of their strips: the first four below these shares.
+constexpr std::array<double, 4> use_limits{0.25, 0.5, 0.75, 1};
+constexpr std::array<Stroke, 7> use_strokes{
+    Stroke{"cut, use below 25 %", {"#d7301f", 1.1, ""}},
+    Stroke{"cut, 25 to 50 %", {"#f08a3c", 1.1, ""}},
+    Stroke{"cut, 50 to 75 %", {"#5aae61", 1.1, ""}},
+    Stroke{"cut, 75 to 100 %", {"#3690c0", 1.1, ""}},
+    Stroke{"cut, a strip or more", {"#173f7a", 1.1, ""}},
+    Stroke{"link", {"#7b3294", 1.3, ""}},
     Stroke{"rapid, plunge, retract", {"#7d8590", 1, "5 3"}},
 };
 
@@ -46,12 +61,30 @@ constexpr double arrow_share = 0.03;
 constexpr int most_cells = 4000;
 constexpr int most_spaces = 12;
 
-// The index in `strokes` of the style for a move.
-std::size_t stroke_of(Move move)
+// The strokes of a figure, and the number of that for the move to each point.
+struct DrawnMoves {
+    std::span<const Stroke> strokes;
+    std::vector<std::size_t> stroke_of;
+};
+
+DrawnMoves drawn_moves(const ToolPath& path, std::span<const double> strip_use)
 {
-    if (move == Move::Cut)
-        return 0;
-    return move == Move::Link ? 1 : 2;
+    DrawnMoves moves{plain_strokes, {}};
+    if (!strip_use.empty())
+        moves.strokes = use_strokes;
+    const std::size_t link = moves.strokes.size() - 2;
+    moves.stroke_of.reserve(path.points.size());
+    for (std::size_t k = 0; k < path.points.size(); ++k) {
+        const Move move = path.points[k].move;
+        if (move != Move::Cut)
+            moves.stroke_of.push_back(move == Move::Link ? link : link + 1);
+        else if (strip_use.empty())
+            moves.stroke_of.push_back(0);
+        else
+            moves.stroke_of.push_back(std::ranges::upper_bound(use_limits, strip_use[k]) -
+                                      use_limits.begin());
+    }
+    return moves;
 }
 
 // The drawn point of each path point: the contact, or the tip where there is none.
@@ -65,18 +98,19 @@ std::vector<Vec3> drawn_points(const ToolPath& path)
     return points;
 }
 
-// Draws the runs of consecutive moves that belong to `stroke`. A run starts at the point
+// Draws the runs of consecutive moves that belong to a stroke. A run starts at the point
 // before its first move. \return whether there is one.
-bool add_runs(AxonometricFigure& figure, const ToolPath& path,
-              std::span<const Vec3> places, std::size_t stroke)
+bool add_runs(AxonometricFigure& figure, std::span<const Vec3> places,
+              const DrawnMoves& moves, std::size_t stroke)
 {
     bool any = false;
     for (std::size_t i = 1; i < places.size();) {
         std::size_t end = i;
-        while (end < places.size() && stroke_of(path.points[end].move) == stroke)
+        while (end < places.size() && moves.stroke_of[end] == stroke)
             ++end;
         if (end > i) {
-            figure.add_curve(places.subspan(i - 1, end - i + 1), strokes[stroke].style);
+            figure.add_curve(places.subspan(i - 1, end - i + 1),
+                             moves.strokes[stroke].style);
             any = true;
         }
         i = end + 1;
@@ -84,8 +118,15 @@ bool add_runs(AxonometricFigure& figure, const ToolPath& path,
     return any;
 }
 
-// The cells of the part. Parts of many patches have fewer cells in each.
-std::vector<SurfaceCell> cells_of(std::span<const Surface> part)
+// A flat piece of the part.
+struct PartPiece {
+    std::vector<Vec3> outline;
+    Vec3 normal;  // of either side and any length
+    Vec3 middle;  // by which pieces are sorted
+};
+
+// The pieces of surfaces. Parts of many patches have fewer cells in each.
+std::vector<PartPiece> pieces_of(std::span<const Surface> part)
 {
     double patches = 0;
     for (const Surface& surface : part)
@@ -93,22 +134,40 @@ std::vector<SurfaceCell> cells_of(std::span<const Surface> part)
     int spaces = most_spaces;
     while (spaces > 1 && spaces * spaces * patches > most_cells)
         --spaces;
-    std::vector<SurfaceCell> cells;
+    std::vector<PartPiece> pieces;
     for (const Surface& surface : part)
         for (const SurfaceCell& cell : surface_cells(surface, spaces))
-            cells.push_back(cell);
-    return cells;
+            pieces.push_back({{cell.outline.begin(), cell.outline.end()},
+                              cell.diagonals_normal(),
+                              cell.middle()});
+    return pieces;
 }
 
-// Draws the cells of the part from back to front.
-void add_part(AxonometricFigure& figure, std::vector<SurfaceCell> cells)
+std::vector<PartPiece> pieces_of(const TriangleMesh& mesh)
+{
+    const std::span<const Vec3> points = mesh.points();
+    const DrawnMesh drawn = drawn_mesh(points, mesh.triangles(), most_cells);
+    std::vector<PartPiece> pieces;
+    pieces.reserve(drawn.triangles.size());
+    for (const auto& [i, j, k] : drawn.triangles) {
+        const Vec3& a = points[i];
+        const Vec3& b = points[j];
+        const Vec3& c = points[k];
+        pieces.push_back({{a, b, c}, (b - a).cross(c - a), (a + b + c) / 3});
+    }
+    return pieces;
+}
+
+// Draws the pieces of the part from back to front.
+void add_part(AxonometricFigure& figure, std::vector<PartPiece> pieces)
 {
     const Vec3 toward = figure.view().toward;
     std::ranges::stable_sort(
-        cells, {}, [&](const SurfaceCell& cell) { return toward.dot(cell.middle()); });
-    for (const SurfaceCell& cell : cells)
-        figure.add_polygon(cell.outline, shade_of(cell, figure.view()), part_outline);
-    if (!cells.empty())
+        pieces, {}, [&](const PartPiece& piece) { return toward.dot(piece.middle); });
+    for (const PartPiece& piece : pieces)
+        figure.add_polygon(piece.outline, shade_of(piece.normal, figure.view()),
+                           part_outline);
+    if (!pieces.empty())
         figure.add_legend("part", {"#a6bad4", 8, ""});
 }
 
@@ -165,26 +224,44 @@ void add_marks(AxonometricFigure& figure, const ToolPath& path,
         figure.add_legend("direction", direction_style);
 }
 
+std::string drawn_path(const ToolPath& path, const FigureOptions& options,
+                       std::vector<PartPiece> pieces, const DrawnMoves& moves)
+{
+    const std::vector<Vec3> places = drawn_points(path);
+    std::vector<Vec3> extent = places;
+    for (const PartPiece& piece : pieces)
+        extent.insert(extent.end(), piece.outline.begin(), piece.outline.end());
+    FigureOptions ticked = options;
+    ticked.has_ticks = true;
+    AxonometricFigure figure{ticked, extent};
+    add_part(figure, std::move(pieces));
+    for (std::size_t stroke = 0; stroke < moves.strokes.size(); ++stroke)
+        if (add_runs(figure, places, moves, stroke))
+            figure.add_legend(moves.strokes[stroke].label, moves.strokes[stroke].style);
+    if (!places.empty())
+        add_marks(figure, path, places);
+    return figure.text();
+}
+
 }  // namespace
 
 std::string tool_path_svg(const ToolPath& path, const FigureOptions& options,
                           std::span<const Surface> part)
 {
-    const std::vector<Vec3> places = drawn_points(path);
-    std::vector<SurfaceCell> cells = cells_of(part);
-    std::vector<Vec3> extent = places;
-    for (const SurfaceCell& cell : cells)
-        extent.insert(extent.end(), cell.outline.begin(), cell.outline.end());
-    FigureOptions ticked = options;
-    ticked.has_ticks = true;
-    AxonometricFigure figure{ticked, extent};
-    add_part(figure, std::move(cells));
-    for (std::size_t stroke = 0; stroke < strokes.size(); ++stroke)
-        if (add_runs(figure, path, places, stroke))
-            figure.add_legend(strokes[stroke].label, strokes[stroke].style);
-    if (!places.empty())
-        add_marks(figure, path, places);
-    return figure.text();
+    return drawn_path(path, options, pieces_of(part), drawn_moves(path, {}));
+}
+
+std::string tool_path_svg(const ToolPath& path, const FigureOptions& options,
+                          const PathDrawing& drawing)
+{
+    require(drawing.strip_use.empty() || drawing.strip_use.size() == path.points.size(),
+            "tool_path_svg: need a strip use for each point");
+    std::vector<PartPiece> pieces;
+    if (drawing.part)
+        pieces =
+            std::visit([](const auto& part) { return pieces_of(part); }, *drawing.part);
+    return drawn_path(path, options, std::move(pieces),
+                      drawn_moves(path, drawing.strip_use));
 }
 
 }  // namespace endmill

@@ -6,6 +6,7 @@
 
 #include "endmill/figures/axonometric_figure.h"
 #include "endmill/path/tool_path.h"
+#include "endmill/surface/part.h"
 #include "endmill/surface/surface.h"
 
 /// \file
@@ -24,6 +25,20 @@ namespace endmill {
 /// \throws DomainError if the path has no points or one that is not finite.
 std::string tool_path_svg(const ToolPath& path, const FigureOptions& options = {},
                           std::span<const Surface> part = {});
+
+/// What a figure of a path shows beside the path.
+struct PathDrawing {
+    const Part* part = nullptr;  ///< drawn shaded under the path; null: none
+    /// For each point of the path, how much of its strip the cut to it uses, see strip_use
+    /// of the module strategy. Cuts are coloured by it; without it all have one colour.
+    std::span<const double> strip_use = {};
+};
+
+/// The same figure with any part, and with cuts coloured by their use of the strip in five
+/// classes: below 25, 50, 75 and 100 per cent, and above.
+/// \throws DomainError also unless there is a strip use for each point, or none at all.
+std::string tool_path_svg(const ToolPath& path, const FigureOptions& options,
+                          const PathDrawing& drawing);
 
 /// Title, view and content of the figure of a surface.
 struct SurfaceDrawing {

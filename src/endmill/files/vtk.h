@@ -23,8 +23,9 @@ namespace endmill {
 /// The tool path as a VTK XML PolyData file (.vtp).
 ///
 /// Points are the tips. Each run of moves of one kind in one pass is a polyline that
-/// starts at the point before its first move; its cell data are `pass` and `move` (0 cut,
-/// 1 link, 2 rapid, 3 plunge, 4 retract). Point data are `axis`, `has_contact` (1 or 0),
+/// starts at the point before its first move; its cell data are `pass`, `piece` and `move`
+/// (0 cut, 1 link, 2 rapid, 3 plunge, 4 retract). A piece is a run of cuts, numbered from 0;
+/// other moves have the number of the piece that follows. Point data are `axis`, `has_contact` (1 or 0),
 /// `contact`, `normal`, `u` and `v`. A point without contact repeats its tip and axis,
 /// and its u and v are 0. Numbers are stored in binary and exactly.
 /// \throws DomainError if a number is not finite.

@@ -32,6 +32,7 @@ struct Polylines {
     std::vector<std::int64_t> connectivity;
     std::vector<std::int64_t> offsets;  // one past the last point of each in connectivity
     std::vector<std::int32_t> pass;
+    std::vector<std::int32_t> piece;  // number of the run of cuts, or of the next one
     std::vector<std::uint8_t> move;
 };
 
@@ -39,15 +40,20 @@ struct Polylines {
 Polylines runs_of_one_move(const std::vector<PathPoint>& points)
 {
     Polylines lines;
+    std::int32_t piece = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const PathPoint& point = points[i];
         const bool goes_on = !lines.pass.empty() && lines.pass.back() == point.pass &&
                              lines.move.back() == static_cast<std::uint8_t>(point.move);
+        if (point.move != Move::Cut && !lines.move.empty() &&
+            lines.move.back() == static_cast<std::uint8_t>(Move::Cut))
+            ++piece;
         if (!goes_on) {
             // A move ends at its point, so the line begins at the point before.
             lines.connectivity.push_back(static_cast<std::int64_t>(i - 1));
             lines.offsets.push_back(0);
             lines.pass.push_back(point.pass);
+            lines.piece.push_back(piece);
             lines.move.push_back(static_cast<std::uint8_t>(point.move));
         }
         lines.connectivity.push_back(static_cast<std::int64_t>(i));
@@ -117,6 +123,7 @@ std::string polyline_data(const Polylines& lines, AppendedArrays& arrays)
     xml += arrays.append("offsets", 1, lines.offsets);
     xml += "   </Lines>\n   <CellData>\n";
     xml += arrays.append("pass", 1, lines.pass);
+    xml += arrays.append("piece", 1, lines.piece);
     xml += arrays.append("move", 1, lines.move);
     return xml + "   </CellData>\n";
 }

@@ -67,14 +67,11 @@ std::vector<SurfaceCell> surface_cells(const Surface& surface, int spaces)
     return cells;
 }
 
-std::string shade_of(const SurfaceCell& cell, const AxonometricView& view)
+std::string shade_of(const Vec3& normal, const AxonometricView& view)
 {
     constexpr std::array<int, 3> darkest{166, 186, 212};
     constexpr std::array<int, 3> lightest{240, 246, 252};
     const Vec3 light = (view.toward + 0.5 * view.up - 0.6 * view.right).normalized();
-    const std::size_t quarter = SurfaceCell::points / 4;
-    const Vec3 normal = (cell.outline[2 * quarter] - cell.outline[0])
-                            .cross(cell.outline[3 * quarter] - cell.outline[quarter]);
     const double size = normal.norm();
     const double facing = size > 0 ? std::abs(normal.dot(light)) / size : 1;
     constexpr std::string_view digits = "0123456789abcdef";
@@ -86,6 +83,11 @@ std::string shade_of(const SurfaceCell& cell, const AxonometricView& view)
         colour += digits[value % 16];
     }
     return colour;
+}
+
+std::string shade_of(const SurfaceCell& cell, const AxonometricView& view)
+{
+    return shade_of(cell.diagonals_normal(), view);
 }
 
 }  // namespace endmill

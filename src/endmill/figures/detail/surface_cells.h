@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
+
 #include "endmill/core/vec.h"
 #include "endmill/figures/axonometric_figure.h"
 #include "endmill/surface/surface.h"
@@ -33,11 +35,23 @@ struct SurfaceCell {
                 outline[3 * points / 4]) /
                4;
     }
+
+    /// The product of both diagonals, on the side from which the outline runs
+    /// counter-clockwise, in mm^2.
+    Vec3 diagonals_normal() const
+    {
+        return (outline[points / 2] - outline[0])
+            .cross(outline[3 * points / 4] - outline[points / 4]);
+    }
 };
 
 /// All cells of a surface. \param spaces number of cells along each side of a patch, at
 /// least 1.
 std::vector<SurfaceCell> surface_cells(const Surface& surface, int spaces);
+
+/// The colour of a flat piece of a surface, as below.
+/// \param normal of either side and any length.
+std::string shade_of(const Vec3& normal, const AxonometricView& view);
 
 /// The colour of a cell in the notation of SVG: light grey blue, darker the more the cell
 /// is inclined to a light beside the viewer.
