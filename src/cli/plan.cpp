@@ -246,7 +246,7 @@ void add_plan_command(CLI::App& program, Action& action)
     add_plan_options(*command, *options);
     command->footer(
         "Writes toolpath.csv, toolpath.vtp, toolpath.svg and summary.json to --output\n"
-        "(default ./NAME-plan); --direction both writes to its folders u and v. --force\n"
+        "(default ./NAME-plan); --strategy iso writes to its folders u and v. --force\n"
         "replaces the files of an earlier run.\n\n"
         "Exit 1: a path gouges the part deeper than the inner tolerance (--mode paper "
         "may),\n"
@@ -255,13 +255,12 @@ void add_plan_command(CLI::App& program, Action& action)
         "a\n"
         "--strategy other than iso is not judged clean.\n\n"
         "Example:\n"
-        "  endmill plan datasets/surfaces/saddle.json\n"
+        "  endmill plan datasets/surfaces/saddle.json --cutter ball:15 --scallop 0.5\n"
         "  endmill plan datasets/surfaces/saddle.json --cutter ball:15 --inner-tolerance "
         "0 --outer-tolerance 0.05 --direction u -o no-gouge\n"
         "  endmill plan datasets/surfaces/wavy.json --cutter ball:10 --chord-tolerance "
         "0.05 --direction u -o wavy\n"
-        "  endmill plan datasets/surfaces/saddle.json --cutter ball:15 --scallop 0.5 "
-        "--strategy best -o best");
+        "  endmill plan datasets/surfaces/saddle.json --strategy iso -o iso");
     command->callback([options, &action] {
         action = [options] {
             return naming(options->part.path, [&] { return run_plan(*options); });

@@ -188,7 +188,7 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     command
         .add_option("PART", options.part.path,
                     "surface file (endmill-surface/1), or a mesh file (.stl, .obj, .ply, "
-                    ".off) with a --strategy other than iso, iso-u, iso-v")
+                    ".off), but not with --strategy iso, iso-u or iso-v")
         ->required();
     command
         .add_option("--protect", options.guard.path,
@@ -217,14 +217,12 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_direction_angle(command, options);
     add_choice<StrategyChoice>(
         command, "--strategy", options.strategy, strategies,
-        "how passes are laid. iso (default): along u and along v, compared; iso-u, "
-        "iso-v: "
-        "along one of them; planar: in parallel upright planes; iso-scallop: each as far "
-        "from the passes before it as the scallop height allows; field: across the "
-        "widest "
-        "strips; best: the shortest of iso-u, iso-v, planar, iso-scallop and field. "
-        "Except "
-        "with iso, --scallop limits all remaining stock");
+        "how passes are laid. best (default): the shortest of iso-u, iso-v, planar, "
+        "iso-scallop and field; iso: along u and along v, compared; iso-u, iso-v: along "
+        "one of them; planar: in parallel upright planes; iso-scallop: each as far from "
+        "the passes before it as the scallop height allows; field: across the widest "
+        "strips. Except with iso, --scallop limits all remaining stock. An option that "
+        "only iso or planar has, such as --mode paper or --direction, chooses it");
     add_choice<PlanBound>(
         command, "--bound", options.bound, bounds,
         "lower bound of the length, with which a path by a --strategy other than iso is "

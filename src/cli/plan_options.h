@@ -47,7 +47,7 @@ struct PlanOptions {
     PlanDirection direction = PlanDirection::Both;
     Planner mode = Planner::Verified;
     /// How passes are laid.
-    StrategyChoice strategy = StrategyChoice::Iso;
+    StrategyChoice strategy = StrategyChoice::Best;
     std::optional<Angle> pass_direction;  ///< of StrategyChoice::Planar; best if empty
     PlanBound bound =
         PlanBound::Estimated;  ///< that a path by a strategy is compared with

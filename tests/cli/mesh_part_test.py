@@ -74,7 +74,7 @@ class MeshPart(ProgramTest):
         self.assertEqual(self.summary("info", MESHES / "teapot-288.off")["boundary_edges"], 44)
 
     def test_plan_refuses_a_mesh(self):
-        done = endmill("plan", self.file(BOX, "box.obj"), cwd=self.folder)
+        done = endmill("plan", self.file(BOX, "box.obj"), "--strategy", "iso", cwd=self.folder)
         self.assert_refused(done, 2, "box.obj: found a mesh", "plan expects a surface file")
         self.assert_nothing_left("box.obj")
 

@@ -118,7 +118,7 @@ class Strategies(ProgramTest):
 
     def test_mesh_needs_a_cutter_and_a_strategy_without_parameters(self):
         part = self.file("OFF\n3 1 0\n0 0 0\n20 0 0\n0 20 0\n3 0 1 2\n", "one.off")
-        for options, word in (([], "--strategy iso"), (["--strategy", "best"], "--cutter")):
+        for options, word in ((["--strategy", "iso"], "--strategy iso"), ([], "--cutter")):
             with self.subTest(options=options):
                 done = endmill("plan", part, *options, "-o", self.folder / "no")
                 self.assertEqual(done.returncode, 2)
@@ -201,6 +201,17 @@ class UprightPlanes(ProgramTest):
 
 
 class Defaults(ProgramTest):
+    def test_best_is_the_default(self):
+        part = self.file(plane(size=PLANE_SIZE))
+        by_default = self.summary("plan", part, *BALL, "--bound", "none", "-o", "default")
+        by_name = self.summary("plan", part, *BALL, "--bound", "none", "--strategy", "best", "-o", "best")
+        self.assertEqual(by_default["tried"], by_name["tried"])
+        self.assertEqual((self.folder / "default/toolpath.csv").read_bytes(), (self.folder / "best/toolpath.csv").read_bytes())
+
+    def test_mode_paper_chooses_iso(self):
+        self.summary("plan", self.file(plane(size=PLANE_SIZE)), *BALL, "--mode", "paper", "-o", "out")
+        self.assertEqual(sorted(path.name for path in (self.folder / "out").iterdir() if path.is_dir()), ["u", "v"])
+
     def test_option_of_iso_chooses_iso(self):
         part = self.file(plane(size=(60, 30)))
         self.summary("plan", part, *BALL, "--direction", "u", "-o", "u")

@@ -15,7 +15,7 @@ from faults import COMMANDS, PLAN, PLANE, contents, difference  # noqa: E402
 class Threads(ProgramTest):
     def test_commands_on_two_and_on_eight_threads(self):
         path = self.folder / "path"
-        subprocess.run([ENDMILL, "plan", PLANE, *PLAN, "--quiet", "-o", path], check=True)
+        subprocess.run([ENDMILL, "plan", PLANE, "--strategy", "iso", *PLAN, "--quiet", "-o", path], check=True)
         for name, words in COMMANDS.items():
             written = []
             for threads in (2, 8):

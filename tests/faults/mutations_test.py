@@ -17,7 +17,7 @@ NUMBERS = (b"0", b"-1", b"1e308", b"-1e308", b"1e-320", b"nan", b"inf", b"214748
 
 # The kinds of input: a sound file, and the command that reads its mutant FILE. PATH stands for a planned path.
 KINDS = {
-    "surface": (PLANE, ["plan", "FILE", *PLAN]),
+    "surface": (PLANE, ["plan", "FILE", "--strategy", "iso", *PLAN]),
     "net": (ROOT / "datasets/surfaces/teapot.json", ["info", "FILE"]),
     "obj": (MESH, ["trim", "FILE", "--cutter", "ball:6", "--planes", "4", "--grid", "9"]),
     "off": (MESH.with_suffix(".off"), ["info", "FILE"]),

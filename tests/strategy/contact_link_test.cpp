@@ -10,6 +10,20 @@ namespace {
 
 constexpr MoveLimits link_limits{0.4, 0.005};
 
+TEST(ContactLink, HasEqualStepsOfTheSamplesDistanceOnAPlane)
+{
+    const Part plane = std::vector<Surface>{test::plane(20, 10)};
+    const CoveredPart part{plane, BallCutter{5}, {0.01, 0.5}};
+    const PartSamples samples = part.samples(1, 100'000);
+    const auto steps = steps_along(samples.contact({0.2, 0.3}, 0),
+                                   samples.contact({0.4, 0.6}, 0), samples);
+    ASSERT_EQ(steps.size(), 6u) << "5 mm in steps of 1 mm";
+    for (std::size_t k = 0; k < steps.size(); ++k)
+        EXPECT_NEAR(
+            (steps[k].at.contact.point - Vec3(4 + 0.8 * k, 3 + 0.6 * k, 0)).norm(), 0,
+            1e-9);
+}
+
 TEST(ContactLink, IsOneMoveOnAPlane)
 {
     const Part plane = std::vector<Surface>{test::plane(20, 10)};

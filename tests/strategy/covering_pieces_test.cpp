@@ -84,7 +84,13 @@ TEST_F(PiecesOfAPlane, AreCutBackToTheClosedDistance)
     double long_enough = 0;
     for (int k = 0; k < 20; ++k) {
         const double x = (too_short + long_enough) / 2;
-        (covering_.make({low, 1, 2, {contact(x, 2)}}) ? long_enough : too_short) = x;
+        const PieceChange change{low, 1, 2, {contact(x, 2)}};
+        const PassContact end = covering_.pieces()[low].contacts.back();
+        const bool would_cover = covering_.would_cover(change);
+        EXPECT_EQ(covering_.pieces()[low].contacts.back().at.contact.point,
+                  end.at.contact.point);
+        EXPECT_EQ(covering_.make(change), would_cover);
+        (would_cover ? long_enough : too_short) = x;
     }
     EXPECT_NEAR(long_enough, std::sqrt(9 - 4), 0.01);
     EXPECT_TRUE(covering_.missed().empty());

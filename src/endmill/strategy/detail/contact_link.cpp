@@ -7,23 +7,30 @@
 
 namespace endmill {
 
+std::vector<PassContact> steps_along(const PassContact& from, const PassContact& to,
+                                     const PartSamples& samples)
+{
+    const double distance = (to.at.contact.point - from.at.contact.point).norm();
+    const auto steps =
+        std::max(1, static_cast<int>(std::ceil(distance / samples.spacing())));
+    std::vector<PassContact> contacts{from};
+    contacts.reserve(static_cast<std::size_t>(steps) + 1);
+    for (int k = 1; k < steps; ++k)
+        contacts.push_back(samples.between(from, to, static_cast<double>(k) / steps));
+    contacts.push_back(to);
+    return contacts;
+}
+
 std::optional<std::vector<PassContact>> contact_link(const PassContact& from,
                                                      const PassContact& to,
                                                      const PartSamples& samples,
                                                      const CoveredPart& part,
                                                      const MoveLimits& limits)
 {
-    const double distance = (to.at.contact.point - from.at.contact.point).norm();
     if (!samples.is_joined(from, to))
         return std::nullopt;
-    const auto steps =
-        std::max(1, static_cast<int>(std::ceil(distance / samples.spacing())));
-    LaidPass way{{from}, false};
-    way.contacts.reserve(static_cast<std::size_t>(steps) + 1);
-    for (int k = 1; k < steps; ++k)
-        way.contacts.push_back(samples.between(from, to, static_cast<double>(k) / steps));
-    way.contacts.push_back(to);
-    std::vector<LaidPass> pieces = divided_into_moves(way, samples, part, limits);
+    std::vector<LaidPass> pieces = divided_into_moves(
+        {steps_along(from, to, samples), false}, samples, part, limits);
     const auto is_at = [](const PassContact& a, const PassContact& b) {
         return a.at.contact.point == b.at.contact.point;
     };

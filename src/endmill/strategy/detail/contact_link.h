@@ -9,6 +9,12 @@
 
 namespace endmill {
 
+/// Contacts in steps of the samples' distance at most, straight in the parameters of a surface,
+/// from one contact to another, both included.
+/// \pre samples.is_joined(from, to)
+std::vector<PassContact> steps_along(const PassContact& from, const PassContact& to,
+                                     const PartSamples& samples);
+
 /// A link on which the ball remains in contact with the part, so that it is a cut: the way
 /// along the part between two contacts, divided into few moves as a pass is. It is straight
 /// in the parameters of a surface.

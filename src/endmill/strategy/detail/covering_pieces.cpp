@@ -365,19 +365,22 @@ bool CoveringPieces::remains_covered(std::span<const std::int32_t> without)
     return true;
 }
 
-// Removes moves and adds others, if everything remains covered.
-bool CoveringPieces::exchange(std::span<const std::int32_t> removed,
-                              std::span<const std::int32_t> added)
+void CoveringPieces::swap_moves(std::span<const std::int32_t> removed,
+                                std::span<const std::int32_t> added)
 {
     for (const std::int32_t move : removed)
         leave(move);
     for (const std::int32_t move : added)
         enter(move);
+}
+
+// Removes moves and adds others, if everything remains covered.
+bool CoveringPieces::exchange(std::span<const std::int32_t> removed,
+                              std::span<const std::int32_t> added)
+{
+    swap_moves(removed, added);
     if (!remains_covered(removed)) {
-        for (const std::int32_t move : added)
-            leave(move);
-        for (const std::int32_t move : removed)
-            enter(move);
+        swap_moves(added, removed);
         release(added);
         return false;
     }
@@ -396,12 +399,11 @@ bool CoveringPieces::leave_out(std::size_t number)
     return true;
 }
 
-bool CoveringPieces::make(const PieceChange& change)
+CoveringPieces::MoveExchange CoveringPieces::exchange_for(const PieceChange& change)
 {
-    update();
-    LaidPass& piece = pieces_[change.piece];
-    MoveNumbers& moves = moves_of_pieces_[change.piece];
-    std::vector<PassContact>& contacts = piece.contacts;
+    const LaidPass& piece = pieces_[change.piece];
+    const MoveNumbers& moves = moves_of_pieces_[change.piece];
+    const std::vector<PassContact>& contacts = piece.contacts;
     const std::size_t count = contacts.size();
     const auto& [number, first, last, by, without] = change;
     const std::size_t new_count = first + by.size() + (count - last);
@@ -415,29 +417,49 @@ bool CoveringPieces::make(const PieceChange& change)
     window.insert(window.end(), by.begin(), by.end());
     if (last < count || piece.is_closed)
         window.push_back(contacts[last % count]);
-    MoveNumbers added = moves_along(window);
+    MoveExchange exchanged{
+        {}, moves_along(window), first > 0 ? first - 1 : 0, std::min(last, moves.size())};
     if (new_count == 1)
-        added.push_back(move_between(window[0], window[0]));
-    const std::size_t moves_first = first > 0 ? first - 1 : 0;
-    const std::size_t moves_last = std::min(last, moves.size());
-    MoveNumbers removed(moves.begin() + static_cast<std::ptrdiff_t>(moves_first),
-                        moves.begin() + static_cast<std::ptrdiff_t>(moves_last));
+        exchanged.added.push_back(move_between(window[0], window[0]));
+    exchanged.removed.assign(moves.begin() + static_cast<std::ptrdiff_t>(exchanged.first),
+                             moves.begin() + static_cast<std::ptrdiff_t>(exchanged.last));
     if (without)
-        removed.insert(removed.end(), moves_of_pieces_[*without].begin(),
-                       moves_of_pieces_[*without].end());
-    if (!exchange(removed, added))
+        exchanged.removed.insert(exchanged.removed.end(),
+                                 moves_of_pieces_[*without].begin(),
+                                 moves_of_pieces_[*without].end());
+    return exchanged;
+}
+
+bool CoveringPieces::would_cover(const PieceChange& change)
+{
+    update();
+    const MoveExchange moves = exchange_for(change);
+    swap_moves(moves.removed, moves.added);
+    const bool covers = remains_covered(moves.removed);
+    swap_moves(moves.added, moves.removed);
+    release(moves.added);
+    return covers;
+}
+
+bool CoveringPieces::make(const PieceChange& change)
+{
+    update();
+    const MoveExchange exchanged = exchange_for(change);
+    if (!exchange(exchanged.removed, exchanged.added))
         return false;
+    std::vector<PassContact>& contacts = pieces_[change.piece].contacts;
+    MoveNumbers& moves = moves_of_pieces_[change.piece];
     const auto replace_in = [](auto& list, std::size_t from, std::size_t to,
                                const auto& with) {
         const auto at = list.erase(list.begin() + static_cast<std::ptrdiff_t>(from),
                                    list.begin() + static_cast<std::ptrdiff_t>(to));
         list.insert(at, with.begin(), with.end());
     };
-    replace_in(contacts, first, last, by);
-    replace_in(moves, moves_first, moves_last, added);
-    if (without) {
-        moves_of_pieces_[*without].clear();
-        pieces_[*without] = {};
+    replace_in(contacts, change.first, change.last, change.by);
+    replace_in(moves, exchanged.first, exchanged.last, exchanged.added);
+    if (change.without) {
+        moves_of_pieces_[*change.without].clear();
+        pieces_[*change.without] = {};
     }
     return true;
 }

@@ -54,6 +54,9 @@ public:
     /// \return whether it was taken away.
     bool leave_out(std::size_t number);
 
+    /// Whether everything that is covered would remain covered after a change.
+    bool would_cover(const PieceChange& change);
+
     /// Makes a change if everything that is covered remains covered.
     /// \return whether it was made.
     bool make(const PieceChange& change);
@@ -92,6 +95,17 @@ private:
     void enter(std::int32_t move);
     void leave(std::int32_t move);
     void release(std::span<const std::int32_t> moves);
+    // The moves that a change takes away, those that it adds, and the place of the first.
+    struct MoveExchange {
+        MoveNumbers removed;
+        MoveNumbers added;
+        std::size_t first;
+        std::size_t last;  // after those of the changed piece
+    };
+    MoveExchange exchange_for(const PieceChange& change);
+
+    void swap_moves(std::span<const std::int32_t> removed,
+                    std::span<const std::int32_t> added);
     bool exchange(std::span<const std::int32_t> removed,
                   std::span<const std::int32_t> added);
     bool remains_covered(std::span<const std::int32_t> without);

@@ -200,7 +200,12 @@ private:
         for (int halving = 0; halving <= straightening_halvings && far_enough < 1;
              ++halving) {
             const double share = halving == 0 ? 1 : (too_far + far_enough) / 2;
-            std::optional<std::vector<PassContact>> by = straightened(old, share);
+            std::optional<std::vector<PassContact>> by;
+            // tests of moves take longer than those of the coverage, which most stretches fail
+            if (const auto targets = moved_towards_straight(old, share);
+                targets &&
+                covering_.would_cover({number, first + 1, last, along_surface(*targets)}))
+                by = linked(*targets);
             const std::size_t count = by ? by->size() : 0;
             if (by && covering_.make({number, first + 1, last, std::move(*by)})) {
                 far_enough = share;
@@ -211,32 +216,55 @@ private:
         }
     }
 
-    // A stretch of a piece whose contacts are moved by a share of the way to the straight one
-    // between its ends, without its ends; nothing if a move is not clear.
-    std::optional<std::vector<PassContact>> straightened(std::span<const PassContact> old,
-                                                         double share) const
+    // The contacts of a stretch of a piece, moved by a share of the way to the straight one
+    // between its ends; nothing if a seam lies between.
+    std::optional<std::vector<PassContact>> moved_towards_straight(
+        std::span<const PassContact> old, double share) const
     {
         double length = 0;
         for (std::size_t k = 0; k + 1 < old.size(); ++k)
             length += distance(old[k], old[k + 1]);
-        std::vector<PassContact> by{old.front()};
+        std::vector<PassContact> moved{old.front()};
+        moved.reserve(old.size());
         double so_far = 0;
-        for (std::size_t k = 1; k < old.size(); ++k) {
+        for (std::size_t k = 1; k + 1 < old.size(); ++k) {
             so_far += distance(old[k - 1], old[k]);
-            PassContact to = old[k];
-            if (k + 1 < old.size()) {
-                const PassContact foot =
-                    samples_.between(old.front(), old.back(), so_far / length);
-                if (share < 1 && !samples_.is_joined(old[k], foot))
-                    return std::nullopt;
-                to = share == 1 ? foot : samples_.between(old[k], foot, share);
-            }
-            const auto way = contact_link(by.back(), to, samples_, part_, limits_);
+            const PassContact foot =
+                samples_.between(old.front(), old.back(), so_far / length);
+            if (share < 1 && !samples_.is_joined(old[k], foot))
+                return std::nullopt;
+            moved.push_back(share == 1 ? foot : samples_.between(old[k], foot, share));
+        }
+        moved.push_back(old.back());
+        return moved;
+    }
+
+    // Contacts in short steps along the part through those of a stretch, without its ends.
+    std::vector<PassContact> along_surface(std::span<const PassContact> stretch) const
+    {
+        std::vector<PassContact> dense;
+        for (std::size_t k = 0; k + 1 < stretch.size(); ++k) {
+            const std::vector<PassContact> steps =
+                steps_along(stretch[k], stretch[k + 1], samples_);
+            dense.insert(dense.end(), steps.begin() + 1, steps.end());
+        }
+        dense.pop_back();
+        return dense;
+    }
+
+    // Clear moves through the contacts of a stretch, without its ends; nothing if a move is
+    // not clear.
+    std::optional<std::vector<PassContact>> linked(
+        std::span<const PassContact> stretch) const
+    {
+        std::vector<PassContact> by;
+        for (std::size_t k = 0; k + 1 < stretch.size(); ++k) {
+            const auto way =
+                contact_link(stretch[k], stretch[k + 1], samples_, part_, limits_);
             if (!way)
                 return std::nullopt;
             by.insert(by.end(), way->begin() + 1, way->end());
         }
-        by.erase(by.begin());
         by.pop_back();
         return by;
     }
