@@ -15,7 +15,6 @@
 #include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
 #include "endmill/bound/path_bound.h"
-#include "endmill/bound/points_bound.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/core/tolerance.h"
@@ -74,16 +73,34 @@ ChosenPlan chosen_plan(const PlanTask& task, const StrategyOptions& options)
     return {std::move(best.plan), std::move(best.tried)};
 }
 
-// Length of the moves clear of the part, by tips, mm.
-double lifted_length(const ToolPath& path)
+// Lengths of the moves that leave contact, by tips, mm.
+struct AirTravel {
+    double lifted = 0;  // over the safe height, and the first plunge
+    double arched = 0;  // over an obstacle at feed
+};
+
+AirTravel air_travel(const ToolPath& path)
 {
-    double sum = 0;
-    for (std::size_t k = 1; k < path.points.size(); ++k) {
-        const Move move = path.points[k].move;
-        if (move != Move::Cut && move != Move::Link)
-            sum += (path.points[k].location.tip - path.points[k - 1].location.tip).norm();
+    AirTravel travel;
+    const std::span<const PathPoint> points{path.points};
+    // after a retract, a link leads across an arch
+    const auto is_across = [&](std::size_t k) {
+        return k > 0 && k < points.size() && points[k].move == Move::Link &&
+               points[k - 1].move == Move::Retract;
+    };
+    for (std::size_t k = 1; k < points.size(); ++k) {
+        const bool is_arch = is_across(k) || is_across(k - 1) ||
+                             (points[k].move == Move::Retract && is_across(k + 1));
+        const bool is_at_feed =
+            points[k].move == Move::Cut || points[k].move == Move::Link;
+        const double length =
+            (points[k].location.tip - points[k - 1].location.tip).norm();
+        if (is_arch)
+            travel.arched += length;
+        else if (!is_at_feed)
+            travel.lifted += length;
     }
-    return sum;
+    return travel;
 }
 
 Json tried_json(const std::vector<TriedStrategy>& tried)
@@ -107,6 +124,7 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
     const auto& [part, surfaces, context, options, guard] = task;
     const auto& [strategy, covering, economy, deviation, verdict, of_protected] =
         chosen.plan;
+    const AirTravel air = air_travel(covering.path);
     Json summary{
         {"name", context.name},
         {"source", context.source},
@@ -121,8 +139,9 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
          context.cutter.is_ball() ? Json(economy.cut.contact_mm) : Json(nullptr)},
         {"cut_tip_mm", economy.cut.tip_mm},
         {"link_mm", economy.link.tip_mm},
-        {"lifted_mm", lifted_length(covering.path)},
+        {"lifted_mm", air.lifted},
         {"lifted_links", covering.lifted_links},
+        {"arched_mm", air.arched},
         {"arched_links", covering.arched_links},
         {"scallop_mm", limits.scallop_height},
         {"inner_tolerance_mm", limits.inner_tolerance},
@@ -169,16 +188,12 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
 std::size_t free_discs(const ToolPath& path, double disc_mm)
 {
     std::size_t discs = 0;
-    double link = 0;  // length of the link so far; an arch has three moves
     for (std::size_t k = 0; k < path.points.size(); ++k) {
         const PathPoint& point = path.points[k];
-        if (point.move == Move::Link)
-            link += (point.location.tip - path.points[k - 1].location.tip).norm();
         const bool is_short_link =
-            point.move == Move::Link && point.contact() && link < disc_mm;
+            point.move == Move::Link && point.contact() &&
+            (point.location.tip - path.points[k - 1].location.tip).norm() < disc_mm;
         discs += point.move == Move::Plunge || is_short_link ? 1 : 0;
-        if (point.contact())
-            link = 0;
     }
     return discs;
 }

@@ -245,7 +245,7 @@ TEST_P(ArchOverAWall, IsAsLowAsItIsClear)
     EXPECT_EQ(linked.arched_links, 1U);
     EXPECT_EQ(linked.lifted_links, 0U);
     EXPECT_EQ(moves_of(linked.path),
-              (std::vector{Move::Plunge, Move::Link, Move::Link, Move::Link}));
+              (std::vector{Move::Plunge, Move::Retract, Move::Link, Move::Plunge}));
     double height = 5;
     while (height < wall)
         height *= 2;

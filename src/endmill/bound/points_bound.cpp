@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/bound/points_bound.h"
+#include "endmill/bound/path_bound.h"
 
 #include <algorithm>
 #include <array>

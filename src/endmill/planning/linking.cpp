@@ -46,14 +46,14 @@ public:
         add(move, locate(cutter_, contact.contact, options_.axis), contact);
     }
 
-    // Appends the links of an arch to the place above `contact`, raised by `height` mm.
+    // Appends a retract by `height` mm and a link to as much above `contact`. A plunge follows.
     void arch_over(const SurfaceContact& contact, double height)
     {
         CutterLocation from = path_.points.back().location;
         CutterLocation to = locate(cutter_, contact.contact, options_.axis);
         from.tip += height * options_.axis;
         to.tip += height * options_.axis;
-        add(Move::Link, from);
+        add(Move::Retract, from);
         add(Move::Link, to);
     }
 
@@ -228,7 +228,7 @@ LinkedPath link_pieces(
             std::optional<double> arch;
             if (!returns && !is_straight && options.barred == BarredLink::Arched)
                 arch = arch_height(last, first, cutter, options, is_clear);
-            if (is_straight || arch)
+            if (is_straight)
                 move = Move::Link;
             if (arch)
                 builder.arch_over(first, *arch);

@@ -13,8 +13,8 @@
 
 /// \file
 /// Joins passes on surfaces, and trimmed curves in drive planes, to one tool path.
-/// A link is a straight move at cutting feed, an arch of three of them, or a retract, a rapid
-/// at the safe height and a plunge.
+/// A link is a straight move at cutting feed; an arch, which is a retract, such a move at a low
+/// height and a plunge; or a retract, a rapid at the safe height and a plunge.
 
 namespace endmill {
 
@@ -30,7 +30,7 @@ enum class PassOrder {
 /// The link between two pieces if the straight move is not clear.
 enum class BarredLink {
     Lifted,  ///< a retract, a rapid at the safe height and a plunge
-    /// An arch at cutting feed: up, across at a lower height than the safe one, and down. It is
+    /// An arch: a retract, a link at a lower height than the safe one, and a plunge. It is
     /// lifted if no arch is clear, or if the arch would be longer than retract and plunge.
     Arched,
 };
