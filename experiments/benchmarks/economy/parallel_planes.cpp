@@ -79,7 +79,8 @@ std::vector<Vec3> pass_of(const DropCutter& drop, const DriveFrame& frame,
     const auto contacts = drop.contacts(positions);
     const Interval kept = kept_positions(contacts, frame, extents);
     std::vector<SectionPoint> curve;
-    for (int k = static_cast<int>(kept.low); k <= std::min<int>(steps, kept.high); ++k)
+    for (int k = static_cast<int>(kept.low);
+         k <= std::min(steps, static_cast<int>(kept.high)); ++k)
         if (contacts[k])
             curve.emplace_back(std::lerp(along.low, along.high, double(k) / steps),
                                contacts[k]->tip_z);
