@@ -37,6 +37,9 @@ void add_part(Json& summary, const FeedResult& result)
     summary["part"] = nullptr;
     if (!part.path.empty())
         name_part(summary, part, result.folder);
+    if (const auto& guard = result.input.known.protected_part)
+        name_part(summary, {guard->file.string(), guard->units, guard->up}, result.folder,
+                  "protected");
 }
 
 void add_tool(Json& summary, const FeedInput& input)

@@ -98,8 +98,36 @@ void report_gouge(const KnownGouge& gouge, const PlanOptions& options)
         ExitCode::No, options.common.json_errors);
 }
 
+// Height of the tip for rapid moves over a part, unless another height is asked for, mm.
+double clear_height(const Part& part, const Vec3& axis)
+{
+    const auto* mesh = std::get_if<TriangleMesh>(&part);
+    if (!mesh)
+        return default_safe_height(std::get<std::vector<Surface>>(part), axis);
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const Vec3& point : mesh->points())
+        highest = std::max(highest, axis.dot(point));
+    return highest + clear_above_mesh;
+}
+
+// A part that the path must not enter, without degenerate and repeated triangles.
+std::optional<Part> guard_of(const PlanOptions& options)
+{
+    if (options.guard.path.empty())
+        return std::nullopt;
+    Part part = read_part_for(options.guard, options.common).part;
+    if (auto* mesh = std::get_if<TriangleMesh>(&part)) {
+        CleanedMesh cleaned = without_degenerate_or_duplicate(*mesh);
+        if (cleaned.mesh.triangles().empty())
+            throw GeometryError{options.guard.path + ": the protected part is empty"};
+        part = std::move(cleaned.mesh);
+    }
+    return part;
+}
+
 // The context of a mesh, without degenerate and repeated triangles.
-PlanContext mesh_context(PartFile& file, PlanOptions& options)
+// \param least_clear the default of the safe height is at least this, mm.
+PlanContext mesh_context(PartFile& file, PlanOptions& options, double least_clear)
 {
     const std::string& path = options.part.path;
     if (options.strategy == StrategyChoice::Iso ||
@@ -123,24 +151,21 @@ PlanContext mesh_context(PartFile& file, PlanOptions& options)
     for (std::string remark : mesh_remarks(cleaned))
         warn(options.common, remark.insert(0, place));
     mesh = std::move(cleaned.mesh);
-    const Vec3& axis = options.planning.link.axis;
-    double highest = -std::numeric_limits<double>::infinity();
-    for (const Vec3& point : mesh.points())
-        highest = std::max(highest, axis.dot(point));
-    complete(options, 2 * options.cutter->radius(), highest + clear_above_mesh);
+    complete(options, 2 * options.cutter->radius(),
+             std::max(least_clear, clear_height(file.part, options.planning.link.axis)));
     return {file.name, file.source, {}, {}, *options.cutter, false, true};
 }
 
 // The context of surfaces that the ball fits.
 PlanContext surface_context(const PartFile& file, PlanOptions& options,
-                            const SurfaceContinuity& continuity)
+                            const SurfaceContinuity& continuity, double least_clear)
 {
     const auto& surfaces = std::get<std::vector<Surface>>(file.part);
     const Vec3& axis = options.planning.link.axis;
     const std::vector<double> sides = tool_side_signs(surfaces, axis);
     require_reachable(surfaces, axis, sides);
     const bool is_several = surfaces.size() > 1;
-    const double highest = default_safe_height(surfaces, axis);
+    const double highest = std::max(least_clear, clear_height(file.part, axis));
     if (options.cutter && !options.cutter->is_ball()) {
         complete(options, 2 * options.cutter->radius(), highest);
         return {file.name, file.source, continuity, {}, *options.cutter, is_several};
@@ -163,7 +188,15 @@ ExitCode run_plan(PlanOptions options)
         require_within_extent("--cutter", *options.cutter, options.common.limits);
     require_within_extent("--chord-tolerance", options.requested.chord,
                           options.common.limits);
+    if (!options.guard.path.empty()) {
+        PartPair pair = part_pair(options.part, options.guard.path);
+        options.part = std::move(pair.part);
+        options.guard = std::move(pair.guard);
+    }
     PartFile file = read_part_for(options.part, options.common);
+    const std::optional<Part> guard = guard_of(options);
+    const double least_clear = guard ? clear_height(*guard, options.planning.link.axis)
+                                     : -std::numeric_limits<double>::infinity();
     const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
     SurfaceContinuity found{};
     if (surfaces)
@@ -173,16 +206,22 @@ ExitCode run_plan(PlanOptions options)
             return refuse_break(options.part.path, found, options.common);
         warn(options.common, options.part.path + ": " + break_text(found));
     }
-    const PlanContext context =
-        surfaces ? surface_context(file, options, found) : mesh_context(file, options);
+    const PlanContext context = surfaces
+                                    ? surface_context(file, options, found, least_clear)
+                                    : mesh_context(file, options, least_clear);
 
     OutputFolder folder{output_folder(options.part.path, "plan", options.common),
                         options.common.full_folder};
     folder.protect(options.part.path);
+    if (guard)
+        folder.protect(options.guard.path);
     const PlanTask task{
         file.part,
         surfaces ? std::span<const Surface>{*surfaces} : std::span<const Surface>{},
-        context, options};
+        context, options,
+        guard ? std::make_shared<const ProtectedPart>(*guard, context.ball(),
+                                                      options.motion.inner)
+              : nullptr};
     const PlanResult result = options.strategy == StrategyChoice::Iso
                                   ? write_plan(task, folder)
                                   : write_strategy_plan(task, folder);

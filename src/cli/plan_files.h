@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 
 #include "cli/plan_summary.h"
 #include "endmill/files/output_folder.h"
+#include "endmill/strategy/protected_part.h"
 #include "endmill/surface/part.h"
 
 namespace endmill {
@@ -17,6 +19,7 @@ struct PlanTask {
     std::span<const Surface> surfaces;  ///< of the part; none if it is a mesh
     const PlanContext& context;
     const PlanOptions& options;
+    std::shared_ptr<const ProtectedPart> guard = {};  ///< that no move enters, if any
 };
 
 /// A gouge deeper than the inner tolerance.

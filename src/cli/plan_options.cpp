@@ -191,6 +191,13 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
                     ".off) with a --strategy other than iso, iso-u, iso-v")
         ->required();
     command
+        .add_option("--protect", options.guard.path,
+                    "another surface or mesh that no move enters, such as a wall beside "
+                    "PART; --units and --up apply to it as to PART. Where it keeps the "
+                    "ball off PART nothing need be cut. For a ball along +z with a "
+                    "--strategy other than iso")
+        ->type_name("PART2");
+    command
         .add_option_function<std::string>(
             "--cutter",
             [&options](const std::string& word) {
@@ -307,7 +314,8 @@ void refuse_cutter(const PlanOptions& options)
     if (!is_no_ball(options))
         return;
     const std::string chosen = "--cutter " + cutter_word(*options.cutter);
-    refuse_idle_options(options.common, std::array{"--distance"}, chosen, "a ball");
+    refuse_idle_options(options.common, std::array{"--distance", "--protect"}, chosen,
+                        "a ball");
     if (options.bound != PlanBound::None)
         refuse_idle_options(options.common, std::array{"--bound"}, chosen, "a ball");
 }
@@ -316,7 +324,7 @@ void refuse_cutter(const PlanOptions& options)
 void refuse_for_iso(const PlanOptions& options)
 {
     const std::string chosen = "--strategy iso";
-    refuse_idle_options(options.common, std::array{"--bound"}, chosen,
+    refuse_idle_options(options.common, std::array{"--bound", "--protect"}, chosen,
                         "another --strategy");
     refuse_idle_options(options.common, std::array{"--direction-deg"}, chosen,
                         "--strategy planar");
@@ -350,6 +358,8 @@ void complete_strategy(PlanOptions& options)
         return;
     if (has_planar_option(options))
         options.strategy = StrategyChoice::Planar;
+    else if (!options.guard.path.empty())
+        options.strategy = StrategyChoice::Best;
     else if (has_iso_option(options))
         options.strategy = StrategyChoice::Iso;
 }
@@ -359,6 +369,8 @@ void refuse_idle_plan_options(const PlanOptions& options)
     const CommonOptions& common = options.common;
     refuse_zero_tolerances(options);
     refuse_cutter(options);
+    if (!options.guard.path.empty() && options.planning.link.axis != Vec3::UnitZ())
+        throw DomainError{"--protect with --axis: expected the axis 0,0,1"};
     if (options.strategy != StrategyChoice::Iso)
         refuse_for_strategy(options);
     else

@@ -38,6 +38,8 @@ enum class PlanBound {
 struct PlanOptions {
     CommonOptions common;
     PartOptions part;
+    PartOptions
+        guard;  ///< a part that the path must not enter; none if its path is empty
     std::optional<Cutter> cutter;  ///< a ball that fits if empty
     RequestedTolerances requested;
     std::optional<double> safe_height;  ///< mm along the axis
@@ -60,7 +62,8 @@ struct PlanOptions {
 void add_plan_options(CLI::App& command, PlanOptions& options);
 
 /// Chooses Iso if no strategy was given, but an option of it: a parameter, the outer
-/// tolerance, `--mode paper` or the like. Chooses Planar likewise for a direction of it.
+/// tolerance, `--mode paper` or the like. Chooses Planar likewise for a direction of it, and
+/// Best for a protected part.
 void complete_strategy(PlanOptions& options);
 
 /// \throws DomainError naming an option that has no effect in the mode or with the

@@ -15,6 +15,7 @@
 #include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
 #include "endmill/bound/path_bound.h"
+#include "endmill/bound/points_bound.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/core/tolerance.h"
@@ -103,8 +104,9 @@ Json tried_json(const std::vector<TriedStrategy>& tried)
 Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
                 const StrategyOptions& limits)
 {
-    const auto& [part, surfaces, context, options] = task;
-    const auto& [strategy, covering, economy, deviation, verdict] = chosen.plan;
+    const auto& [part, surfaces, context, options, guard] = task;
+    const auto& [strategy, covering, economy, deviation, verdict, of_protected] =
+        chosen.plan;
     Json summary{
         {"name", context.name},
         {"source", context.source},
@@ -121,6 +123,7 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
         {"link_mm", economy.link.tip_mm},
         {"lifted_mm", lifted_length(covering.path)},
         {"lifted_links", covering.lifted_links},
+        {"arched_links", covering.arched_links},
         {"scallop_mm", limits.scallop_height},
         {"inner_tolerance_mm", limits.inner_tolerance},
         {"outer_tolerance_mm", 0}};
@@ -133,19 +136,24 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
         summary["time_min"] =
             (economy.cut.tip_mm + economy.link.tip_mm) / *options.feed_mm_per_min;
     }
-    if (context.is_mesh) {
+    if (context.is_mesh || guard) {
         summary["unreached_mm2"] = covering.unreached_mm2;
         summary["inaccessible"] = inaccessible_name(InaccessibleStock::Report);
         summary["inaccessible_area_mm2"] = deviation.inaccessible_area_mm2;
-    } else if (context.cutter.is_ball()) {
-        add_cutter_limit(summary, context.limit, context.several);
     }
+    if (!context.is_mesh && context.cutter.is_ball())
+        add_cutter_limit(summary, context.limit, context.several);
     if (!context.is_mesh)
         add_continuity(summary, context.continuity, context.several);
     summary["max_gouge_mm"] = deviation.max_gouge_mm;
     summary["gouge_bound_mm"] = finite_or_null(deviation.gouge_bound_mm);
     summary["max_left_mm"] = finite_or_null(deviation.max_scallop_mm);
     summary["left_bound_mm"] = finite_or_null(deviation.scallop_bound_mm);
+    if (of_protected) {
+        summary["protected_max_gouge_mm"] = of_protected->max_gouge_mm;
+        summary["protected_gouge_bound_mm"] =
+            finite_or_null(of_protected->gouge_bound_mm);
+    }
     summary["verdict"] = verdict_name(verdict);
     summary["uncovered_mm2"] = covering.uncovered_mm2;
     summary["uncovered_places"] = covering.uncovered.size();
@@ -161,13 +169,16 @@ Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
 std::size_t free_discs(const ToolPath& path, double disc_mm)
 {
     std::size_t discs = 0;
+    double link = 0;  // length of the link so far; an arch has three moves
     for (std::size_t k = 0; k < path.points.size(); ++k) {
-        const Move move = path.points[k].move;
+        const PathPoint& point = path.points[k];
+        if (point.move == Move::Link)
+            link += (point.location.tip - path.points[k - 1].location.tip).norm();
         const bool is_short_link =
-            move == Move::Link &&
-            (path.points[k].location.tip - path.points[k - 1].location.tip).norm() <
-                disc_mm;
-        discs += move == Move::Plunge || is_short_link ? 1 : 0;
+            point.move == Move::Link && point.contact() && link < disc_mm;
+        discs += point.move == Move::Plunge || is_short_link ? 1 : 0;
+        if (point.contact())
+            link = 0;
     }
     return discs;
 }
@@ -181,6 +192,17 @@ void add_total_bound(Json& summary, const ToolPath& path, const PathBound& bound
     const double total =
         summary["cut_tip_mm"].get<double>() + summary["link_mm"].get<double>();
     summary["total_over_bound"] = least > 0 ? Json(total / least) : Json(nullptr);
+}
+
+// Compares the number of points with the least one of every path that covers the part.
+void add_points_bound(Json& summary, const BoundProblem& problem, const PlanTask& task,
+                      std::span<const double> sides)
+{
+    const PointsBound bound = points_bound(task.surfaces, sides, problem);
+    summary["points_estimate"] = static_cast<std::int64_t>(bound.points);
+    summary["points_grade"] = bound_grade_name(bound.grade);
+    if (bound.grade == BoundGrade::Closed)
+        summary["points_over_bound"] = summary["ncl"].get<double>() / bound.points;
 }
 
 // Compares the length of the cuts with the bound for every path that covers the part.
@@ -207,8 +229,12 @@ void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering
             summary[key] = nullptr;
         summary["bound_reason"] = reason;
     };
+    summary["points_estimate"] = nullptr;
     if (task.context.is_mesh)
         return set_none("there is no bound for meshes");
+    if (covering.unreached_mm2 > 0)
+        return set_none("there is no bound where a protected part bars places");
+    add_points_bound(summary, problem, task, sides);
     try {
         const PathBound bound = path_bound(task.surfaces, sides, problem, estimate);
         summary["bound_density_mm"] = bound.density_mm;
@@ -242,6 +268,16 @@ std::string bound_text(const Json& s)
                        s["travel_over_bound"].get<double>());
 }
 
+std::string protected_text(const Json& s, const DeviationLimits& limits)
+{
+    if (!s.contains("protected_max_gouge_mm"))
+        return {};
+    return fmt::format(
+        "  protected     gouge {} mm (limit {}); it bars {} mm2 of the part\n",
+        shown_against(s["protected_max_gouge_mm"].get<double>(), limits.tolerance),
+        shown_limit(limits.tolerance), shown(s["unreached_mm2"].get<double>()));
+}
+
 std::string tried_text(const Json& s)
 {
     if (!s.contains("tried"))
@@ -269,7 +305,7 @@ std::string report(const Json& s, const CoveringPath& plan, const DeviationLimit
     return fmt::format(
                "  {}   {} passes in {}, {}; cut {}{} mm by tips, links "
                "{} mm, "
-               "{} lifted\n"
+               "{} arched, {} lifted\n"
                "  judged        {}: gouge {} mm (limit {}), remaining {} mm (limit "
                "{}){}\n",
                s["strategy"].get<std::string>(), s["passes"].get<std::size_t>(),
@@ -278,15 +314,15 @@ std::string report(const Json& s, const CoveringPath& plan, const DeviationLimit
                s["cut_contact_mm"].is_null()
                    ? std::string{}
                    : shown(number("cut_contact_mm")) + " mm by contacts, ",
-               shown(number("cut_tip_mm")), shown(number("link_mm")), plan.lifted_links,
-               s["verdict"].get<std::string>(),
+               shown(number("cut_tip_mm")), shown(number("link_mm")), plan.arched_links,
+               plan.lifted_links, s["verdict"].get<std::string>(),
                shown_against(number("max_gouge_mm"), limits.tolerance),
                shown_limit(limits.tolerance), left, shown_limit(limits.scallop),
                plan.uncovered.empty()
                    ? std::string{}
                    : fmt::format("; not covered: {}",
                                  counted(plan.uncovered.size(), "place"))) +
-           tried_text(s) + bound_text(s);
+           protected_text(s, limits) + tried_text(s) + bound_text(s);
 }
 
 // The figure's title and caption.
@@ -357,20 +393,26 @@ void write_directions(const CoveringPath& covering, const Json& s, OutputFolder&
     folder.write("angles.svg", direction_travel_svg(travel, figure));
 }
 
-// Warns of facets that face the tool, but that the ball cannot reach.
-void warn_of_unreached(const CoveringPath& plan, const CommonOptions& options)
+// Warns of places that the ball cannot reach.
+void warn_of_unreached(const CoveringPath& plan, const PlanTask& task)
 {
-    if (plan.unreached_mm2 > 0)
-        warn(options, fmt::format("the ball cannot reach {} mm2 of the mesh, such as "
-                                  "concave corners; they need not be covered",
-                                  shown(plan.unreached_mm2)));
+    if (!(plan.unreached_mm2 > 0))
+        return;
+    const std::string why = !task.guard ? "of the mesh, such as concave corners"
+                            : task.context.is_mesh
+                                ? "of the mesh, such as concave corners or beside the "
+                                  "protected part"
+                                : "beside the protected part";
+    warn(task.options.common,
+         fmt::format("the ball cannot reach {} mm2 {}; they need not be covered",
+                     shown(plan.unreached_mm2), why));
 }
 
 }  // namespace
 
 PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
 {
-    const auto& [part, surfaces, context, options] = task;
+    const auto& [part, surfaces, context, options, guard] = task;
     replace_earlier_plans(folder);
     StrategyOptions strategy;
     strategy.scallop_height = options.planning.scallop_height;
@@ -380,12 +422,13 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     strategy.most_samples = most_part_samples(options.common.limits.max_memory_gib);
     strategy.distance = options.distance;
     strategy.direction = options.pass_direction;
+    strategy.protected_part = guard;
     ProgressLine progress{"planning", options.common, bounding_share};
     strategy.progress = progress.shower();
     ChosenPlan chosen = chosen_plan(task, strategy);
     CoveringPath& covering = chosen.plan.covering;
     warn_of_uncovered(covering, options.common);
-    warn_of_unreached(covering, options.common);
+    warn_of_unreached(covering, task);
     number_points(covering.path);
     const DeviationLimits limits{strategy.inner_tolerance, strategy.scallop_height};
     Json summary = summary_of(task, chosen, strategy);
@@ -394,6 +437,8 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     add_path_totals(summary["path"], path_totals(covering.path));
     summary["path"]["points"] = covering.path.points.size();
     name_part(summary, options.part, folder.path());
+    if (guard)
+        name_protected_part(summary, options.guard, folder.path(), options.common.limits);
     const std::string table = tool_path_csv(covering.path);
     identify_path(summary, covering.path.points.size(), content_sha256(table));
     folder.write("toolpath.csv", table);

@@ -274,6 +274,10 @@ ExitCode run_post(const PostOptions& options)
         const auto& [file, units, up] = *posted.known.part;
         name_part(summary, {file.string(), units, up}, folder.path());
     }
+    if (posted.known.protected_part) {
+        const auto& [file, units, up] = *posted.known.protected_part;
+        name_part(summary, {file.string(), units, up}, folder.path(), "protected");
+    }
     folder.write(posted.file, posted.written.text);
     folder.write("summary.json", summary.dump(2) + "\n");
     for (const std::string& extension : program_extensions()) {

@@ -100,8 +100,10 @@ std::string shown_against(double value, double limit)
 
 std::string shown_limit(double mm)
 {
-    if (!std::isfinite(mm) || mm < negligible)
+    if (!std::isfinite(mm))
         return shown_result(mm);
+    if (mm < negligible)
+        return fmt::format("{:.3g}", mm);
     // Rounding may make a computed limit slightly smaller than a round number.
     const double scale = std::pow(10, decimals_of(mm, exact_digits));
     return shown_result(std::floor(mm * (1 + limit_rounding) * scale) / scale);

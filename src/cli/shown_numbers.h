@@ -33,7 +33,7 @@ std::string shown_degrees(double degrees);
 std::string shown_against(double value, double limit);
 
 /// An upper limit in mm to 5 significant digits. It is rounded down, so that every value
-/// below the shown limit is below the limit itself.
+/// below the shown limit is below the limit itself. Below 5e-7 it is to 3 digits: "1e-09".
 std::string shown_limit(double mm);
 
 /// An error bound in mm to 5 significant digits, rounded up, so that it stays a bound.

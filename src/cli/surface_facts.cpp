@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -17,6 +18,8 @@
 #include "cli/shown_numbers.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/files/path_file.h"
+#include "endmill/files/read_file.h"
 
 namespace endmill {
 
@@ -72,17 +75,49 @@ PartFile read_part_for(const PartOptions& part, const CommonOptions& options)
 }
 
 void name_part(Json& summary, const PartOptions& part,
-               const std::filesystem::path& folder)
+               const std::filesystem::path& folder, const std::string& key)
 {
     std::error_code failed;
     const std::filesystem::path relative =
         std::filesystem::proximate(std::filesystem::absolute(part.path, failed),
                                    std::filesystem::absolute(folder), failed);
-    summary["part"] = printable(failed ? part.path : relative.generic_string());
+    summary[key] = printable(failed ? part.path : relative.generic_string());
     if (part.units != LengthUnit::Mm)
-        summary["part_units"] = length_unit_names[static_cast<std::size_t>(part.units)];
+        summary[key + "_units"] = length_unit_names[static_cast<std::size_t>(part.units)];
     if (part.up != UpAxis::Z)
-        summary["part_up"] = up_axis_names[static_cast<std::size_t>(part.up)];
+        summary[key + "_up"] = up_axis_names[static_cast<std::size_t>(part.up)];
+}
+
+void name_protected_part(Json& summary, const PartOptions& part,
+                         const std::filesystem::path& folder, const ReadLimits& limits)
+{
+    name_part(summary, part, folder, "protected");
+    summary["protected_sha256"] = content_sha256(read_file(part.path, limits));
+}
+
+namespace {
+
+// Whether a file is a surface file by its name.
+bool is_surface_name(const std::string& path)
+{
+    std::string extension = std::filesystem::path{path}.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) {
+        return static_cast<char>(std::tolower(c));
+    });
+    return extension == ".json";
+}
+
+}  // namespace
+
+PartPair part_pair(const PartOptions& part, const std::string& file)
+{
+    PartPair pair{part, {file, part.units, part.up}};
+    const bool is_surface = is_surface_name(part.path);
+    if (is_surface == is_surface_name(file))
+        return pair;
+    PartOptions& own = is_surface ? pair.part : pair.guard;
+    own = {own.path, LengthUnit::Mm, UpAxis::Z};
+    return pair;
 }
 
 SurfaceFile read_surface_for(const std::string& path, const std::string& command,

@@ -25,8 +25,22 @@ void add_mesh_options(CLI::App& command, PartOptions& part);
 
 /// Adds the part to the summary of a path in `folder`. The part's file name is relative
 /// to `folder`, so that both may be moved together.
+/// \param key of the file name, with which the keys of unit and orientation begin.
 void name_part(Json& summary, const PartOptions& part,
-               const std::filesystem::path& folder);
+               const std::filesystem::path& folder, const std::string& key = "part");
+
+/// Adds a protected part in the same way: protected and protected_sha256.
+/// \throws FormatError as read_file.
+void name_protected_part(Json& summary, const PartOptions& part,
+                         const std::filesystem::path& folder, const ReadLimits& limits);
+
+/// Two parts that are read with one --units and one --up: `part`, and the protected part in
+/// `file`. The two options apply to meshes; a surface file beside a mesh keeps its own unit.
+struct PartPair {
+    PartOptions part;
+    PartOptions guard;
+};
+PartPair part_pair(const PartOptions& part, const std::string& file);
 
 /// Adds the argument SURFACE, for a command that does not accept a mesh.
 void add_surface_argument(CLI::App& command, std::string& path);

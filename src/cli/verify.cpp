@@ -2,6 +2,7 @@
 // endmill verify: simulates the cut and bounds gouge and remaining material.
 
 #include <memory>
+#include <optional>
 
 #include "cli/console.h"
 #include "cli/progress.h"
@@ -25,6 +26,17 @@ Verification verified(VerificationTask& task, const VerifyOptions& options)
     return verify_path(task);
 }
 
+// Measures gouges of the protected part, if there is one, and lets the verdict know.
+std::optional<Deviation> protected_deviation(const VerifyInput& input,
+                                             Verification& verification)
+{
+    if (!input.guard)
+        return std::nullopt;
+    Deviation found = input.guard->deviation(input.program.path);
+    verification.verdict = input.guard->verdict(found, verification.verdict);
+    return found;
+}
+
 // Without a part the answer is no, because nothing was compared, unless the command line
 // asks for this.
 ExitCode exit_code(Verdict verdict, const VerifyOptions& options)
@@ -45,11 +57,14 @@ ExitCode run_verify(const VerifyOptions& options)
         folder.protect(file);
 
     VerificationTask task = verification_task(input, options);
-    const Verification verification =
+    Verification verification =
         naming(options.path.file, [&] { return verified(task, options); });
+    const std::optional<Deviation> of_protected =
+        protected_deviation(input, verification);
     const Json summary = [&] {
         const ProgressLine progress{"writing the results", options.common};
-        return write_verification({input, options, task, verification}, folder);
+        return write_verification({input, options, task, verification, of_protected},
+                                  folder);
     }();
     folder.publish();
     print_result(options.common, summary,
@@ -69,9 +84,10 @@ void add_verify_command(CLI::App& program, Action& action)
     command->footer(
         "Exit 0: the verdict is clean. Exit 1: the path gouges the part or leaves too "
         "much\n"
-        "stock, a rapid cuts, shank or holder touches stock or part, or the error bound "
-        "is\n"
-        "too large to decide. Without a part the verdict is \"not judged\", exit 1; with "
+        "stock, a rapid cuts, shank or holder touches stock or part, a protected part is "
+        "gouged,\n"
+        "or the error bound is too large to decide. Without a part the verdict is \"not "
+        "judged\", exit 1; with "
         "--part\n"
         "none exit 0 unless a rapid cuts or shank or holder touches the stock.\n\n"
         "Writes summary.json, removal.csv and, with a part, deviation.vtp, "

@@ -93,7 +93,7 @@ void write_engagement(const VerifyResult& result, const OutputFolder::Sink& sink
 
 Json write_verification(const VerifyResult& result, OutputFolder& folder)
 {
-    const auto& [input, options, task, verification] = result;
+    const auto& [input, options, task, verification, of_protected] = result;
     replace_earlier_run(folder);
     std::optional<PartCharts> charts;
     if (verification.on_part) {
@@ -114,6 +114,12 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
         verify_summary({input.name, printable(input.part_path), stock_text(result),
                         task.cutter, input.limits, input.program, input.tools},
                        options, verification, charts ? &*charts : nullptr);
+    if (of_protected) {
+        summary["protected"] = printable(input.guard_path);
+        summary["protected_max_gouge_mm"] = of_protected->max_gouge_mm;
+        summary["protected_gouge_bound_mm"] =
+            finite_or_null(of_protected->gouge_bound_mm);
+    }
     folder.write("summary.json", summary.dump(2) + "\n");
     return summary;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "cli/verify_input.h"
 #include "cli/verify_summary.h"
 #include "endmill/files/output_folder.h"
@@ -13,6 +15,7 @@ struct VerifyResult {
     const VerifyOptions& options;
     const VerificationTask& task;
     const Verification& verification;
+    const std::optional<Deviation>& of_protected;  ///< gouges of a protected part
 };
 
 /// Writes all files of a verification into `folder` and replaces those of an earlier run.

@@ -104,6 +104,8 @@ void add_part(VerifyInput& input, const VerifyOptions& options, const PathSummar
     PartOptions part = options.part;
     if (part.path == no_part)
         return;
+    if (!part.path.empty() && !options.guard.empty() && options.guard != no_part)
+        part = part_pair(part, options.guard).part;
     if (part.path.empty() && known.part) {
         const auto& [file, units, up] = *known.part;
         std::error_code ignored;
@@ -139,17 +141,63 @@ void stand_upright(VerifyInput& input)
         " becomes +z");
 }
 
-// Whether remaining stock is judged where the cutter cannot touch the part. A test of the
-// cutter's position exists for meshes only.
-InaccessibleStock inaccessible_of(const VerifyOptions& options, const PathSummary& known,
-                                  const std::optional<PartFile>& part)
+// The file of the protected part: that of --protect, or else of the summary.
+// \return nothing if there is none.
+std::optional<PartOptions> guard_file(const VerifyInput& input,
+                                      const VerifyOptions& options,
+                                      const PathSummary& known)
 {
-    const bool is_mesh = part && std::holds_alternative<TriangleMesh>(part->part);
-    if (options.inaccessible == InaccessibleStock::Report && part && !is_mesh)
+    if (options.guard == no_part)
+        return std::nullopt;
+    if (!options.guard.empty())
+        return part_pair({input.part_path, options.part.units, options.part.up},
+                         options.guard)
+            .guard;
+    if (!known.protected_part)
+        return std::nullopt;
+    const auto& [file, units, up] = *known.protected_part;
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        throw FormatError{"E_OPEN",
+                          {options.path.file, "",
+                           "its summary names the protected part " + shown_path(file) +
+                               ", which does not exist",
+                           "this file, --protect FILE, or --protect none"}};
+    return PartOptions{file.lexically_normal().string(), units, up};
+}
+
+// Adds the protected part. Only a single ball along +z can be tested against it.
+void add_guard(VerifyInput& input, const VerifyOptions& options, const PathSummary& known)
+{
+    const std::optional<PartOptions> file = guard_file(input, options, known);
+    if (!file)
+        return;
+    const bool is_upright = fixed_axis(input.program.path) == Vec3{Vec3::UnitZ()};
+    if (!input.tool.cutter.is_ball() || !input.changes.empty() || !is_upright)
+        throw DomainError{
+            "--protect " + printable(file->path) +
+            ": expected a path of a single ball along +z, or --protect none"};
+    input.guard_part =
+        std::make_shared<const Part>(read_part_for(*file, options.common).part);
+    input.guard = std::make_shared<const ProtectedPart>(
+        *input.guard_part, BallCutter{input.tool.cutter.radius()},
+        input.limits.tolerance);
+    input.guard_path = file->path;
+}
+
+// Whether remaining stock is judged where the cutter cannot touch the part. A test of the
+// cutter's position exists for meshes, and beside a protected part.
+InaccessibleStock inaccessible_of(const VerifyOptions& options, const PathSummary& known,
+                                  const VerifyInput& input)
+{
+    const bool is_tested =
+        input.part &&
+        (input.guard || std::holds_alternative<TriangleMesh>(input.part->part));
+    if (options.inaccessible == InaccessibleStock::Report && input.part && !is_tested)
         throw DomainError{
             "--inaccessible report: the part is a surface; expected a mesh, or "
             "--inaccessible count"};
-    if (!is_mesh)
+    if (!is_tested)
         return InaccessibleStock::Count;
     return options.inaccessible.value_or(
         known.inaccessible.value_or(InaccessibleStock::Count));
@@ -161,20 +209,27 @@ std::function<bool(const PartRay&)> accessibility(const VerifyInput& input)
 {
     if (input.inaccessible == InaccessibleStock::Count)
         return {};
+    const double distance = reached_share * input.limits.scallop;
+    const auto is_barred = [guard = input.guard, distance](const PartRay& ray) {
+        return guard && !guard->is_accessible({ray.point, ray.normal}, distance);
+    };
+    const auto* mesh = std::get_if<TriangleMesh>(&input.part->part);
+    if (!mesh)
+        return [is_barred](const PartRay& ray) { return !is_barred(ray); };
     std::vector<Cutter> cutters{input.tool.cutter};
     for (const ToolChange& change : input.changes)
         if (std::ranges::find(cutters, change.cutter) == cutters.end())
             cutters.push_back(change.cutter);
-    const auto& mesh = std::get<TriangleMesh>(input.part->part);
     std::vector<std::shared_ptr<const DropCutter>> drop_cutters;
     drop_cutters.reserve(cutters.size());
     for (const Cutter& cutter : cutters)
-        drop_cutters.push_back(std::make_shared<const DropCutter>(mesh, cutter));
-    const double distance = reached_share * input.limits.scallop;
-    return [drop_cutters = std::move(drop_cutters), distance](const PartRay& ray) {
-        return std::ranges::any_of(drop_cutters, [&](const auto& drop_cutter) {
-            return is_accessible(*drop_cutter, {ray.point, ray.normal}, distance);
-        });
+        drop_cutters.push_back(std::make_shared<const DropCutter>(*mesh, cutter));
+    return [drop_cutters = std::move(drop_cutters), is_barred,
+            distance](const PartRay& ray) {
+        return !is_barred(ray) &&
+               std::ranges::any_of(drop_cutters, [&](const auto& drop_cutter) {
+                   return is_accessible(*drop_cutter, {ray.point, ray.normal}, distance);
+               });
     };
 }
 
@@ -218,9 +273,13 @@ VerifyInput read_verify_input(const VerifyOptions& options)
         input.program.remarks.push_back(*remark);
     if (!input.part)
         refuse_options_without_part(options.common);
-    input.inaccessible = inaccessible_of(options, known, input.part);
-    const bool is_part_given = !options.part.path.empty() && options.part.path != no_part;
-    if (!is_part_given && !may_be_mesh(options.stock))
+    add_guard(input, options, known);
+    input.inaccessible = inaccessible_of(options, known, input);
+    const auto is_given = [](const std::string& name) {
+        return !name.empty() && name != no_part;
+    };
+    if (!is_given(options.part.path) && !is_given(options.guard) &&
+        !may_be_mesh(options.stock))
         refuse_idle_mesh_options(options.common);
     naming(file, [&] { stand_upright(input); });
     input.stock = read_verify_stock(options, input.part ? &input.part->part : nullptr,
@@ -231,8 +290,8 @@ VerifyInput read_verify_input(const VerifyOptions& options)
 std::vector<std::string> files_of(const VerifyInput& input, const VerifyOptions& options)
 {
     std::vector<std::string> files{options.path.file};
-    for (const std::string& file :
-         {options.tool, options.path.tools, input.part_path, input.stock.file})
+    for (const std::string& file : {options.tool, options.path.tools, input.part_path,
+                                    input.guard_path, input.stock.file})
         if (!file.empty())
             files.push_back(file);
     return files;

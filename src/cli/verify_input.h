@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "cli/verify_stock.h"
 #include "endmill/cutter/tool.h"
 #include "endmill/post/program.h"
+#include "endmill/strategy/protected_part.h"
 #include "endmill/verification/verification.h"
 
 namespace endmill {
@@ -22,7 +24,10 @@ struct VerifyInput {
     DeviationLimits limits;
     InaccessibleStock inaccessible = InaccessibleStock::Count;
     std::optional<PartFile> part = {};
-    std::string part_path = {};  ///< empty without a part
+    std::string part_path = {};                       ///< empty without a part
+    std::shared_ptr<const Part> guard_part = {};      ///< that the path must not enter
+    std::shared_ptr<const ProtectedPart> guard = {};  ///< the same, for the ball
+    std::string guard_path = {};                      ///< empty without it
     VerifyStock stock = {};
     std::vector<ToolChange> changes = {};  ///< to other tools, with --tools
     std::vector<NumberedTool> tools = {};  ///< that the path uses, with --tools

@@ -62,6 +62,12 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
                     "surface or mesh to compare with, or the word none (default: the "
                     "part that the path was planned for)")
         ->type_name("FILE");
+    command
+        .add_option("--protect", options.guard,
+                    "another surface or mesh that the path must not enter, or the word "
+                    "none; --units and --up apply to it as to the part (default: that of "
+                    "the path's summary). For a single ball")
+        ->type_name("FILE");
     add_mesh_options(command, options.part);
     command
         .add_option("--tool", options.tool,

@@ -23,6 +23,7 @@ struct VerifyOptions {
     CommonOptions common;
     PathOptions path;
     PartOptions part;                 ///< default: the part of the summary, if any
+    std::string guard;                ///< protected part; default: that of the summary
     std::string tool;                 ///< file; empty: the cutter alone
     std::string stock = "block";      ///< block, six numbers, or a file
     double resolution = 0.1;          ///< mm

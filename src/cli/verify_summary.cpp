@@ -378,12 +378,27 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
     return summary;
 }
 
+namespace {
+
+std::string protected_text(const Json& s)
+{
+    if (!s.contains("protected"))
+        return {};
+    return fmt::format("  protected   {}: gouge {} mm (limit {})\n",
+                       s["protected"].get<std::string>(),
+                       shown_against(s["protected_max_gouge_mm"].get<double>(),
+                                     s["tolerance_mm"].get<double>()),
+                       shown_limit(s["tolerance_mm"].get<double>()));
+}
+
+}  // namespace
+
 std::string verify_text(const Json& s, const VerifyOptions& options,
                         const Verification& verification)
 {
     const bool is_compared = !s["part"].is_null();
     return verdict_text(s, options, verification) +
-           (is_compared ? deviation_text(s) : "") +
+           (is_compared ? deviation_text(s) : "") + protected_text(s) +
            removal_text(s, verification.contacts) + path_totals_text(s) +
            (is_compared ? "" : "  extent      " + extent_text(s) + "\n");
 }

@@ -6,3 +6,4 @@
 
 #include "endmill/bound/bound_problem.h"
 #include "endmill/bound/path_bound.h"
+#include "endmill/bound/points_bound.h"

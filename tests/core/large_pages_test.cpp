@@ -32,6 +32,15 @@ TEST(LargePages, AreWrittenAndReadLikeOthers)
               3'000'000LL * 3'000'001 / 2);
 }
 
+TEST(LargePages, AreFilledWithCopies)
+{
+    for (const std::size_t count : {0, 10, 3'000'000}) {
+        std::vector<int> numbers{1, 2, 3};
+        assign_in_large_pages(numbers, count, 7);
+        EXPECT_EQ(numbers, std::vector<int>(count, 7));
+    }
+}
+
 TEST(LargePages, HaveNoEffectOnSmallAllocations)
 {
     std::array<char, 100> few;

@@ -26,7 +26,8 @@ TEST(PathSummary, IsReadFromTheFileBesideThePath)
                R"({"name": "net", "cutter": "bull:10:2", "chord_tolerance_mm": 0.5,
                    "inner_tolerance_mm": 0.02, "outer_tolerance_mm": 0.1, "scallop_mm": 1,
                    "feed_mm_per_min": 800, "spindle_rpm": 5000, "axis": [0, 0, 1],
-                   "inaccessible": "report"})");
+                   "inaccessible": "report", "part": "../a.stl", "part_up": "y",
+                   "protected": "wall.stl", "protected_units": "inch"})");
     const auto summary = read_path_summary(folder.path() / "toolpath.csv");
     ASSERT_TRUE(summary);
     EXPECT_EQ(summary->name, "net");
@@ -36,6 +37,12 @@ TEST(PathSummary, IsReadFromTheFileBesideThePath)
     EXPECT_EQ(summary->feed_mm_per_min, 800);
     EXPECT_EQ(summary->spindle_rpm, 5000);
     EXPECT_EQ(summary->inaccessible, InaccessibleStock::Report);
+    ASSERT_TRUE(summary->part && summary->protected_part);
+    EXPECT_EQ(summary->part->up, UpAxis::Y);
+    EXPECT_EQ(summary->part->units, LengthUnit::Mm);
+    EXPECT_EQ(summary->protected_part->file, folder.path() / "wall.stl");
+    EXPECT_EQ(summary->protected_part->units, LengthUnit::Inch);
+    EXPECT_EQ(summary->protected_part->up, UpAxis::Z);
 }
 
 TEST(PathSummary, MayBeMissingOrEmpty)

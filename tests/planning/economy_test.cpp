@@ -91,6 +91,21 @@ TEST(PathEconomy, OfOnePointIsAPassWithoutLength)
     EXPECT_EQ(economy.cut.tip_mm, 0);
 }
 
+// An arch 3 mm high over 4 mm, by three moves at feed.
+TEST(PathEconomy, CountsTheMovesOfAnArchAsOneLink)
+{
+    ToolPath path;
+    path.points = {touching(0, Move::Plunge, {0, 0, 0}, {0, 0, 0}),
+                   lifted(1, Move::Link, {0, 0, 3}), lifted(1, Move::Link, {4, 0, 3}),
+                   touching(1, Move::Link, {4, 0, 0}, {4, 0, 0})};
+    const PathEconomy economy = path_economy(path);
+    EXPECT_EQ(economy.ncl, 4U);
+    EXPECT_EQ(economy.link.tip_mm, 10);
+    EXPECT_EQ(economy.link.contact_mm, 4);
+    path.points.pop_back();
+    EXPECT_THROW(path_economy(path), DomainError);
+}
+
 TEST(PathEconomy, RefusesACutThatDoesNotLeadFromContactToContact)
 {
     const PathPoint plunge = touching(0, Move::Plunge, {0, 0, 0}, {0, 0, 0});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/planning/linking.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 
@@ -199,12 +200,11 @@ TEST(Linking, LiftsBetweenPiecesWhereTheLinkIsNotClear)
     const std::vector<PassPiece> pieces{{0, passes[0]}, {0, passes[1]}, {1, passes[2]}};
     LinkOptions options;
     options.safe_height = 50;
-    const auto from_first = [](const SurfaceContact& from, const SurfaceContact&) {
-        return from.v == 0;
-    };
-    const auto [path, lifted_links] =
+    const auto from_first = [](const Vec3& from, const Vec3&) { return from.y() < 1; };
+    const auto [path, lifted_links, arched_links] =
         link_pieces(pieces, BallCutter{radius}, options, from_first);
     EXPECT_EQ(lifted_links, 1U);
+    EXPECT_EQ(arched_links, 0U);
     EXPECT_EQ(
         moves_of(path),
         (std::vector{Move::Plunge, Move::Cut, Move::Cut, Move::Link, Move::Cut, Move::Cut,
@@ -215,6 +215,52 @@ TEST(Linking, LiftsBetweenPiecesWhereTheLinkIsNotClear)
     EXPECT_EQ(link_pieces(pieces, BallCutter{radius}, options, from_first).lifted_links,
               0U);
 }
+
+// Two contacts on a floor, 8 mm apart, with a wall between them. The tip at the safe height is
+// 40 mm above the floor; arches are 5, 10 or 20 mm high.
+class ArchOverAWall : public testing::TestWithParam<double> {};
+
+TEST_P(ArchOverAWall, IsAsLowAsItIsClear)
+{
+    const double wall = GetParam();
+    const auto at = [](double x) -> Pass {
+        return {{x, 0, {Vec3{x, 0, 0}, Vec3::UnitZ()}}};
+    };
+    const std::vector<PassPiece> pieces{{0, at(0)}, {1, at(8)}};
+    LinkOptions options;
+    options.safe_height = 40;
+    options.barred = BarredLink::Arched;
+    const auto is_clear = [&](const Vec3& from, const Vec3& to) {
+        return std::min(from.z(), to.z()) - radius >= wall;
+    };
+    const LinkedPath linked = link_pieces(pieces, BallCutter{radius}, options, is_clear);
+    const std::vector<PathPoint>& points = linked.path.points;
+    if (wall > 20) {
+        EXPECT_EQ(linked.arched_links, 0U);
+        EXPECT_EQ(linked.lifted_links, 1U);
+        EXPECT_EQ(moves_of(linked.path),
+                  (std::vector{Move::Plunge, Move::Retract, Move::Rapid, Move::Plunge}));
+        return;
+    }
+    EXPECT_EQ(linked.arched_links, 1U);
+    EXPECT_EQ(linked.lifted_links, 0U);
+    EXPECT_EQ(moves_of(linked.path),
+              (std::vector{Move::Plunge, Move::Link, Move::Link, Move::Link}));
+    double height = 5;
+    while (height < wall)
+        height *= 2;
+    EXPECT_EQ(points[1].location.tip, Vec3(0, 0, height));
+    EXPECT_EQ(points[2].location.tip, Vec3(8, 0, height));
+    EXPECT_EQ(points[3].location.tip, Vec3(8, 0, 0));
+    EXPECT_EQ(points[1].contact(), nullptr);
+    EXPECT_EQ(points[1].pass, 1);
+    // 8 mm across are longer than retract and plunge to a safe height of 4 mm
+    options.safe_height = 4;
+    EXPECT_EQ(link_pieces(pieces, BallCutter{radius}, options, is_clear).arched_links,
+              0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(LowToHigh, ArchOverAWall, testing::Values(3.0, 7.0, 19.0, 25.0));
 
 }  // namespace
 }  // namespace endmill

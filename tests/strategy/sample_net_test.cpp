@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/strategy/detail/sample_net.h"
 
+#include <map>
 #include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -62,6 +66,29 @@ TEST(SampleNet, DividesTrianglesAtTheMiddlesOfTheirEdges)
     EXPECT_EQ(divided_triangles(one, middles).size(), 4u);
     EXPECT_EQ(*middles.of(0, 1), 3);
     EXPECT_FALSE(middles.of(3, 1));
+}
+
+TEST(SampleNet, KeepsTheFirstMiddleOfEachOfManyEdges)
+{
+    constexpr std::int32_t ends = 300;
+    EdgeMiddles middles;
+    std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> expected;
+    for (std::int32_t a = 0; a < ends; ++a)
+        for (std::int32_t step = 1; step < ends; step += 1 + a % 7) {
+            const std::int32_t b = (a + step) % ends;
+            const auto middle = static_cast<std::int32_t>(expected.size());
+            middles.add(a, b, middle);
+            expected.try_emplace({std::min(a, b), std::max(a, b)}, middle);
+        }
+    for (std::int32_t a = 0; a < ends; ++a)
+        for (std::int32_t b = a + 1; b < ends; ++b) {
+            const auto found = expected.find({a, b});
+            const std::optional<std::int32_t> middle = middles.of(b, a);
+            ASSERT_EQ(middle.has_value(), found != expected.end());
+            if (middle) {
+                ASSERT_EQ(*middle, found->second);
+            }
+        }
 }
 
 TEST(SampleNet, NumbersNeighboursNearEachOther)

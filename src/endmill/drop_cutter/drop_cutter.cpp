@@ -9,6 +9,7 @@
 #include "endmill/core/detail/widest_registers.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/drop_cutter/detail/ball_clearance.h"
 #include "endmill/drop_cutter/detail/concave_bound.h"
 #include "endmill/drop_cutter/detail/drop_tree.h"
 #include "endmill/drop_cutter/detail/hilbert_curve.h"
@@ -96,7 +97,8 @@ public:
           drop_{tree.cutter()},
           from_{from},
           to_{to},
-          tolerance_{tolerance}
+          tolerance_{tolerance},
+          to_centre_{(tree.cutter().radius() + tolerance) * Vec3::UnitZ()}
     {
         const Vec3 a = from - tree.origin();
         const Vec3 b = to - tree.origin();
@@ -126,6 +128,10 @@ public:
     void look_at(std::size_t triangle)
     {
         const auto corners = tree_.mesh().corners(triangle);
+        if (tree_.cutter().is_ball() &&
+            is_ball_proved_clear(corners, from_ + to_centre_, to_ + to_centre_,
+                                 tree_.cutter().radius()))
+            return;
         const auto reached = reached_share(corners, from_.head<2>(), to_.head<2>(),
                                            tree_.cutter().radius());
         if (!reached)
@@ -146,6 +152,7 @@ private:
     const Vec3& from_;
     const Vec3& to_;
     double tolerance_;
+    Vec3 to_centre_;  // of a ball, lifted by the tolerance
     DropTree::FloatMove move_;
     bool is_clear_ = true;
 };

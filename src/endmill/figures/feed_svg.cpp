@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "endmill/core/angle.h"
+#include "endmill/core/detail/large_pages.h"
 #include "endmill/core/error.h"
 #include "endmill/figures/detail/stacked_chart.h"
 
@@ -83,7 +84,7 @@ std::string feed_svg(const FeedCurves& curves, const FeedFigure& figure)
 {
     const std::size_t count = curves.count;
     std::vector<double> places;
-    places.reserve(count);
+    reserve_in_large_pages(places, count);
     double along = 0;
     for (std::size_t i = 0; i < count; ++i)
         places.push_back(along += curves.length_mm(i));

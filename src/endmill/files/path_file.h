@@ -155,6 +155,7 @@ struct PathSummary {
     std::optional<std::string> toolpath_sha256 = {};  ///< `content_sha256` of that file
     /// The same of a machine program that was written with the path.
     std::optional<std::string> program_sha256 = {};
+    std::optional<PartReference> protected_part = {};  ///< that the path must not enter
 
     /// The smallest of the three tolerances; nothing if none is known.
     std::optional<double> tolerance_mm() const;

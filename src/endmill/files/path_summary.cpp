@@ -99,18 +99,20 @@ std::optional<std::size_t> row_count(const JsonValue& root)
     return static_cast<std::size_t>(value->whole_number(0, most));
 }
 
-// The part; its path in the file is relative to the folder of the summary.
-std::optional<PartReference> part(const JsonValue& root,
+// The part under `key`; its path in the file is relative to the folder of the summary.
+std::optional<PartReference> part(const JsonValue& root, const std::string& key,
                                   const std::filesystem::path& folder)
 {
-    const std::optional<std::string> file = text(root, "part");
+    const std::optional<std::string> file = text(root, key);
     if (!file)
         return std::nullopt;
+    const std::string units = key + "_units";
+    const std::string up = key + "_up";
     PartReference part{.file = folder / *file};
-    if (known_member(root, "part_units"))
-        part.units = choice<LengthUnit>(root, "part_units", length_unit_names);
-    if (known_member(root, "part_up"))
-        part.up = choice<UpAxis>(root, "part_up", up_axis_names);
+    if (known_member(root, units))
+        part.units = choice<LengthUnit>(root, units, length_unit_names);
+    if (known_member(root, up))
+        part.up = choice<UpAxis>(root, up, up_axis_names);
     return part;
 }
 
@@ -144,7 +146,7 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
     const JsonDocument document{read_file(path, limits), shown_path(path), limits};
     const JsonValue root = document.root();
     return PathSummary{text(root, "name"),
-                       part(root, tool_path.parent_path()),
+                       part(root, "part", tool_path.parent_path()),
                        cutter(root),
                        positive_number(root, "chord_tolerance_mm"),
                        tolerance(root, "inner_tolerance_mm"),
@@ -155,7 +157,8 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
                        positive_number(root, "spindle_rpm"),
                        row_count(root),
                        text(root, "toolpath_sha256"),
-                       text(root, "program_sha256")};
+                       text(root, "program_sha256"),
+                       part(root, "protected", tool_path.parent_path())};
 }
 
 struct ContentSha256::State {

@@ -14,6 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "endmill/core/detail/large_pages.h"
 #include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -108,6 +109,8 @@ public:
     void append_to(std::string& text, std::size_t wanted) const
     {
         const std::size_t before = text.size();
+        text.reserve(before + wanted);
+        prefer_large_pages(text.data(), text.capacity());
         text.resize(before + wanted);
         std::size_t got = 0;
         while (got < wanted) {

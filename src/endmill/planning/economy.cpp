@@ -9,12 +9,15 @@
 namespace endmill {
 namespace {
 
-// Adds the lengths of the straight move between two points with contacts.
-void add_move(Travel& travel, const PathPoint& from, const PathPoint& to)
+// Whether a point lies on a link that has not reached its contact yet.
+bool is_corner(const PathPoint* point)
 {
-    travel.contact_mm +=
-        (to.contact()->contact.point - from.contact()->contact.point).norm();
-    travel.tip_mm += (to.location.tip - from.location.tip).norm();
+    return point && point->move == Move::Link && !point->contact();
+}
+
+double contact_distance(const PathPoint& from, const PathPoint& to)
+{
+    return (to.contact()->contact.point - from.contact()->contact.point).norm();
 }
 
 // The relative difference of two positive numbers.
@@ -27,21 +30,34 @@ double reduction(double one, double other)
 
 PathEconomy path_economy(const ToolPath& path)
 {
+    constexpr const char* message =
+        "path_economy: a cut or link must lead from contact to contact";
     PathEconomy economy{0, 0, {0, 0}, {0, 0}};
     const PathPoint* previous = nullptr;
+    const PathPoint* last_contact = nullptr;  // since the cutter was lifted
     for (const PathPoint& point : path.points) {
+        const bool is_link = point.move == Move::Link;
+        const bool is_at_feed = point.move == Move::Cut || is_link;
+        require(is_link || !is_corner(previous), message);
         if (!previous || point.pass != previous->pass)
             ++economy.passes;
-        if (point.contact())
+        if (point.contact() || is_link)
             ++economy.ncl;
-        if (point.move == Move::Cut || point.move == Move::Link) {
-            require(previous && previous->contact() && point.contact(),
-                    "path_economy: a cut or link must lead from contact to contact");
-            add_move(point.move == Move::Cut ? economy.cut : economy.link, *previous,
-                     point);
+        if (is_at_feed) {
+            require(last_contact && (is_link || (previous->contact() && point.contact())),
+                    message);
+            Travel& travel = is_link ? economy.link : economy.cut;
+            travel.tip_mm += (point.location.tip - previous->location.tip).norm();
+            if (point.contact())
+                travel.contact_mm += contact_distance(*last_contact, point);
         }
+        if (point.contact())
+            last_contact = &point;
+        else if (!is_link)
+            last_contact = nullptr;
         previous = &point;
     }
+    require(!is_corner(previous), message);
     return economy;
 }
 

@@ -20,16 +20,18 @@ struct Travel {
 /// The cost of a path.
 struct PathEconomy {
     std::size_t passes;  ///< number of runs of points with the same `pass`
-    std::size_t ncl;     ///< number of CL points, at which the cutter touches the part
-    Travel cut;          ///< along the passes
-    Travel link;         ///< straight links between passes; lifted moves are not counted
+    /// Number of CL points: where the cutter touches the part, and at corners of links.
+    std::size_t ncl;
+    Travel cut;   ///< along the passes
+    Travel link;  ///< straight links between passes; lifted moves are not counted
 };
 
 /// Counts the points of `path` and sums the straight moves between them.
 /// Source: [KimChoi, section 4.3], NCL and TCD.
 ///
 /// \param path any path; an empty path has cost zero.
-/// \throws DomainError if a cut or link does not lead from one contact to another.
+/// \throws DomainError if a cut, or the moves of a link, do not lead from one contact to
+///         another.
 ///
 /// The counts are exact; the relative error of a length is below 1.2e-16 (n + 4) for n
 /// moves.

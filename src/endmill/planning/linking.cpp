@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/planning/linking.h"
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/planning/detail/contact_line.h"
 
 namespace endmill {
 namespace {
+
+// Shares of the way to the safe height by which an arch is raised, in the order of trial.
+constexpr std::array arch_shares{0.125, 0.25, 0.5};
 
 // The location at the safe height above `location`.
 CutterLocation lifted(const CutterLocation& location, const LinkOptions& options)
@@ -39,6 +46,17 @@ public:
         add(move, locate(cutter_, contact.contact, options_.axis), contact);
     }
 
+    // Appends the links of an arch to the place above `contact`, raised by `height` mm.
+    void arch_over(const SurfaceContact& contact, double height)
+    {
+        CutterLocation from = path_.points.back().location;
+        CutterLocation to = locate(cutter_, contact.contact, options_.axis);
+        from.tip += height * options_.axis;
+        to.tip += height * options_.axis;
+        add(Move::Link, from);
+        add(Move::Link, to);
+    }
+
     // Appends a retract and a rapid to the place above `contact`. A plunge may follow.
     void lift_over(const SurfaceContact& contact)
     {
@@ -61,6 +79,30 @@ private:
     int pass_ = -1;
     int point_ = 0;
 };
+
+using IsClear = std::function<bool(const Vec3& from, const Vec3& to)>;
+
+// By how much an arch between two contacts is raised, mm; nothing if there is none. It travels
+// at feed where a lifted link plunges, so it must not be longer than retract and plunge.
+std::optional<double> arch_height(const SurfaceContact& from, const SurfaceContact& to,
+                                  const BallCutter& cutter, const LinkOptions& options,
+                                  const IsClear& is_clear)
+{
+    const Vec3 start = ball_centre(from, cutter);
+    const Vec3 end = ball_centre(to, cutter);
+    const double safe = options.safe_height + cutter.radius();
+    const double up = safe - start.dot(options.axis);
+    const double down = safe - end.dot(options.axis);
+    for (const double share : arch_shares) {
+        const double height = share * std::min(up, down);
+        if (!(height > 0) || 2 * height + (end - start).norm() > up + down)
+            return std::nullopt;
+        const Vec3 raise = height * options.axis;
+        if (is_clear(start + raise, end + raise))
+            return height;
+    }
+    return std::nullopt;
+}
 
 // Appends trimmed curves to a path as passes of cutter tips.
 class SectionPath {
@@ -160,16 +202,17 @@ ToolPath link_passes_one_by_one(const PassSource& source, const BallCutter& cutt
     return builder.take();
 }
 
-LinkedPath link_pieces(std::span<const PassPiece> pieces, const BallCutter& cutter,
-                       const LinkOptions& options,
-                       const std::function<bool(const SurfaceContact& from,
-                                                const SurfaceContact& to)>& is_clear)
+LinkedPath link_pieces(
+    std::span<const PassPiece> pieces, const BallCutter& cutter,
+    const LinkOptions& options,
+    const std::function<bool(const Vec3& from, const Vec3& to)>& is_clear)
 {
     std::size_t points = 2 * pieces.size();
     for (const PassPiece& piece : pieces)
         points += piece.contacts.size();
     PathBuilder builder{cutter, options, points};
     std::size_t lifted_links = 0;
+    std::size_t arched_links = 0;
     const PassPiece* previous = nullptr;
     for (const PassPiece& piece : pieces) {
         const SurfaceContact& first = piece.contacts.front();
@@ -179,20 +222,27 @@ LinkedPath link_pieces(std::span<const PassPiece> pieces, const BallCutter& cutt
         Move move = Move::Plunge;
         if (previous) {
             const bool returns = is_new && options.order == PassOrder::OneWay;
-            const bool lift = returns || !is_clear(previous->contacts.back(), first);
-            if (lift && !returns)
-                ++lifted_links;
-            if (lift)
-                builder.lift_over(first);
-            else
+            const SurfaceContact& last = previous->contacts.back();
+            const bool is_straight = !returns && is_clear(ball_centre(last, cutter),
+                                                          ball_centre(first, cutter));
+            std::optional<double> arch;
+            if (!returns && !is_straight && options.barred == BarredLink::Arched)
+                arch = arch_height(last, first, cutter, options, is_clear);
+            if (is_straight || arch)
                 move = Move::Link;
+            if (arch)
+                builder.arch_over(first, *arch);
+            else if (!is_straight)
+                builder.lift_over(first);
+            arched_links += arch ? 1 : 0;
+            lifted_links += is_straight || arch || returns ? 0 : 1;
         }
         builder.add(move, first);
         for (std::size_t k = 1; k < piece.contacts.size(); ++k)
             builder.add(Move::Cut, piece.contacts[k]);
         previous = &piece;
     }
-    return {builder.take(), lifted_links};
+    return {builder.take(), lifted_links, arched_links};
 }
 
 ToolPath join_paths(std::span<const ToolPath> paths, const LinkOptions& options)

@@ -13,8 +13,8 @@
 
 /// \file
 /// Joins passes on surfaces, and trimmed curves in drive planes, to one tool path.
-/// A link is either a straight move at cutting feed, or a retract, a rapid at the safe
-/// height and a plunge.
+/// A link is a straight move at cutting feed, an arch of three of them, or a retract, a rapid
+/// at the safe height and a plunge.
 
 namespace endmill {
 
@@ -27,11 +27,20 @@ enum class PassOrder {
     OneWay,  ///< all passes forwards; the cutter is lifted after each pass
 };
 
+/// The link between two pieces if the straight move is not clear.
+enum class BarredLink {
+    Lifted,  ///< a retract, a rapid at the safe height and a plunge
+    /// An arch at cutting feed: up, across at a lower height than the safe one, and down. It is
+    /// lifted if no arch is clear, or if the arch would be longer than retract and plunge.
+    Arched,
+};
+
 /// Options for joining passes.
 struct LinkOptions {
-    PassOrder order = PassOrder::ZigZag;  ///< direction of neighbouring passes
-    Vec3 axis = Vec3::UnitZ();            ///< unit, from the tip to the spindle
-    double safe_height = 0;               ///< mm along the axis, of the lifted tip
+    PassOrder order = PassOrder::ZigZag;     ///< direction of neighbouring passes
+    Vec3 axis = Vec3::UnitZ();               ///< unit, from the tip to the spindle
+    double safe_height = 0;                  ///< mm along the axis, of the lifted tip
+    BarredLink barred = BarredLink::Lifted;  ///< of link_pieces
 };
 
 /// Joins `passes` to one path. A plunge reaches the first point.
@@ -67,20 +76,24 @@ struct PassPiece {
 struct LinkedPath {
     ToolPath path;             ///< all pieces and the links between them
     std::size_t lifted_links;  ///< links that are lifted because they are not clear
+    std::size_t arched_links;  ///< links that are arched for that reason
 };
 
 /// Joins `pieces` in their order to one path. A link is a straight move at cutting feed
-/// if `is_clear` allows it, otherwise it is lifted. One-way passes are always lifted from
-/// one pass to the next; these lifts are not counted.
+/// if `is_clear` allows it, otherwise it is as `options.barred` demands. An arch raises both
+/// ends of the straight move by the same height: an eighth, a quarter or half of the way to the
+/// safe height, the least of them that is clear. One-way passes are always lifted from one
+/// pass to the next; these lifts are not counted.
 /// \param pieces   in the order in which they are cut.
 /// \param cutter   the ball.
 /// \param options  order, axis and safe height.
-/// \param is_clear whether the straight move between two contacts is free of gouges.
+/// \param is_clear whether the straight move between two centres of the ball, in mm, is free
+///        of gouges. A raised move must be clear if a lower one is.
 /// \throws GeometryError as link_passes.
-LinkedPath link_pieces(std::span<const PassPiece> pieces, const BallCutter& cutter,
-                       const LinkOptions& options,
-                       const std::function<bool(const SurfaceContact& from,
-                                                const SurfaceContact& to)>& is_clear);
+LinkedPath link_pieces(
+    std::span<const PassPiece> pieces, const BallCutter& cutter,
+    const LinkOptions& options,
+    const std::function<bool(const Vec3& from, const Vec3& to)>& is_clear);
 
 /// Joins the paths over the surfaces of a part in their order by lifted links. Pass
 /// numbers continue from path to path, and the `patch` of each point becomes the number

@@ -87,10 +87,9 @@ std::vector<PassPiece> pieces_in_order(std::vector<VerifiedPass> passes,
 LinkedPath linked(const std::vector<PassPiece>& pieces, const ClearMoves& clear,
                   const VerifiedOptions& options)
 {
-    const auto is_clear = [&](const SurfaceContact& from, const SurfaceContact& to) {
+    const auto is_clear = [&](const Vec3& from, const Vec3& to) {
         FinerPieces finer;
-        return clear.is_clear(
-            {ball_centre(from, clear.cutter()), ball_centre(to, clear.cutter())}, finer);
+        return clear.is_clear({from, to}, finer);
     };
     return link_pieces(pieces, clear.cutter(), options.link, is_clear);
 }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "endmill/core/detail/large_pages.h"
 #include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -82,8 +83,9 @@ HeightStock::HeightStock(const StockGrid& grid, double top_z) : grid_{grid}
             "HeightStock: a coordinate is not finite");
     tile_columns_ = tiles_across(grid.columns);
     tile_rows_ = tiles_across(grid.rows);
-    heights_.assign(static_cast<std::size_t>(tile_columns_) * tile_rows_ * tile_size,
-                    grid.bottom_z);
+    assign_in_large_pages(
+        heights_, static_cast<std::size_t>(tile_columns_) * tile_rows_ * tile_size,
+        grid.bottom_z);
     if (top_z <= grid.bottom_z)
         return;
     for (int row = 0; row < grid.rows; ++row)

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include "endmill/core/error.h"
@@ -63,6 +65,9 @@ void require_sound(double radius, const StrategyOptions& options)
             "plan_by_strategy: need 0 < inner tolerance < cutter radius");
     require(0 < options.scallop_height && options.scallop_height < radius,
             "plan_by_strategy: need 0 < scallop height < cutter radius");
+    require(
+        !options.protected_part || options.protected_part->cutter().radius() == radius,
+        "plan_by_strategy: the protected part is for another ball");
 }
 
 // The number of runs of cuts.
@@ -104,12 +109,20 @@ void require_upright(const StrategyOptions& options)
         throw GeometryError{"planar, iso-scallop and field plan along the axis +z only"};
 }
 
+Parameter parameter_of(Strategy strategy)
+{
+    return strategy == Strategy::IsoU ? Parameter::U : Parameter::V;
+}
+
 // The part for strategies that plan on its samples.
 CoveredPart covered_part(const Part& part, const BallCutter& cutter,
                          const StrategyOptions& options)
 {
     require_upright(options);
-    return {part, cutter, {options.inner_tolerance, options.scallop_height}};
+    return {part,
+            cutter,
+            {options.inner_tolerance, options.scallop_height},
+            options.protected_part};
 }
 
 // What a strategy finds out by trials on few samples before it lays passes.
@@ -140,6 +153,14 @@ Trials trials_of(Strategy strategy, const Part& part, const CoveredPart& covered
     return trials;
 }
 
+// The path, if it does not enter the protected part.
+CoveringPath clear_of_protected(CoveringPath covering, const StrategyOptions& options)
+{
+    if (options.protected_part)
+        options.protected_part->require_clear(covering.path);
+    return covering;
+}
+
 // The path of a strategy that plans on samples.
 CoveringPath covering_after(const Trials& trials, const CoveredPart& covered,
                             const StrategyOptions& options)
@@ -154,12 +175,13 @@ CoveringPath covering_after(const Trials& trials, const CoveredPart& covered,
             covering_path(std::move(planar.laid), covered, cutter, making);
         path.direction = planar.direction;
         path.compared = trials.directions->compared;
-        return path;
+        return clear_of_protected(std::move(path), options);
     }
     LaidPasses laid = trials.starts
                           ? iso_scallop_passes(covered, cutter, laying, *trials.starts)
                           : field_passes(covered, cutter, laying);
-    return covering_path(std::move(laid), covered, cutter, making);
+    return clear_of_protected(covering_path(std::move(laid), covered, cutter, making),
+                              options);
 }
 
 CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& cutter,
@@ -170,8 +192,10 @@ CoveringPath covering_by(Strategy strategy, const Part& part, const BallCutter& 
         if (!surfaces)
             throw GeometryError{std::string{strategy_name(strategy)} +
                                 " follows parameter lines, which a mesh does not have"};
-        return along_parameter(strategy == Strategy::IsoU ? Parameter::U : Parameter::V,
-                               *surfaces, cutter, options);
+        if (options.protected_part)
+            require_upright(options);
+        return clear_of_protected(
+            along_parameter(parameter_of(strategy), *surfaces, cutter, options), options);
     }
     const CoveredPart covered = covered_part(part, cutter, options);
     return covering_after(trials_of(strategy, part, covered, options), covered, options);
@@ -203,21 +227,30 @@ StrategyPlan judged(Strategy strategy, CoveringPath covering, const Part& part,
     if (!cutter.is_ball())
         judgement.proof = LimitProof::GougeProved;  // by the drop cutter
     judgement.progress = options.progress;
+    const double near = reached_share * limits.scallop;
+    const ProtectedPart* const guard = options.protected_part.get();
     std::optional<DropCutter> drop;
-    if (const auto* mesh = std::get_if<TriangleMesh>(&part)) {
+    if (const auto* mesh = std::get_if<TriangleMesh>(&part))
         drop.emplace(*mesh, cutter);
+    if (drop || guard)
         judgement.is_accessible = [&](const PartRay& ray) {
-            return is_accessible(*drop, {ray.point, ray.normal},
-                                 reached_share * limits.scallop);
+            const CutterContact place{ray.point, ray.normal};
+            return (!drop || is_accessible(*drop, place, near)) &&
+                   (!guard || guard->is_accessible(place, near));
         };
-    }
     Deviation deviation = deviation_of_path(part, covering.path, cutter, judgement);
     if (follows_parameters(strategy) || !cutter.is_ball())
         covering.uncovered_mm2 = deviation.uncut_area_mm2;
     const PathEconomy economy =
         cutter.is_ball() ? path_economy(covering.path) : economy_of_tips(covering.path);
-    const Verdict found = verdict(deviation, limits);
-    return {strategy, std::move(covering), economy, std::move(deviation), found};
+    StrategyPlan plan{strategy, std::move(covering), economy, std::move(deviation),
+                      Verdict::Clean};
+    plan.verdict = verdict(plan.deviation, limits);
+    if (guard) {
+        plan.of_protected = guard->deviation(plan.covering.path);
+        plan.verdict = guard->verdict(*plan.of_protected, plan.verdict);
+    }
+    return plan;
 }
 
 // A path that has not been judged, and the length by which it is compared.
@@ -230,6 +263,34 @@ struct Candidate {
 // A strategy is not laid if its estimated length exceeds the least one by this factor.
 // Estimates differ from lengths by some per cent.
 constexpr double worth_laying = 1.08;
+// The same for passes along parameter lines on a large part.
+constexpr double worth_following = 1.25;
+
+// A part is large if it has more squares with the side of a strip's width. On a large part
+// one strategy is laid on samples at most, and a still larger one is not sampled where there
+// are parameter lines: samples and their moves take time and memory.
+constexpr double most_squares_compared = 4000;
+constexpr double most_squares_sampled = 300'000;
+// Passes along parameter lines are estimated for so many squares.
+constexpr double squares_for_estimate = 1000;
+// A height is doubled for such an estimate, up to this share of the radius.
+constexpr double greatest_estimated_share = 0.2;
+
+// Distance of samples that no part exceeds, mm.
+constexpr double no_spacing = 1e9;
+
+// Area of a part by the first net of each of its patches, or by its mesh, mm^2.
+double area_of(const CoveredPart& part, std::size_t most_samples)
+{
+    const PartSamples first = part.samples(no_spacing, most_samples);
+    double area = 0;
+    for (const auto& [a, b, c] : first.triangles())
+        area += (first.point(b) - first.point(a))
+                    .cross(first.point(c) - first.point(a))
+                    .norm() /
+                2;
+    return area;
+}
 
 // Compares strategies by estimates on few samples, and lays the promising ones.
 class StrategyComparison {
@@ -246,15 +307,19 @@ public:
 
     void run()
     {
+        attempt(Strategy::Planar, [&] { cover(); });
         for (const Strategy strategy : every_strategy)
             attempt(strategy, [&] { try_one(strategy); });
         std::stable_sort(estimated_.begin(), estimated_.end(),
                          [](const Estimated& a, const Estimated& b) {
-                             return a.trials.travel.value_or(0) <
-                                    b.trials.travel.value_or(0);
+                             return a.travel() < b.travel();
                          });
-        for (const Estimated& one : estimated_)
-            attempt(one.strategy, [&] { lay(one); });
+        // passes along parameter lines are planned last on a large part: the length of
+        // another path tells whether they are worth it
+        for (const bool follows : {false, true})
+            for (const Estimated& one : estimated_)
+                if (follows_parameters(one.strategy) == follows)
+                    attempt(one.strategy, [&] { lay(one); });
         if (candidates_.empty())
             std::rethrow_exception(failure_);
         std::stable_sort(
@@ -270,6 +335,8 @@ private:
     struct Estimated {
         Strategy strategy;
         Trials trials;
+
+        double travel() const { return trials.travel.value_or(0); }
     };
 
     template <typename Step>
@@ -305,6 +372,29 @@ private:
         return with_progress(options_, begin, begin + share);
     }
 
+    // Prepares the part for strategies that plan on its samples, if it suits them.
+    void cover()
+    {
+        if (covered_)
+            return;
+        CoveredPart covered = covered_part(part_, cutter_, options_);
+        area_ = area_of(covered, options_.most_samples);
+        covered_.emplace(std::move(covered));
+    }
+
+    // The number of squares of a strip's width on the part; 0 if it suits none of these
+    // strategies.
+    double squares(double height) const
+    {
+        const double width = strip_width(cutter_, height);
+        return area_ / (width * width);
+    }
+
+    bool is_large() const
+    {
+        return squares(options_.scallop_height) > most_squares_compared;
+    }
+
     void add(Strategy strategy, CoveringPath covering)
     {
         const double travel = counted_travel(path_economy(covering.path),
@@ -316,16 +406,46 @@ private:
     void try_one(Strategy strategy)
     {
         const StrategyOptions own = next_share();
-        if (follows_parameters(strategy)) {
+        if (!follows_parameters(strategy)) {
+            cover();
+            require_few_squares();
+            Trials trials = trials_of(strategy, part_, *covered_, own);
+            if (strategy == Strategy::Field)
+                trials.travel = field_travel(*covered_, cutter_, own);
+            estimated_.push_back({strategy, std::move(trials)});
+        } else if (is_large()) {
+            Trials trials;
+            trials.travel = estimated_along(strategy, own);
+            estimated_.push_back({strategy, std::move(trials)});
+        } else {
             add(strategy, covering_by(strategy, part_, cutter_, own));
-            return;
         }
-        if (!covered_)
-            covered_.emplace(covered_part(part_, cutter_, options_));
-        Trials trials = trials_of(strategy, part_, *covered_, own);
-        if (strategy == Strategy::Field)
-            trials.travel = field_travel(*covered_, cutter_, own);
-        estimated_.push_back({strategy, std::move(trials)});
+    }
+
+    // Refuses a part that would need too many samples, if there are parameter lines.
+    void require_few_squares() const
+    {
+        const double needed = squares(options_.scallop_height);
+        if (needed <= most_squares_sampled || !std::holds_alternative<Surfaces>(part_))
+            return;
+        std::ostringstream message;
+        message << std::setprecision(2) << "the part has " << needed
+                << " squares of a strip's width; best samples at most "
+                << most_squares_sampled << " (name the strategy to have it planned)";
+        throw LimitError{message.str()};
+    }
+
+    // The length of passes along parameter lines, from that for a greater height.
+    double estimated_along(Strategy strategy, StrategyOptions options) const
+    {
+        while (squares(options.scallop_height) > squares_for_estimate &&
+               2 * options.scallop_height < greatest_estimated_share * cutter_.radius())
+            options.scallop_height *= 2;
+        const CoveringPath path = covering_by(strategy, part_, cutter_, options);
+        const double travel =
+            counted_travel(path_economy(path.path), options.distance, CountedMoves::Cuts);
+        return scaled_travel(travel, cutter_, options.scallop_height,
+                             options_.scallop_height);
     }
 
     // The least length of a path, or estimate for a strategy that has not been refused, mm.
@@ -347,21 +467,32 @@ private:
         });
     }
 
+    // Whether a strategy may give the shortest path, by its estimate.
+    bool is_promising(const Estimated& one) const
+    {
+        const double travel = one.travel();
+        if (follows_parameters(one.strategy))
+            return travel <= worth_following * least_travel();
+        return travel <= worth_laying * least_travel() &&
+               (candidates_.empty() || !is_large());
+    }
+
     void lay(const Estimated& one)
     {
         const StrategyOptions own = next_share();
-        const double travel = one.trials.travel.value_or(0);
-        if (travel > worth_laying * least_travel()) {
-            tried(one.strategy).estimated_mm = travel;
-            return;
-        }
-        add(one.strategy, covering_after(one.trials, *covered_, own));
+        if (!is_promising(one))
+            tried(one.strategy).estimated_mm = one.travel();
+        else if (follows_parameters(one.strategy))
+            add(one.strategy, covering_by(one.strategy, part_, cutter_, own));
+        else
+            add(one.strategy, covering_after(one.trials, *covered_, own));
     }
 
     const Part& part_;
     BallCutter cutter_;
     const StrategyOptions& options_;
     std::optional<CoveredPart> covered_;
+    double area_ = 0;  // mm^2
     std::vector<Estimated> estimated_;
     std::vector<Candidate> candidates_;
     std::vector<TriedStrategy> tried_;
@@ -396,6 +527,8 @@ StrategyPlan plan_by_strategy(Strategy strategy, const Part& part, const Cutter&
     if (strategy != Strategy::Planar)
         throw GeometryError{std::string{strategy_name(strategy)} +
                             " plans for ball-end mills only; planar plans for others"};
+    require(!options.protected_part,
+            "plan_by_strategy: only a ball keeps off a protected part");
     require_upright(options);
     // Planes are placed by samples. Where the judge finds more between them, the planes are
     // laid for a smaller height.

@@ -26,7 +26,9 @@ struct StrategyPlan {
     CoveringPath covering;  ///< the path
     PathEconomy economy;    ///< of the path
     Deviation deviation;    ///< of the stock that the path leaves
-    Verdict verdict;        ///< on it
+    Verdict verdict;        ///< on it, and on the gouges of a protected part
+    /// Gouges of the protected part; nothing without one.
+    std::optional<Deviation> of_protected = {};
 
     /// Whether the path is judged clean, and no place is known to be uncovered.
     bool is_good() const
@@ -47,6 +49,10 @@ std::size_t most_part_samples(double memory_gib);
 /// judgement is that of verify_path with is_accessible as test of the cutter's position.
 /// Contacts have x and y of their point in place of parameters u and v. A mesh must be
 /// oriented consistently.
+///
+/// Places that a protected part keeps the ball from coming within half the scallop height of
+/// need not be covered, and are not judged. No move enters the protected part.
+/// Strategy::IsoU and IsoV do not avoid it: they plan only if their path is clear of it.
 /// Source: docs/methods/iso-scallop.md.
 /// \param strategy how passes are laid.
 /// \param part     surfaces or a mesh.
@@ -55,7 +61,8 @@ std::size_t most_part_samples(double memory_gib);
 /// \throws DomainError if a tolerance, the height or the axis is out of range.
 /// \throws GeometryError with the place if N . axis <= 0 or the surface has no normal, on a
 ///         mesh only if no facet faces the tool; if the ball fits nowhere; or if the strategy
-///         does not suit the part.
+///         does not suit the part; if a protected part bars all of it, or a path along
+///         parameter lines or at the safe height enters it.
 /// \throws LimitError if the part needs too many samples or points.
 StrategyPlan plan_by_strategy(Strategy strategy, const Part& part,
                               const BallCutter& cutter, const StrategyOptions& options);
@@ -72,7 +79,7 @@ StrategyPlan plan_by_strategy(Strategy strategy, const Part& part, const Cutter&
 struct TriedStrategy {
     Strategy strategy;
     std::optional<double> travel_mm;  ///< of its cuts; nothing if it made no path
-    /// Length of its cuts by trials on few samples; set if it was not planned for that reason.
+    /// Length of its cuts by trials; set if it was not planned for that reason.
     std::optional<double> estimated_mm;
     std::string refusal;  ///< why it can make no path; else empty
 };
@@ -84,11 +91,19 @@ struct BestPlan {
 };
 
 /// Plans by the strategies that suit the part and returns the plan with the shortest cuts
-/// among those judged good. Strategy::IsoU and IsoV are always planned. The others are compared
+/// among those judged good. Strategy::IsoU and IsoV are planned. The others are compared
 /// by trials on few samples, and those that are estimated to be 8 per cent longer than the
-/// shortest are not planned. Paths are judged in the order of their lengths, up to the first
-/// good one. If none is good, the one
-/// that leaves the least area uncut is returned.
+/// shortest are not planned.
+///
+/// A part is large if its area exceeds 4000 squares of a strip's width. Of the strategies other
+/// than Strategy::IsoU and IsoV, only the one with the least estimate is then planned. IsoU and
+/// IsoV are estimated by a plan for a greater height, and planned unless the estimate exceeds
+/// the length of that path by more than 25 per cent. With more than 300 000 squares only IsoU
+/// and IsoV are compared, unless the part is a mesh. These rules depend on the part alone, not
+/// on the time that planning takes.
+///
+/// Paths are judged in the order of their lengths, up to the first good one. If none is good,
+/// the one that leaves the least area uncut is returned.
 /// \param part, cutter, options as above.
 /// \throws as plan_by_strategy, if no strategy makes a path.
 BestPlan plan_by_best_strategy(const Part& part, const BallCutter& cutter,

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "endmill/planning/economy.h"
 #include "endmill/planning/linking.h"
 #include "endmill/planning/verified_plan.h"
+#include "endmill/strategy/protected_part.h"
 
 /// \file
 /// The strategies, their options, and the path that each returns.
@@ -47,6 +49,9 @@ struct StrategyOptions {
     /// Direction of the passes of Strategy::Planar, from +x towards +y. Without one, the
     /// best direction is searched for.
     std::optional<Angle> direction = {};
+    /// Another part that no move may enter, for the same ball and inner tolerance; empty:
+    /// none. Places that the ball cannot come near because of it need not be covered.
+    std::shared_ptr<const ProtectedPart> protected_part = {};
     std::size_t most_points = 40'000'000;   ///< a longer path throws LimitError
     std::size_t most_samples = 20'000'000;  ///< a part that needs more throws LimitError
     /// If set, it is called with the finished share, 0 to 1.
@@ -71,6 +76,7 @@ struct CoveringPath {
     double stray_mm = 0;
     std::size_t pieces = 0;        ///< parts of passes that are cut in contact throughout
     std::size_t lifted_links = 0;  ///< links that are lifted because they are not clear
+    std::size_t arched_links = 0;  ///< links that are arched at feed for that reason
     /// Area in mm^2 of the parts of the sampled surface in which a place was found that
     /// keeps more than the scallop height.
     double uncovered_mm2 = 0;
@@ -78,8 +84,8 @@ struct CoveringPath {
     std::optional<Angle> direction = {};         ///< of the passes of Strategy::Planar
     /// The directions that were compared, by rising angle; none if it was given.
     std::vector<ComparedDirection> compared = {};
-    /// Area in mm^2 of the parts of a mesh that face the tool, but that the ball cannot come
-    /// near to. They need not be covered.
+    /// Area in mm^2 of the places that the ball cannot come near to: parts of a mesh that face
+    /// the tool, and what a protected part bars. They need not be covered.
     double unreached_mm2 = 0;
 };
 

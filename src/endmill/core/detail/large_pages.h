@@ -25,4 +25,12 @@ void reserve_in_large_pages(std::vector<Item>& items, std::size_t count)
     prefer_large_pages(items.data(), items.capacity() * sizeof(Item));
 }
 
+/// Makes `items` `count` copies of `item`. Newly allocated room uses large pages.
+template <typename Item>
+void assign_in_large_pages(std::vector<Item>& items, std::size_t count, const Item& item)
+{
+    reserve_in_large_pages(items, count);
+    items.assign(count, item);
+}
+
 }  // namespace endmill

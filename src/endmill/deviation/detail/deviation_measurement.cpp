@@ -9,6 +9,7 @@
 #include <queue>
 #include <utility>
 
+#include "endmill/core/detail/large_pages.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
@@ -129,11 +130,11 @@ public:
         deviation_.tiles =
             part_tiles(measured_.charts, options.pitch, options.most_cells);
         const std::size_t cells = cell_count(deviation_.tiles);
-        deviation_.left.assign(cells, 0);
-        deviation_.area.assign(cells, 0);
-        sweeps_.assign(cells, -1);
-        is_measured_.assign(cells, 1);
-        of_tile_.resize(deviation_.tiles.size());
+        assign_in_large_pages(deviation_.left, cells, 0.0F);
+        assign_in_large_pages(deviation_.area, cells, 0.0F);
+        assign_in_large_pages(sweeps_, cells, -1);
+        assign_in_large_pages(is_measured_, cells, std::uint8_t{1});
+        assign_in_large_pages(of_tile_, deviation_.tiles.size(), Extremes{});
         of_tile_inaccessible_.resize(deviation_.tiles.size());
         Progress progress{options, 2 * of_tile_.size()};
         measure_all(progress);

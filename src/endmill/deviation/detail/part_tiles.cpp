@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "endmill/core/detail/large_pages.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
@@ -128,7 +129,7 @@ std::vector<PartTile> joined(std::vector<std::vector<PartTile>> of_chart)
     for (const std::vector<PartTile>& some : of_chart)
         count += some.size();
     std::vector<PartTile> tiles;
-    tiles.reserve(count);
+    reserve_in_large_pages(tiles, count);
     for (std::vector<PartTile>& some : of_chart) {
         tiles.insert(tiles.end(), some.begin(), some.end());
         some = {};

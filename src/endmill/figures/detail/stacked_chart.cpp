@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "endmill/core/detail/large_pages.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/detail/round_ticks.h"
@@ -66,16 +67,17 @@ struct Scale {
 // The values of a curve; NaN in its gaps.
 using Values = std::vector<double>;
 
-// The values of a curve, each computed once.
-Values values_of(const ChartLine& line)
+// Computes the values of a curve, each once. `values` may be used again for one curve after
+// the other.
+void evaluate(const ChartLine& line, Values& values)
 {
-    Values values(line.values.size());
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    values.clear();
+    reserve_in_large_pages(values, line.values.size());
+    for (std::size_t i = 0; i < line.values.size(); ++i) {
         const std::optional<double> value = line.values[i];
         require(!value || std::isfinite(*value), "stacked_chart: a number is not finite");
-        values[i] = value.value_or(std::numeric_limits<double>::quiet_NaN());
+        values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
     }
-    return values;
 }
 
 // The ticks of a panel: they cover all its values, or 0 to 1 if it has none.
@@ -327,10 +329,11 @@ std::string stacked_chart(const ChartFrame& frame, std::span<const double> place
     const Scale x{0, end, left, width - right};
     const std::vector<double> abscissa = round_ticks(0, end, abscissa_ticks);
     double top = head + line_height / 2;
+    std::vector<Values> lines;
     for (const ChartPanel& panel : panels) {
-        std::vector<Values> lines;
-        for (const ChartLine& line : panel.lines)
-            lines.push_back(values_of(line));
+        lines.resize(panel.lines.size());
+        for (std::size_t k = 0; k < lines.size(); ++k)
+            evaluate(panel.lines[k], lines[k]);
         const std::vector<double> ticks = ticks_of(lines);
         const Scale y{ticks.front(), ticks.back(), top + panel_height, top};
         picture.add_text({left, top - label_offset}, panel.label, small_text);

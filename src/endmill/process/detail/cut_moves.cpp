@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 
+#include "endmill/core/detail/large_pages.h"
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
@@ -46,7 +47,7 @@ std::vector<CutMove> cut_moves(const ToolPath& path)
     require(path.points.size() <= std::numeric_limits<std::uint32_t>::max(),
             "cut_moves: need a path whose points 32 bits can number");
     std::vector<CutMove> moves;
-    moves.reserve(path.points.size());
+    reserve_in_large_pages(moves, path.points.size());
     double along = 0;
     for (std::size_t i = 1; i < path.points.size(); ++i) {
         const PathPoint& end = path.points[i];

@@ -2,6 +2,7 @@
 #include "endmill/strategy/detail/covered_part.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "endmill/core/error.h"
 #include "endmill/deviation/deviation.h"
@@ -14,9 +15,22 @@ namespace {
 // far apart where few are wanted; where more are wanted the net is refined.
 constexpr double net_share = 0.25;
 
+// Share of the scallop height by which the normals at an edge may change what is left.
+constexpr double turn_share = 0.002;
+
 // A height is raised for trials by this factor, up to a share of the radius.
 constexpr double raising_factor = 2;
 constexpr double greatest_raised_share = 0.2;
+
+// Where the normal of a place turns by t, the place is raised h t beside its own normal.
+// What is left between two passes has the slope tan a, cos a = 1 - h / R, so that this
+// changes what is left by h t sin a. At an edge, t is half the turn of the edge.
+MeshNetLimits net_limits(const BallCutter& cutter, double height)
+{
+    const double width = strip_width(cutter, height);
+    const double slope = width / (2 * cutter.radius());  // sin a
+    return {net_share * width, std::min(crease_angle, 2 * turn_share / slope)};
+}
 
 }  // namespace
 
@@ -24,8 +38,7 @@ CoveredPart::Source CoveredPart::source_of(const Part& part, const BallCutter& c
                                            const CoverLimits& limits)
 {
     if (const auto* mesh = std::get_if<TriangleMesh>(&part)) {
-        MeshNet net =
-            mesh_net(*mesh, net_share * strip_width(cutter, limits.scallop_height));
+        MeshNet net = mesh_net(*mesh, net_limits(cutter, limits.scallop_height));
         const MeshEdges edges = net.has_creases ? MeshEdges::Sharp : MeshEdges::Smooth;
         return CoveredMesh{std::move(net), std::make_shared<const BallOnMesh>(
                                                *mesh, cutter, limits.tolerance, edges)};
@@ -38,9 +51,11 @@ CoveredPart::Source CoveredPart::source_of(const Part& part, const BallCutter& c
 }
 
 CoveredPart::CoveredPart(const Part& part, const BallCutter& cutter,
-                         const CoverLimits& limits)
+                         const CoverLimits& limits,
+                         std::shared_ptr<const ProtectedPart> guard)
     : cutter_{cutter},
       accessible_distance_{reached_share * limits.scallop_height},
+      guard_{std::move(guard)},
       source_{source_of(part, cutter, limits)}
 {
 }
@@ -48,13 +63,17 @@ CoveredPart::CoveredPart(const Part& part, const BallCutter& cutter,
 PartSamples CoveredPart::samples(double spacing, std::size_t most_samples) const
 {
     if (const auto* mesh = std::get_if<CoveredMesh>(&source_))
-        return {mesh->net, mesh->ball, {spacing, accessible_distance_}, most_samples};
+        return {
+            mesh->net, mesh->ball, {spacing, accessible_distance_, guard_}, most_samples};
     const auto& [surfaces, sides, clear] = std::get<CoveredSurfaces>(source_);
-    return {*surfaces, sides, spacing, most_samples};
+    return {*surfaces, sides, PartSampling{spacing, accessible_distance_, guard_},
+            most_samples};
 }
 
 bool CoveredPart::is_clear(const Vec3& from, const Vec3& to, MoveTestState& state) const
 {
+    if (guard_ && !guard_->is_clear(from, to))
+        return false;
     if (const auto* mesh = std::get_if<CoveredMesh>(&source_))
         return mesh->ball->is_clear(from, to);
     return std::get<CoveredSurfaces>(source_).clear.is_clear({from, to}, state.finer);

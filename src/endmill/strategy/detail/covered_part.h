@@ -14,6 +14,7 @@
 #include "endmill/strategy/detail/ball_on_mesh.h"
 #include "endmill/strategy/detail/mesh_net.h"
 #include "endmill/strategy/detail/part_samples.h"
+#include "endmill/strategy/protected_part.h"
 #include "endmill/surface/part.h"
 
 namespace endmill {
@@ -53,18 +54,21 @@ public:
     /// \param part   the part; it must outlive this object.
     /// \param cutter the ball, held along +z.
     /// \param limits see there.
+    /// \param guard  a part that the ball must not enter, for the same ball; empty: none.
     /// \throws GeometryError with the place where N . z <= 0 or where there is no normal; for
     ///         a mesh only if no facet faces the tool.
-    CoveredPart(const Part& part, const BallCutter& cutter, const CoverLimits& limits);
+    CoveredPart(const Part& part, const BallCutter& cutter, const CoverLimits& limits,
+                std::shared_ptr<const ProtectedPart> guard = {});
 
-    /// Samples of the part. On a mesh, places that the ball cannot come within half the
-    /// scallop height of need not be covered.
+    /// Samples of the part. Places of a mesh, or beside a protected part, that the ball cannot
+    /// come within half the scallop height of need not be covered.
+    /// \throws GeometryError if the protected part bars all of it.
     /// \param spacing      greatest distance of neighbours along the part, mm.
     /// \param most_samples a denser net throws LimitError.
     PartSamples samples(double spacing, std::size_t most_samples) const;
 
     /// Whether a straight move is proved to enter the part nowhere by more than the
-    /// tolerance.
+    /// tolerance, and the protected part nowhere at all.
     /// \param from, to centres of the ball, mm.
     /// \param state    of this thread.
     bool is_clear(const Vec3& from, const Vec3& to, MoveTestState& state) const;
@@ -89,6 +93,7 @@ private:
 
     BallCutter cutter_;
     double accessible_distance_;
+    std::shared_ptr<const ProtectedPart> guard_;
     Source source_;
 };
 

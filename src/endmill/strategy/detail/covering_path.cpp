@@ -346,6 +346,21 @@ BendSize mending_size(double height, int round)
             round >= adding_round};
 }
 
+// The greatest distance in mm at which a contact is held off its surface.
+double greatest_hold(std::span<const LaidPass> pieces, std::span<const Surface> surfaces)
+{
+    double greatest = 0;
+    if (surfaces.empty())
+        return greatest;
+    for (const LaidPass& piece : pieces)
+        for (const PassContact& contact : piece.contacts) {
+            const auto& [u, v, held] = contact.at;
+            const Vec3 point = surfaces[contact.surface].tangents(u, v).point;
+            greatest = std::max(greatest, (held.point - point).norm());
+        }
+    return greatest;
+}
+
 double area(const PartSamples& samples, std::int32_t triangle)
 {
     const auto& [a, b, c] = samples.triangles()[triangle];
@@ -393,19 +408,24 @@ CoveringPath covering_path(LaidPasses laid, const CoveredPart& part,
     plan.stray_mm =
         std::max(options.inner_tolerance,
                  move_share * height * cutter.radius() / (cutter.radius() - height));
+    if (options.protected_part)
+        plan.stray_mm += greatest_hold(pieces, part.surfaces());
     for (const MissedPlace& place : uncovered) {
         const PassContact at = contact_at(laid.samples, place);
         plan.uncovered_mm2 += area(laid.samples, place.triangle);
         plan.uncovered.push_back({at.surface, {at.at.u, at.at.v}, at.at.contact.point});
     }
-    const auto is_clear = [&](const SurfaceContact& from, const SurfaceContact& to) {
+    const auto is_clear = [&](const Vec3& from, const Vec3& to) {
         MoveTestState state;
-        return part.is_clear(ball_centre(from, cutter), ball_centre(to, cutter), state);
+        return part.is_clear(from, to, state);
     };
-    LinkedPath linked = link_pieces(in_cutting_order(pieces, cutter, options.link),
-                                    cutter, options.link, is_clear);
+    LinkOptions linking = options.link;
+    linking.barred = BarredLink::Arched;
+    LinkedPath linked =
+        link_pieces(in_cutting_order(pieces, cutter, linking), cutter, linking, is_clear);
     plan.path = std::move(linked.path);
     plan.lifted_links = linked.lifted_links;
+    plan.arched_links = linked.arched_links;
     if (plan.path.points.empty())
         throw GeometryError{
             "the ball fits nowhere on the part without entering it by more "

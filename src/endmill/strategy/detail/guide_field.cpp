@@ -35,6 +35,13 @@ constexpr double least_opening = 0.02;
 // unique.
 constexpr double holding_share = 1e-9;
 
+// Samples that differ by less are at one place, as a share of their spacing, and a triangle
+// with less area, as a share of its square, has none. It exceeds rounding errors.
+constexpr double same_place_share = 1e-9;
+// Stiffness of the edges of triangles without area, against 1 of others. They give a value to
+// places that have no other triangle.
+constexpr double edge_stiffness = 1e-3;
+
 // A triangle of the net with what the field needs of it.
 struct Element {
     std::array<std::int32_t, 3> corners;  // numbers of places
@@ -65,17 +72,46 @@ double strip_share(const Element& element, const Vec3& across, double radius,
                : width / std::max((opening * feed).norm(), least_opening);
 }
 
+// The lowest of the samples at the place of each sample: of twins, and of the samples that
+// triangles without area join at an edge of a mesh.
+std::vector<std::int32_t> first_at_places(const PartSamples& samples)
+{
+    const double same = same_place_share * samples.spacing();
+    std::vector<std::int32_t> first(samples.size());
+    for (std::size_t i = 0; i < first.size(); ++i)
+        first[i] = samples.representative(i);
+    const auto root = [&](std::int32_t i) {
+        while (first[i] != i)
+            i = first[i] = first[first[i]];
+        return i;
+    };
+    for (const Triangle& triangle : samples.triangles())
+        for (int k = 0; k < 3; ++k) {
+            const std::int32_t a = triangle[k];
+            const std::int32_t b = triangle[(k + 1) % 3];
+            if ((samples.point(a) - samples.point(b)).norm() > same)
+                continue;
+            const std::int32_t one = root(a);
+            const std::int32_t other = root(b);
+            first[std::max(one, other)] = std::min(one, other);
+        }
+    for (std::size_t i = 0; i < first.size(); ++i)
+        first[i] = root(static_cast<std::int32_t>(i));
+    return first;
+}
+
 // The finite elements of the net. Samples at one place share a number.
 class FieldElements {
 public:
     explicit FieldElements(const PartSamples& samples) : place_of_(samples.size())
     {
+        const std::vector<std::int32_t> first = first_at_places(samples);
         std::int32_t count = 0;
-        for (std::size_t i = 0; i < samples.size(); ++i) {
-            const auto first = static_cast<std::size_t>(samples.representative(i));
-            place_of_[i] = first == i ? count++ : place_of_[first];
-        }
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            place_of_[i] =
+                first[i] == static_cast<std::int32_t>(i) ? count++ : place_of_[first[i]];
         places_ = count;
+        find_normals(samples);
         for (const Triangle& triangle : samples.triangles())
             add(samples, triangle);
     }
@@ -87,7 +123,13 @@ public:
     Matrix stiffness() const
     {
         std::vector<Eigen::Triplet<double>> entries;
-        entries.reserve(9 * elements_.size());
+        entries.reserve(9 * elements_.size() + 4 * edges_.size());
+        for (const auto& [a, b, value] : edges_) {
+            entries.emplace_back(a, a, value);
+            entries.emplace_back(b, b, value);
+            entries.emplace_back(a, b, -value);
+            entries.emplace_back(b, a, -value);
+        }
         for (const Element& element : elements_)
             for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j)
@@ -110,11 +152,44 @@ public:
     }
 
 private:
+    struct StiffEdge {
+        std::int32_t a;
+        std::int32_t b;
+        double stiffness;
+    };
+
     Matrix assembled(const std::vector<Eigen::Triplet<double>>& entries) const
     {
         Matrix matrix(places_, places_);
         matrix.setFromTriplets(entries.begin(), entries.end());
         return matrix;
+    }
+
+    // The mean normal of each place, so that blunt edges count as curvature; at a sharp edge
+    // the normal of each sample.
+    void find_normals(const PartSamples& samples)
+    {
+        std::vector<Vec3> means(places_, Vec3::Zero());
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            means[place_of_[i]] += samples.normal(i);
+        normals_.reserve(samples.size());
+        for (std::size_t i = 0; i < samples.size(); ++i) {
+            const Vec3 mean = means[place_of_[i]].normalized();
+            const bool is_blunt = mean.dot(samples.normal(i)) > std::cos(crease_angle);
+            normals_.push_back(is_blunt ? mean : samples.normal(i));
+        }
+    }
+
+    void add_edges(const PartSamples& samples, const Triangle& triangle)
+    {
+        for (int k = 0; k < 3; ++k) {
+            const std::int32_t a = triangle[k];
+            const std::int32_t b = triangle[(k + 1) % 3];
+            const double length = (samples.point(a) - samples.point(b)).norm();
+            if (place_of_[a] != place_of_[b])
+                edges_.push_back({place_of_[a], place_of_[b],
+                                  edge_stiffness * samples.spacing() / length});
+        }
     }
 
     void add(const PartSamples& samples, const Triangle& triangle)
@@ -124,17 +199,18 @@ private:
         };
         const Vec3 twice = (point(1) - point(0)).cross(point(2) - point(0));
         const double length = twice.norm();
-        if (!(length > 0))
+        if (!(length > same_place_share * samples.spacing() * samples.spacing())) {
+            add_edges(samples, triangle);
             return;
+        }
         Element element{{}, {}, length / 2, twice / length, Tensor::Zero()};
         Vec3 mean = Vec3::Zero();
         for (int k = 0; k < 3; ++k) {
             element.corners[k] = place_of_[triangle[k]];
             element.gradients[k] =
                 element.normal.cross(point(k + 2) - point(k + 1)) / length;
-            element.shape +=
-                samples.normal(triangle[k]) * element.gradients[k].transpose();
-            mean += samples.normal(triangle[k]);
+            element.shape += normals_[triangle[k]] * element.gradients[k].transpose();
+            mean += normals_[triangle[k]];
         }
         if (element.normal.dot(mean) < 0)
             element.normal = -element.normal;
@@ -147,7 +223,9 @@ private:
 
     std::vector<std::int32_t> place_of_;
     std::int32_t places_;
+    std::vector<Vec3> normals_;  // of the samples
     std::vector<Element> elements_;
+    std::vector<StiffEdge> edges_;  // of triangles without area
 };
 
 // The direction across the feed of the widest strip, and how much wider it is than the

@@ -17,10 +17,12 @@ namespace {
 
 // Share of it by which a sample may miss its cover.
 constexpr double slack_share = 0.005;
-// Samples across a strip for the result; less if they would be too many.
+// Samples across a strip for the result, and fewer for a part that would have very many. Its
+// strips are narrow, and narrow strips need fewer: errors between samples are of third order
+// in their distance, and the square of that distance is proportional to the scallop height.
 constexpr double samples_across = 5;
-constexpr double least_samples_across = 3.5;
-constexpr std::size_t most_dense_samples = 1'000'000;
+constexpr double least_samples_across = 2.5;
+constexpr std::size_t most_dense_samples = 200'000;
 // Rounds in which a pass is bent, for the choice and for the result.
 constexpr int few_rounds = 0;
 constexpr int rounds = 4;

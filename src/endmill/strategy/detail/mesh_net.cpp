@@ -78,6 +78,11 @@ double angle_at(const std::array<Vec3, 3>& corners, int k)
     return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+double angle_between(const Vec3& a, const Vec3& b)
+{
+    return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
 // The means of the normals of the facets at each point, weighted by their angles.
 std::vector<Vec3> mean_normals(const TriangleMesh& mesh)
 {
@@ -120,10 +125,11 @@ private:
     std::vector<CornerNumber> parent_;
 };
 
-// A sharp edge, by the corners of its triangles at both of its ends.
+// An edge with a turn of the normal, by the corners of its triangles at both of its ends.
 struct Crease {
     std::array<CornerNumber, 2> first;   // in the first triangle
     std::array<CornerNumber, 2> second;  // at the same ends, in the second triangle
+    double turn;                         // rad
 };
 
 CornerNumber corner_number(std::size_t triangle, int k)
@@ -131,9 +137,10 @@ CornerNumber corner_number(std::size_t triangle, int k)
     return static_cast<CornerNumber>(3 * triangle + static_cast<std::size_t>(k % 3));
 }
 
-// Unites the corners across smooth edges and returns the sharp ones. An edge of one
+// Unites the corners across edges with a small turn and returns the others. An edge of one
 // triangle, of more than two, or between triangles of opposite orientation is a border.
-std::vector<Crease> unite_smooth_corners(const TriangleMesh& mesh, CornerGroups& groups)
+std::vector<Crease> unite_smooth_corners(const TriangleMesh& mesh, double smooth_turn,
+                                         CornerGroups& groups)
 {
     struct Use {
         std::int32_t low;
@@ -169,11 +176,12 @@ std::vector<Crease> unite_smooth_corners(const TriangleMesh& mesh, CornerGroups&
             continue;
         const CornerNumber a = uses[k].from;
         const CornerNumber b = uses[k + 1].from;
-        if (normal(a).dot(normal(b)) >= std::cos(crease_angle)) {
+        const double turn = angle_between(normal(a), normal(b));
+        if (turn <= smooth_turn) {
             groups.unite(a, to(b));
             groups.unite(to(a), b);
         } else {
-            creases.push_back({{a, to(a)}, {to(b), b}});
+            creases.push_back({{a, to(a)}, {to(b), b}, turn});
         }
     }
     return creases;
@@ -218,8 +226,7 @@ public:
 private:
     double angle(std::int32_t a, std::int32_t b) const
     {
-        return std::atan2(net_->normals[a].cross(net_->normals[b]).norm(),
-                          net_->normals[a].dot(net_->normals[b]));
+        return angle_between(net_->normals[a], net_->normals[b]);
     }
 
     // The samples from a to b, whose normals turn from one to the other. A chain is made
@@ -285,13 +292,16 @@ private:
 
 // The net of facets, with the sides of sharp edges apart and joined by strips.
 // \param smooth_normals a direction at each point; it counts where no sharp edge ends.
-MeshNet net_of(const TriangleMesh& mesh, std::span<const Vec3> smooth_normals)
+MeshNet net_of(const TriangleMesh& mesh, double smooth_turn,
+               std::span<const Vec3> smooth_normals)
 {
     const std::span<const Triangle> triangles = mesh.triangles();
     CornerGroups groups{3 * triangles.size()};
-    const std::vector<Crease> creases = unite_smooth_corners(mesh, groups);
+    const std::vector<Crease> creases = unite_smooth_corners(mesh, smooth_turn, groups);
     MeshNet net;
-    net.has_creases = !creases.empty();
+    net.has_creases =
+        std::any_of(creases.begin(), creases.end(),
+                    [](const Crease& crease) { return crease.turn > crease_angle; });
     std::vector<std::int32_t> sample_of(3 * triangles.size(), -1);
     std::vector<std::int32_t> point_of;
     std::vector<int> samples_at(mesh.points().size(), 0);
@@ -322,7 +332,7 @@ MeshNet net_of(const TriangleMesh& mesh, std::span<const Vec3> smooth_normals)
     const auto sample = [&](CornerNumber corner) {
         return sample_of[groups.root(corner)];
     };
-    for (const auto& [first, second] : creases)
+    for (const auto& [first, second, turn] : creases)
         strips.add({sample(first[0]), sample(first[1])},
                    {sample(second[0]), sample(second[1])});
     strips.close_corners();
@@ -331,21 +341,22 @@ MeshNet net_of(const TriangleMesh& mesh, std::span<const Vec3> smooth_normals)
 
 }  // namespace
 
-MeshNet mesh_net(const TriangleMesh& mesh, double spacing)
+MeshNet mesh_net(const TriangleMesh& mesh, const MeshNetLimits& limits)
 {
+    const double spacing = limits.spacing;
     const TriangleMesh facing = facing_facets(mesh);
     const std::vector<Vec3> normals = mean_normals(facing);
     // a triangle with three sides of the spacing
     const double needed = area_of(facing) / (std::sqrt(3.0) / 4 * spacing * spacing);
     const auto count = static_cast<double>(facing.triangles().size());
     if (facing.triangles().size() <= few_triangles || count <= fine_factor * needed)
-        return net_of(facing, normals);
+        return net_of(facing, limits.smooth_turn, normals);
     const DecimatedMesh coarse = decimated(
         facing, std::max(few_triangles, static_cast<std::size_t>(std::ceil(needed))));
     std::vector<Vec3> own(coarse.source_points.size());
     for (std::size_t k = 0; k < own.size(); ++k)
         own[k] = normals[coarse.source_points[k]];
-    MeshNet net = net_of(coarse.mesh, own);
+    MeshNet net = net_of(coarse.mesh, crease_angle, own);
     net.is_coarser = true;
     return net;
 }

@@ -155,22 +155,36 @@ FirstLines even_lines(const Surface& surface, const FirstLines& equal, double si
 
 PartSamples::PartSamples(std::span<const Surface> surfaces, std::span<const double> sides,
                          double spacing, std::size_t most_samples)
+    : PartSamples{surfaces, sides, PartSampling{spacing}, most_samples}
+{
+}
+
+PartSamples::PartSamples(std::span<const Surface> surfaces, std::span<const double> sides,
+                         const PartSampling& sampling, std::size_t most_samples)
     : source_{SampledSurfaces{surfaces, {sides.begin(), sides.end()}}},
-      spacing_{spacing},
+      spacing_{sampling.spacing},
+      accessible_distance_{sampling.accessible_distance},
+      guard_{sampling.guard},
       most_samples_{most_samples}
 {
     for (std::size_t k = 0; k < surfaces.size(); ++k)
         add_surface(surfaces[k], static_cast<int>(k));
     find_twins(surfaces);
     refine();
+    if (guard_)
+        find_accessible();
     number_by_place();
     join();
+    if (guard_)
+        seat();
 }
 
 PartSamples::PartSamples(const MeshNet& net, std::shared_ptr<const BallOnMesh> ball,
-                         const MeshSampling& sampling, std::size_t most_samples)
+                         const PartSampling& sampling, std::size_t most_samples)
     : source_{SampledMesh{std::move(ball), net.is_coarser}},
       spacing_{sampling.spacing},
+      accessible_distance_{sampling.accessible_distance},
+      guard_{sampling.guard},
       most_samples_{most_samples},
       triangles_{net.triangles}
 {
@@ -179,7 +193,7 @@ PartSamples::PartSamples(const MeshNet& net, std::shared_ptr<const BallOnMesh> b
     representatives_.resize(size());
     std::iota(representatives_.begin(), representatives_.end(), 0);
     refine();
-    find_accessible(sampling.accessible_distance);
+    find_accessible();
     number_by_place();
     join();
     seat();
@@ -339,19 +353,51 @@ bool PartSamples::divide_edges(
 // Halvings of an edge in search of the last place that the ball can reach.
 constexpr int border_halvings = 6;
 
-// Finds which samples of a mesh need not be covered, and divides the edges between them and
-// the others at the last place that the ball reaches.
-void PartSamples::find_accessible(double distance)
+// Adds a sample at a share of the way between two others.
+std::int32_t PartSamples::add_at(std::int32_t a, std::int32_t b, double share)
 {
-    const SampledMesh& mesh = std::get<SampledMesh>(source_);
-    const auto is_reached = [&](const CutterContact& place) {
-        return mesh.ball->is_accessible(place, distance);
-    };
+    if (is_mesh())
+        return add_middle(a, b, share);
+    const SurfacePoint& from = parameters_[a];
+    const SurfacePoint& to = parameters_[b];
+    return add_sample({std::lerp(from.u, to.u, share), std::lerp(from.v, to.v, share)},
+                      surface_of_[a]);
+}
+
+// A place between two samples, on the part itself.
+CutterContact PartSamples::exact_place(const SampleEdge& at) const
+{
+    if (const auto* mesh = std::get_if<SampledMesh>(&source_))
+        return mesh_place(*mesh, at);
+    const SurfacePoint& from = parameters_[at.from];
+    const SurfacePoint& to = parameters_[at.to];
+    return on_surface(
+        {std::lerp(from.u, to.u, at.share), std::lerp(from.v, to.v, at.share)},
+        surface_of_[at.from]);
+}
+
+// Whether the ball comes near enough to a place.
+bool PartSamples::is_reached(const CutterContact& place) const
+{
+    const auto* mesh = std::get_if<SampledMesh>(&source_);
+    return (!mesh || mesh->ball->is_accessible(place, accessible_distance_)) &&
+           (!guard_ || guard_->is_accessible(place, accessible_distance_));
+}
+
+// Finds which samples need not be covered, and divides the edges between them and the others
+// at the last place that the ball reaches.
+void PartSamples::find_accessible()
+{
     std::vector<char> reached(size());
     parallel_for(size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             reached[i] = is_reached({points_[i], normals_[i]}) ? 1 : 0;
     });
+    if (!is_mesh() && std::find(reached.begin(), reached.end(), 0) == reached.end())
+        return;
+    if (guard_ && std::find(reached.begin(), reached.end(), 1) == reached.end())
+        throw GeometryError{
+            "the ball comes near no place of the part, which the protected part bars"};
     is_wanted_.assign(reached.begin(), reached.end());
     std::vector<MeshEdge> crossing;
     for (const Triangle& triangle : triangles_)
@@ -363,22 +409,36 @@ void PartSamples::find_accessible(double distance)
         const std::int32_t outside = is_wanted_[a] ? b : a;
         double share = 0;
         for (double step = 0.5; step >= std::exp2(-border_halvings); step /= 2)
-            if (is_reached(mesh_place(mesh, {inside, outside, share + step})))
+            if (is_reached(exact_place({inside, outside, share + step})))
                 share += step;
         is_wanted_.push_back(true);
-        return add_middle(inside, outside, share);
+        return add_at(inside, outside, share);
     });
 }
 
-// Finds the contacts of the ball at the samples of a mesh.
+// The contact of the ball that is wanted at a place, moved to where the ball does not enter
+// the mesh or the protected part.
+CutterContact PartSamples::seated(const CutterContact& place) const
+{
+    const auto* mesh = std::get_if<SampledMesh>(&source_);
+    const CutterContact seat = mesh ? mesh->ball->seated(place) : place;
+    return guard_ ? guard_->held_off(seat, accessible_distance_) : seat;
+}
+
+// Finds the contacts of the ball at the samples.
 void PartSamples::seat()
 {
-    const SampledMesh& mesh = std::get<SampledMesh>(source_);
     seats_.resize(size());
     parallel_for(size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            seats_[i] = mesh.ball->seated({points_[i], normals_[i]});
+            seats_[i] = seated({points_[i], normals_[i]});
     });
+    // where nothing is held off, the samples are those of a part without protection
+    if (!is_mesh() && std::equal(seats_.begin(), seats_.end(), points_.begin(),
+                                 [](const CutterContact& seat, const Vec3& point) {
+                                     return seat.point == point;
+                                 }))
+        seats_.clear();
 }
 
 double PartSamples::unwanted_area() const
@@ -484,17 +544,19 @@ CutterContact PartSamples::mesh_place(const SampledMesh& mesh, const SampleEdge&
                       {points_[at.to], normals_[at.to]}, at.share);
 }
 
+// Point and normal of a surface.
+CutterContact PartSamples::on_surface(const SurfacePoint& at, int number) const
+{
+    const auto& [surfaces, sides] = std::get<SampledSurfaces>(source_);
+    const Surface& surface = surfaces[number];
+    return {surface.tangents(at.u, at.v).point,
+            tool_normal(surface, sides[number], at.u, at.v)};
+}
+
 PassContact PartSamples::contact(const SurfacePoint& at, std::int32_t near) const
 {
     const int number = surface_of_[near];
-    const auto& [surfaces, sides] = std::get<SampledSurfaces>(source_);
-    const Surface& surface = surfaces[number];
-    return {{at.u,
-             at.v,
-             {surface.tangents(at.u, at.v).point,
-              tool_normal(surface, sides[number], at.u, at.v)}},
-            number,
-            near};
+    return {{at.u, at.v, seated(on_surface(at, number))}, number, near};
 }
 
 PassContact PartSamples::contact(const SampleEdge& place) const
@@ -503,7 +565,7 @@ PassContact PartSamples::contact(const SampleEdge& place) const
     if (const auto* mesh = std::get_if<SampledMesh>(&source_))
         return place.from == place.to
                    ? mesh_contact(seats_[near], near)
-                   : mesh_contact(mesh->ball->seated(mesh_place(*mesh, place)), near);
+                   : mesh_contact(seated(mesh_place(*mesh, place)), near);
     const SurfacePoint& from = parameters_[place.from];
     const SurfacePoint& to = parameters_[place.to];
     return contact(
@@ -533,7 +595,7 @@ PassContact PartSamples::between(const PassContact& from, const PassContact& to,
     if (const auto* mesh = std::get_if<SampledMesh>(&source_)) {
         CutterContact at = mesh_place(*mesh, from.at.contact, to.at.contact, share);
         at.point = mesh->ball->nearest(at.point);
-        return mesh_contact(mesh->ball->seated(at), near);
+        return mesh_contact(seated(at), near);
     }
     return contact(
         {std::lerp(from.at.u, to.at.u, share), std::lerp(from.at.v, to.at.v, share)},

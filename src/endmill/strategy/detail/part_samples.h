@@ -14,6 +14,7 @@
 #include "endmill/strategy/detail/ball_on_mesh.h"
 #include "endmill/strategy/detail/mesh_net.h"
 #include "endmill/strategy/detail/sample_net.h"
+#include "endmill/strategy/protected_part.h"
 #include "endmill/surface/surface.h"
 
 namespace endmill {
@@ -40,11 +41,14 @@ struct SampleEdge {
     double share;       ///< 0 at `from`, 1 at `to`
 };
 
-/// How a mesh is sampled.
-struct MeshSampling {
+/// How a part is sampled.
+struct PartSampling {
     double spacing;  ///< greatest distance of neighbours, mm
-    /// A place need not be covered if the ball cannot come this near to it, mm.
-    double accessible_distance;
+    /// A place of a mesh, or beside a protected part, need not be covered if the ball cannot
+    /// come this near to it, mm.
+    double accessible_distance = 0;
+    /// A part that the ball must not enter; empty: none.
+    std::shared_ptr<const ProtectedPart> guard = {};
 };
 
 /// A part, sampled by a triangle net with a normal at each sample. The distance between
@@ -62,13 +66,18 @@ public:
     PartSamples(std::span<const Surface> surfaces, std::span<const double> sides,
                 double spacing, std::size_t most_samples);
 
+    /// The same beside a protected part. Contacts are held off it by at most the accessible
+    /// distance.
+    PartSamples(std::span<const Surface> surfaces, std::span<const double> sides,
+                const PartSampling& sampling, std::size_t most_samples);
+
     /// Samples of a mesh. Contacts are where the ball does not enter it.
     /// \param net          from mesh_net.
     /// \param ball         on the same mesh.
     /// \param sampling     see there.
     /// \param most_samples a denser net throws LimitError.
     PartSamples(const MeshNet& net, std::shared_ptr<const BallOnMesh> ball,
-                const MeshSampling& sampling, std::size_t most_samples);
+                const PartSampling& sampling, std::size_t most_samples);
 
     std::size_t size() const { return points_.size(); }            ///< number of samples
     double spacing() const { return spacing_; }                    ///< as given, mm
@@ -76,8 +85,9 @@ public:
     const Vec3& normal(std::size_t i) const { return normals_[i]; }  ///< unit
     std::span<const Triangle> triangles() const { return triangles_; }
 
-    /// Centre of a ball of `radius` mm at sample i, mm. On a mesh it is the centre of the
-    /// ball for which the mesh was sampled, moved to where it does not enter the mesh.
+    /// Centre of a ball of `radius` mm at sample i, mm. On a mesh, or beside a protected part,
+    /// it is the centre of the ball for which the part was sampled, moved to where it does
+    /// not enter the mesh or the protected part.
     Vec3 centre(std::size_t i, double radius) const
     {
         const Vec3& point = seats_.empty() ? points_[i] : seats_[i].point;
@@ -85,8 +95,8 @@ public:
         return point + radius * normal;
     }
 
-    /// Whether sample i must be covered. Samples of a mesh that the ball cannot reach need
-    /// not be.
+    /// Whether sample i must be covered. Samples that the ball cannot reach because of the
+    /// mesh or a protected part need not be.
     bool is_wanted(std::size_t i) const { return is_wanted_.empty() || is_wanted_[i]; }
 
     /// Whether the part is a mesh.
@@ -130,7 +140,7 @@ public:
     /// near_place. \see centre
     Vec3 near_centre(const SampleEdge& place, double radius) const
     {
-        if (is_mesh())
+        if (is_mesh() || is_held_off(place.from) || is_held_off(place.to))
             return (1 - place.share) * centre(place.from, radius) +
                    place.share * centre(place.to, radius);
         const CutterContact at = near_place(place);
@@ -175,7 +185,16 @@ private:
     bool divide_edges(
         std::vector<MeshEdge> edges,
         const std::function<std::int32_t(std::int32_t a, std::int32_t b)>& add_between);
-    void find_accessible(double distance);
+    CutterContact on_surface(const SurfacePoint& at, int number) const;
+    std::int32_t add_at(std::int32_t a, std::int32_t b, double share);
+    CutterContact exact_place(const SampleEdge& at) const;
+    bool is_reached(const CutterContact& place) const;
+    bool is_held_off(std::size_t i) const
+    {
+        return !seats_.empty() && seats_[i].point != points_[i];
+    }
+    CutterContact seated(const CutterContact& place) const;
+    void find_accessible();
     void number_by_place();
     void join();
     void seat();
@@ -185,13 +204,16 @@ private:
 
     std::variant<SampledSurfaces, SampledMesh> source_;
     double spacing_;
+    double accessible_distance_;
+    std::shared_ptr<const ProtectedPart> guard_;
     std::size_t most_samples_;
     std::vector<Vec3> points_;
     std::vector<Vec3> normals_;
-    std::vector<CutterContact> seats_;  // contacts of the ball; of a mesh only
+    // contacts of the ball; of a mesh, and where a protected part is near
+    std::vector<CutterContact> seats_;
     std::vector<SurfacePoint> parameters_;
     std::vector<int> surface_of_;
-    std::vector<bool> is_wanted_;  // of a mesh only
+    std::vector<bool> is_wanted_;  // empty: all are
     std::vector<Triangle> triangles_;
     std::vector<std::int32_t> representatives_;
     SampleLists neighbours_;

@@ -19,21 +19,14 @@ namespace {
 constexpr int demand_directions = 6;
 using Demands = std::array<Vec3, demand_directions + 1>;
 
-// A contact, and whether the move from the contact before it is clear.
-struct ClearContact {
-    PassContact at;
-    bool is_clear_move;
-};
-
 // The points that a move past a contact must reach: the one above it, and some on the
 // circle of the ball at the height to which it covers.
-Demands demands_at(std::span<const ClearContact> contacts, std::size_t k, double radius,
+Demands demands_at(std::span<const PassContact> contacts, std::size_t k, double radius,
                    double height)
 {
-    const CutterContact& contact = contacts[k].at.at.contact;
-    const Vec3& before = contacts[k > 0 ? k - 1 : k].at.at.contact.point;
-    const Vec3& after =
-        contacts[std::min(k + 1, contacts.size() - 1)].at.at.contact.point;
+    const CutterContact& contact = contacts[k].at.contact;
+    const Vec3& before = contacts[k > 0 ? k - 1 : k].at.contact.point;
+    const Vec3& after = contacts[std::min(k + 1, contacts.size() - 1)].at.contact.point;
     const Vec3 feed = after - before;
     const Vec3 across =
         contact.normal.cross(feed.norm() > 0 ? feed : contact.normal.unitOrthogonal())
@@ -54,7 +47,13 @@ Demands demands_at(std::span<const ClearContact> contacts, std::size_t k, double
 // Halvings of the way between two contacts of a pass in search of clear moves.
 constexpr int most_halvings = 6;
 
-// The contacts of a pass, with more of them where the move between two is not clear.
+// Contacts, and whether the step to each from the one before it is clear.
+struct SteppedContacts {
+    std::vector<PassContact> contacts;
+    std::vector<char> is_clear_step;
+};
+
+// The contacts of a pass, with more of them where the step between two is not clear.
 class ClearContacts {
 public:
     ClearContacts(const PartSamples& samples, const CoveredPart& part)
@@ -63,18 +62,18 @@ public:
     {
     }
 
-    std::vector<ClearContact> of(std::span<const PassContact> contacts)
+    SteppedContacts of(std::span<const PassContact> contacts)
     {
-        contacts_ = {{contacts.front(), false}};
+        stepped_ = {{contacts.front()}, {0}};
         for (const PassContact& contact : contacts.subspan(1))
             lead_to(contact, most_halvings);
-        return std::move(contacts_);
+        return std::move(stepped_);
     }
 
 private:
     void lead_to(const PassContact& to, int halvings)
     {
-        const PassContact from = contacts_.back().at;
+        const PassContact from = stepped_.contacts.back();
         const bool is_clear =
             part_->is_clear(ball_centre(from.at, part_->cutter()),
                             ball_centre(to.at, part_->cutter()), state_);
@@ -82,66 +81,134 @@ private:
             lead_to(samples_->between(from, to, 0.5), halvings - 1);
             lead_to(to, halvings - 1);
         } else {
-            contacts_.push_back({to, is_clear});
+            stepped_.contacts.push_back(to);
+            stepped_.is_clear_step.push_back(is_clear ? 1 : 0);
         }
     }
 
     const PartSamples* samples_;
     const CoveredPart* part_;
     MoveTestState state_;
-    std::vector<ClearContact> contacts_;
+    SteppedContacts stepped_;
 };
 
-// Divides a stretch: contacts of which only the first and the last may be required.
+// The moves between contacts of a stretch.
+class StretchMoves {
+public:
+    StretchMoves(std::span<const PassContact> contacts, const CoveredPart& part,
+                 const MoveLimits& limits)
+        : contacts_{contacts},
+          part_{part},
+          limits_{limits}
+    {
+        demands_.reserve(contacts.size());
+        for (std::size_t k = 0; k < contacts.size(); ++k)
+            demands_.push_back(
+                demands_at(contacts, k, part.cutter().radius(), limits.covered_height));
+    }
+
+    bool is_clear(std::size_t from, std::size_t to)
+    {
+        return part_.is_clear(centre(from), centre(to), state_);
+    }
+
+    // Numbers of the contacts from `first` to `last` at which moves begin and end. Steps
+    // from a contact to the next one are not tested.
+    std::vector<std::size_t> divided(std::size_t first, std::size_t last)
+    {
+        const auto division = fewest_moves(
+            last - first + 1, PassShape::Open, [&](std::size_t from, std::size_t to) {
+                return to == from + 1 || (reaches_demands(first + from, first + to) &&
+                                          is_clear(first + from, first + to));
+            });
+        std::vector<std::size_t> vertices = division->vertices;
+        for (std::size_t& vertex : vertices)
+            vertex += first;
+        return vertices;
+    }
+
+    // Whether the moves of a division that are single steps are clear.
+    bool are_steps_clear(std::span<const std::size_t> vertices)
+    {
+        for (std::size_t k = 0; k + 1 < vertices.size(); ++k)
+            if (vertices[k + 1] == vertices[k] + 1 &&
+                !is_clear(vertices[k], vertices[k + 1]))
+                return false;
+        return true;
+    }
+
+    std::vector<PassContact> at(std::span<const std::size_t> vertices) const
+    {
+        std::vector<PassContact> chosen;
+        chosen.reserve(vertices.size());
+        for (const std::size_t vertex : vertices)
+            chosen.push_back(contacts_[vertex]);
+        return chosen;
+    }
+
+private:
+    Vec3 centre(std::size_t k) const
+    {
+        return ball_centre(contacts_[k].at, part_.cutter());
+    }
+
+    bool reaches_demands(std::size_t from, std::size_t to) const
+    {
+        const UprightSweep sweep{centre(from), centre(to)};
+        for (std::size_t k = from; k <= to; ++k)
+            for (const Vec3& point : demands_[k])
+                if (beyond_reach(sweep.squared_distance(point), part_.cutter().radius()) >
+                    limits_.cover_slack)
+                    return false;
+        return true;
+    }
+
+    std::span<const PassContact> contacts_;
+    const CoveredPart& part_;
+    const MoveLimits& limits_;
+    std::vector<Demands> demands_;
+    MoveTestState state_;
+};
+
+// Divides a stretch step by step: it is interrupted where no step is clear.
+std::vector<StretchPiece> divided_by_steps(std::span<const PassContact> stretch,
+                                           const PartSamples& samples,
+                                           const CoveredPart& part,
+                                           const MoveLimits& limits)
+{
+    const auto [contacts, is_clear_step] = ClearContacts{samples, part}.of(stretch);
+    StretchMoves moves{contacts, part, limits};
+    std::vector<StretchPiece> pieces;
+    for (std::size_t first = 0; first < contacts.size();) {
+        // the longest run of clear steps
+        std::size_t last = first;
+        while (last + 1 < contacts.size() && is_clear_step[last + 1] != 0)
+            ++last;
+        StretchPiece piece{{contacts[first]}, first == 0, last + 1 == contacts.size()};
+        if (last > first)
+            piece.contacts = moves.at(moves.divided(first, last));
+        // a run of several contacts consists of clear moves
+        if (last > first || moves.is_clear(first, first))
+            pieces.push_back(std::move(piece));
+        first = last + 1;
+    }
+    return pieces;
+}
+
+// Divides a stretch: contacts of which only the first and the last may be required. Its
+// steps are tested one by one only if a move of the division is not clear.
 std::vector<StretchPiece> divided_stretch(std::span<const PassContact> stretch,
                                           const PartSamples& samples,
                                           const CoveredPart& part,
                                           const MoveLimits& limits)
 {
-    const double radius = part.cutter().radius();
-    const std::vector<ClearContact> contacts = ClearContacts{samples, part}.of(stretch);
-    std::vector<Demands> demands;
-    demands.reserve(contacts.size());
-    for (std::size_t k = 0; k < contacts.size(); ++k)
-        demands.push_back(demands_at(contacts, k, radius, limits.covered_height));
-    MoveTestState state;
-    const auto centre = [&](std::size_t k) {
-        return ball_centre(contacts[k].at.at, part.cutter());
-    };
-    const auto is_clear = [&](std::size_t from, std::size_t to) {
-        return part.is_clear(centre(from), centre(to), state);
-    };
-    const auto reaches_demands = [&](std::size_t from, std::size_t to) {
-        const UprightSweep sweep{centre(from), centre(to)};
-        for (std::size_t k = from; k <= to; ++k)
-            for (const Vec3& point : demands[k])
-                if (beyond_reach(sweep.squared_distance(point), radius) >
-                    limits.cover_slack)
-                    return false;
-        return true;
-    };
-    std::vector<StretchPiece> pieces;
-    for (std::size_t first = 0; first < contacts.size();) {
-        // the longest run whose neighbours are joined by clear moves
-        std::size_t last = first;
-        while (last + 1 < contacts.size() && contacts[last + 1].is_clear_move)
-            ++last;
-        StretchPiece piece{{contacts[first].at}, first == 0, last + 1 == contacts.size()};
-        if (last > first) {
-            const auto divided = fewest_moves(
-                last - first + 1, PassShape::Open, [&](std::size_t from, std::size_t to) {
-                    return to == from + 1 || (reaches_demands(first + from, first + to) &&
-                                              is_clear(first + from, first + to));
-                });
-            for (const std::size_t vertex : std::span{divided->vertices}.subspan(1))
-                piece.contacts.push_back(contacts[first + vertex].at);
-        }
-        // a run of several contacts consists of clear moves
-        if (last > first || is_clear(first, first))
-            pieces.push_back(std::move(piece));
-        first = last + 1;
+    if (stretch.size() > 1) {
+        StretchMoves moves{stretch, part, limits};
+        const std::vector<std::size_t> vertices = moves.divided(0, stretch.size() - 1);
+        if (moves.are_steps_clear(vertices))
+            return {{moves.at(vertices), true, true}};
     }
-    return pieces;
+    return divided_by_steps(stretch, samples, part, limits);
 }
 
 // Adds the pieces of a stretch to those of the stretch before it.

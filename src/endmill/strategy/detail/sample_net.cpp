@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/strategy/detail/sample_net.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -65,16 +66,28 @@ void divide(Triangle corners, const EdgeMiddles& middles_of, std::vector<Triangl
 }
 
 // The edges of all triangles without regard to twins, in rising order, with repetitions.
+// They are sorted by their lower ends first, in linear time.
 std::vector<MeshEdge> own_edges(std::span<const Triangle> triangles)
 {
-    std::vector<MeshEdge> edges;
-    edges.reserve(3 * triangles.size());
-    for (const Triangle& triangle : triangles)
-        for (int k = 0; k < 3; ++k) {
-            const auto [low, high] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
-            edges.push_back({low, high});
-        }
-    std::sort(edges.begin(), edges.end());
+    std::vector<std::size_t> next;  // place for the next edge of each lower end
+    const auto for_edges = [&](const auto& visit) {
+        for (const Triangle& triangle : triangles)
+            for (int k = 0; k < 3; ++k) {
+                const auto [low, high] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
+                visit(static_cast<std::size_t>(low), MeshEdge{low, high});
+            }
+    };
+    for_edges([&](std::size_t low, const MeshEdge&) {
+        if (next.size() < low + 2)
+            next.resize(std::max(low + 2, 2 * next.size()), 0);
+        ++next[low + 1];
+    });
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    std::vector<MeshEdge> edges(3 * triangles.size());
+    for_edges([&](std::size_t low, const MeshEdge& edge) { edges[next[low]++] = edge; });
+    for (std::size_t low = 0, first = 0; low < next.size(); first = next[low++])
+        std::sort(edges.begin() + static_cast<std::ptrdiff_t>(first),
+                  edges.begin() + static_cast<std::ptrdiff_t>(next[low]));
     return edges;
 }
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "endmill/mesh/triangle_mesh.h"
@@ -53,42 +53,46 @@ std::vector<MeshEdge> net_border(std::span<const Triangle> triangles,
 /// neighbours have near numbers and share cache lines.
 std::vector<std::int32_t> numbers_by_place(std::span<const Vec3> points);
 
-/// The samples in the middle of edges.
+/// The samples in the middle of edges. A table with open addressing, several times quicker
+/// than a map of the standard library.
 class EdgeMiddles {
 public:
     /// An edge that has a middle already keeps it.
     void add(std::int32_t a, std::int32_t b, std::int32_t middle)
     {
-        const auto size = static_cast<std::size_t>(std::max(a, b)) + 1;
-        if (is_end_.size() < size)
-            is_end_.resize(std::max(size, 2 * is_end_.size()), false);
-        is_end_[a] = is_end_[b] = true;
-        middles_.emplace(key(a, b), middle);
+        if (2 * (count_ + 1) > table_.size())
+            grow();
+        Entry& entry = table_[place_of(key(a, b))];
+        if (entry.key == no_edge) {
+            entry = {key(a, b), middle};
+            ++count_;
+        }
     }
     /// The middle of an edge, which may be changed; null if the edge is not divided.
     std::int32_t* find(std::int32_t a, std::int32_t b)
     {
-        if (!are_ends(a, b))
+        if (table_.empty())
             return nullptr;
-        const auto found = middles_.find(key(a, b));
-        return found == middles_.end() ? nullptr : &found->second;
+        Entry& entry = table_[place_of(key(a, b))];
+        return entry.key == no_edge ? nullptr : &entry.middle;
     }
     /// Nothing if the edge is not divided.
     std::optional<std::int32_t> of(std::int32_t a, std::int32_t b) const
     {
-        if (!are_ends(a, b))
+        if (table_.empty())
             return std::nullopt;
-        const auto found = middles_.find(key(a, b));
-        return found == middles_.end() ? std::nullopt : std::optional{found->second};
+        const Entry& entry = table_[place_of(key(a, b))];
+        return entry.key == no_edge ? std::nullopt : std::optional{entry.middle};
     }
 
 private:
-    // Whether both are ends of divided edges: most edges are ruled out in this way.
-    bool are_ends(std::int32_t a, std::int32_t b) const
-    {
-        const auto last = static_cast<std::size_t>(std::max(a, b));
-        return last < is_end_.size() && is_end_[a] && is_end_[b];
-    }
+    // No edge has this key: numbers of samples are not negative.
+    static constexpr std::uint64_t no_edge = ~std::uint64_t{0};
+
+    struct Entry {
+        std::uint64_t key = no_edge;
+        std::int32_t middle = 0;
+    };
 
     static std::uint64_t key(std::int32_t a, std::int32_t b)
     {
@@ -96,8 +100,31 @@ private:
                static_cast<std::uint64_t>(std::max(a, b));
     }
 
-    std::unordered_map<std::uint64_t, std::int32_t> middles_;
-    std::vector<bool> is_end_;  // by number
+    // The entry of a key, or the free entry in which it belongs. Keys are spread by a
+    // multiplication; its upper bits depend on all bits of the key.
+    std::size_t place_of(std::uint64_t key) const
+    {
+        constexpr std::uint64_t golden_ratio = 0x9e3779b97f4a7c15;
+        constexpr int upper_bits = 32;
+        const std::size_t mask = table_.size() - 1;
+        std::size_t place = (key * golden_ratio >> upper_bits) & mask;
+        while (table_[place].key != no_edge && table_[place].key != key)
+            place = (place + 1) & mask;
+        return place;
+    }
+
+    void grow()
+    {
+        constexpr std::size_t first_size = 1024;
+        const std::vector<Entry> old = std::exchange(
+            table_, std::vector<Entry>(std::max(first_size, 2 * table_.size())));
+        for (const Entry& entry : old)
+            if (entry.key != no_edge)
+                table_[place_of(entry.key)] = entry;
+    }
+
+    std::vector<Entry> table_;  // its size is a power of two
+    std::size_t count_ = 0;
 };
 
 /// The triangles, divided at the middles of their edges into two to four.
