@@ -36,6 +36,13 @@ struct DensePass {
     std::vector<std::array<Vec3, 3>> demands;
 };
 
+// A parameter line, and at how many places it is sampled.
+struct SampledLine {
+    Parameter along;
+    double share;  // of the range of the other parameter
+    std::size_t samples;
+};
+
 // What passes are divided for.
 struct Cut {
     BallCutter ball;
@@ -54,10 +61,11 @@ double cpu_s()
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// The parameter line at `share` of the other parameter, in equal steps.
-DensePass parameter_line(const Surface& surface, double side, Parameter along,
-                         double share, std::size_t samples, const Cut& cut)
+// The parameter line in equal steps.
+DensePass parameter_line(const Surface& surface, double side, const SampledLine& line,
+                         const Cut& cut)
 {
+    const auto& [along, share, samples] = line;
     const double R = cut.ball.radius();
     const double covered = covered_share * cut.height;
     const double half_width = std::sqrt(covered * (2 * R - covered));
@@ -167,8 +175,8 @@ void add_surface(CsvTable& result, const std::string& name, const Cut& cut, int 
     std::array<Division, methods.size()> divisions;
     for (const Parameter along : {Parameter::U, Parameter::V})
         for (int line = 0; line < lines; ++line) {
-            const DensePass pass = parameter_line(surfaces.front(), side, along,
-                                                  (line + 0.5) / lines, samples, cut);
+            const DensePass pass = parameter_line(
+                surfaces.front(), side, {along, (line + 0.5) / lines, samples}, cut);
             for (std::size_t k = 0; k < methods.size(); ++k) {
                 DivisionTest test{covered, pass, cut};
                 const double begin = cpu_s();

@@ -123,6 +123,7 @@ void StrategiesTable::add(const std::string& name, const Surface& surface,
 void StrategiesTable::add_left_out(const Comparison& comparison)
 {
     std::vector<std::string> words;
+    words.reserve(every_strategy.size() + 1);
     for (const Strategy strategy : every_strategy)
         words.emplace_back(strategy_name(strategy));
     words.emplace_back(best_name);

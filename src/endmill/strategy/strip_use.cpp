@@ -155,7 +155,7 @@ std::vector<Place> places_on(const Part& part, double height, double width)
 // The places that no move has covered yet, in cells in plan.
 class UncoveredPlaces {
 public:
-    UncoveredPlaces(std::vector<Place> places, double radius, double cell)
+    UncoveredPlaces(const std::vector<Place>& places, double radius, double cell)
         : radius_{radius},
           per_mm_{1 / cell}
     {
