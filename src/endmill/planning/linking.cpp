@@ -29,6 +29,49 @@ CutterLocation lifted(const CutterLocation& location, const LinkOptions& options
     return {location.tip + (options.safe_height - height) * options.axis, location.axis};
 }
 
+using IsClear = std::function<bool(const Vec3& from, const Vec3& to)>;
+
+// By how much an arch between two contacts is raised, mm; nothing if there is none. It travels
+// at feed where a lifted link plunges, so it must not be longer than retract and plunge.
+std::optional<double> arch_height(const SurfaceContact& from, const SurfaceContact& to,
+                                  const BallCutter& cutter, const LinkOptions& options,
+                                  const IsClear& is_clear)
+{
+    const Vec3 start = ball_centre(from, cutter);
+    const Vec3 end = ball_centre(to, cutter);
+    const double safe = options.safe_height + cutter.radius();
+    const double up = safe - start.dot(options.axis);
+    const double down = safe - end.dot(options.axis);
+    for (const double share : arch_shares) {
+        const double height = share * std::min(up, down);
+        if (!(height > 0) || 2 * height + (end - start).norm() > up + down)
+            return std::nullopt;
+        const Vec3 raise = height * options.axis;
+        if (is_clear(start + raise, end + raise))
+            return height;
+    }
+    return std::nullopt;
+}
+
+// How two pieces are linked, and by how much an arch is raised.
+enum class LinkKind { Straight, Arched, Lifted };
+struct ChosenLink {
+    LinkKind kind;
+    double height = 0;  // mm
+};
+
+ChosenLink chosen_link(const SurfaceContact& from, const SurfaceContact& to,
+                       const BallCutter& cutter, const LinkOptions& options,
+                       const IsClear& is_clear)
+{
+    if (is_clear(ball_centre(from, cutter), ball_centre(to, cutter)))
+        return {LinkKind::Straight};
+    if (options.barred == BarredLink::Arched)
+        if (const auto height = arch_height(from, to, cutter, options, is_clear))
+            return {LinkKind::Arched, *height};
+    return {LinkKind::Lifted};
+}
+
 // Appends moves between contacts to a path, and numbers its passes and points.
 class PathBuilder {
 public:
@@ -65,6 +108,19 @@ public:
         add(Move::Rapid, lifted(next, options_));
     }
 
+    // Appends the moves of a link up to the place above `contact`.
+    // \return the move that leads to the contact.
+    Move lead_over(const ChosenLink& link, const SurfaceContact& contact)
+    {
+        if (link.kind == LinkKind::Straight)
+            return Move::Link;
+        if (link.kind == LinkKind::Arched)
+            arch_over(contact, link.height);
+        else
+            lift_over(contact);
+        return Move::Plunge;
+    }
+
     ToolPath take() { return std::move(path_); }
 
 private:
@@ -79,30 +135,6 @@ private:
     int pass_ = -1;
     int point_ = 0;
 };
-
-using IsClear = std::function<bool(const Vec3& from, const Vec3& to)>;
-
-// By how much an arch between two contacts is raised, mm; nothing if there is none. It travels
-// at feed where a lifted link plunges, so it must not be longer than retract and plunge.
-std::optional<double> arch_height(const SurfaceContact& from, const SurfaceContact& to,
-                                  const BallCutter& cutter, const LinkOptions& options,
-                                  const IsClear& is_clear)
-{
-    const Vec3 start = ball_centre(from, cutter);
-    const Vec3 end = ball_centre(to, cutter);
-    const double safe = options.safe_height + cutter.radius();
-    const double up = safe - start.dot(options.axis);
-    const double down = safe - end.dot(options.axis);
-    for (const double share : arch_shares) {
-        const double height = share * std::min(up, down);
-        if (!(height > 0) || 2 * height + (end - start).norm() > up + down)
-            return std::nullopt;
-        const Vec3 raise = height * options.axis;
-        if (is_clear(start + raise, end + raise))
-            return height;
-    }
-    return std::nullopt;
-}
 
 // Appends trimmed curves to a path as passes of cutter tips.
 class SectionPath {
@@ -222,20 +254,13 @@ LinkedPath link_pieces(
         Move move = Move::Plunge;
         if (previous) {
             const bool returns = is_new && options.order == PassOrder::OneWay;
-            const SurfaceContact& last = previous->contacts.back();
-            const bool is_straight = !returns && is_clear(ball_centre(last, cutter),
-                                                          ball_centre(first, cutter));
-            std::optional<double> arch;
-            if (!returns && !is_straight && options.barred == BarredLink::Arched)
-                arch = arch_height(last, first, cutter, options, is_clear);
-            if (is_straight)
-                move = Move::Link;
-            if (arch)
-                builder.arch_over(first, *arch);
-            else if (!is_straight)
-                builder.lift_over(first);
-            arched_links += arch ? 1 : 0;
-            lifted_links += is_straight || arch || returns ? 0 : 1;
+            const ChosenLink link = returns
+                                        ? ChosenLink{LinkKind::Lifted}
+                                        : chosen_link(previous->contacts.back(), first,
+                                                      cutter, options, is_clear);
+            move = builder.lead_over(link, first);
+            arched_links += link.kind == LinkKind::Arched ? 1 : 0;
+            lifted_links += link.kind == LinkKind::Lifted && !returns ? 1 : 0;
         }
         builder.add(move, first);
         for (std::size_t k = 1; k < piece.contacts.size(); ++k)

@@ -141,6 +141,18 @@ FirstLines even_lines(const Surface& surface, const FirstLines& equal, double si
     return {even_lines(us, lengths.us, first), even_lines(vs, lengths.vs, first)};
 }
 
+// The edges of which one end is wanted and the other is not.
+std::vector<MeshEdge> edges_between(std::span<const Triangle> triangles,
+                                    const std::vector<bool>& is_wanted)
+{
+    std::vector<MeshEdge> crossing;
+    for (const Triangle& triangle : triangles)
+        for (int k = 0; k < 3; ++k)
+            if (is_wanted[triangle[k]] != is_wanted[triangle[(k + 1) % 3]])
+                crossing.push_back({triangle[k], triangle[(k + 1) % 3]});
+    return crossing;
+}
+
 [[noreturn]] void throw_too_many(double needed, std::size_t most_samples)
 {
     std::ostringstream message;
@@ -399,21 +411,17 @@ void PartSamples::find_accessible()
         throw GeometryError{
             "the ball comes near no place of the part, which the protected part bars"};
     is_wanted_.assign(reached.begin(), reached.end());
-    std::vector<MeshEdge> crossing;
-    for (const Triangle& triangle : triangles_)
-        for (int k = 0; k < 3; ++k)
-            if (is_wanted_[triangle[k]] != is_wanted_[triangle[(k + 1) % 3]])
-                crossing.push_back({triangle[k], triangle[(k + 1) % 3]});
-    divide_edges(std::move(crossing), [&](std::int32_t a, std::int32_t b) {
-        const std::int32_t inside = is_wanted_[a] ? a : b;
-        const std::int32_t outside = is_wanted_[a] ? b : a;
-        double share = 0;
-        for (double step = 0.5; step >= std::exp2(-border_halvings); step /= 2)
-            if (is_reached(exact_place({inside, outside, share + step})))
-                share += step;
-        is_wanted_.push_back(true);
-        return add_at(inside, outside, share);
-    });
+    divide_edges(
+        edges_between(triangles_, is_wanted_), [&](std::int32_t a, std::int32_t b) {
+            const std::int32_t inside = is_wanted_[a] ? a : b;
+            const std::int32_t outside = is_wanted_[a] ? b : a;
+            double share = 0;
+            for (double step = 0.5; step >= std::exp2(-border_halvings); step /= 2)
+                if (is_reached(exact_place({inside, outside, share + step})))
+                    share += step;
+            is_wanted_.push_back(true);
+            return add_at(inside, outside, share);
+        });
 }
 
 // The contact of the ball that is wanted at a place, moved to where the ball does not enter
