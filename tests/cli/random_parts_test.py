@@ -159,39 +159,28 @@ class RandomParts(ProgramTest):
         self.assertGreaterEqual(planned, 0.9 * GRIDS)
 
     def test_meshes_are_cut_clean(self):
-        clean = 0
         for seed in range(1, MESHES + 1):
             with self.subTest(seed=seed):
                 facets, diameter, height = random_mesh(seed, GENTLE)
                 status, facts, messages = self.plan(self.file(as_off(facets), "part.off"), diameter, height)
-                self.assertIn(status, (0, 1), messages)
+                self.assertEqual(status, 0, messages)
+                self.assert_clean(facts, height)
+                self.assertEqual(facts["unreached_mm2"], 0)
                 tool = self.swept_tool(diameter)
-                highest = max(height, facts["max_left_mm"])
                 for facet in facets:
                     centre = [sum(corner[k] for corner in facet) / 3 for k in range(3)]
-                    raised = [a + highest * b for a, b in zip(centre, normal_of(facet))]
+                    raised = [a + height * b for a, b in zip(centre, normal_of(facet))]
                     self.assertGreaterEqual(tool.distance(centre), diameter / 2 - INNER - ROUNDING)
                     self.assertLessEqual(tool.distance(raised), diameter / 2 + ROUNDING)
-                # Coverage between samples is computed, not proved. Beside creases, two of the twenty paths leave
-                # up to 1 % more than the height, and the program says so.
-                self.assertLessEqual(facts["max_left_mm"], 1.02 * height)
-                if status == 0:
-                    self.assert_clean(facts, height)
-                    clean += 1
-                else:
-                    self.assertGreater(facts["max_left_mm"], height)
-        self.assertGreaterEqual(clean, 0.75 * MESHES)
 
     @unittest.skipUnless(IS_LONG, "ENDMILL_FAULTS=long runs it")
-    def test_rough_meshes_are_never_gouged_and_places_out_of_reach_are_told(self):
+    def test_rough_meshes_are_cut_clean_where_the_ball_reaches(self):
         for seed in range(1, MESHES + 1):
             with self.subTest(seed=seed):
                 facets, diameter, height = random_mesh(seed, ROUGH)
                 status, facts, messages = self.plan(self.file(as_off(facets), "part.off"), diameter, height)
-                self.assertEqual(status, 0 if facts["verdict"] == "clean" else 1, messages)
-                self.assertLessEqual(facts["max_gouge_mm"], INNER)
-                if status:
-                    self.assertGreater(facts["unreached_mm2"], 0)
+                self.assertEqual(status, 0, messages)
+                self.assert_clean(facts, height)
                 tool = self.swept_tool(diameter)
                 for facet in facets:
                     centre = [sum(corner[k] for corner in facet) / 3 for k in range(3)]

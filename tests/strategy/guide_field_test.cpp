@@ -2,10 +2,13 @@
 #include "endmill/strategy/detail/guide_field.h"
 
 #include <cmath>
+#include <utility>
 
 #include <gtest/gtest.h>
 
+#include "endmill/strategy/detail/covered_part.h"
 #include "endmill/surface/tool_side.h"
+#include "test_meshes.h"
 #include "test_surfaces.h"
 
 namespace endmill {
@@ -107,6 +110,31 @@ TEST(GuideField, ScalesWithLength)
     ASSERT_EQ(one.size(), two.size());
     for (std::size_t i = 0; i < one.size(); ++i)
         EXPECT_NEAR(two[i], 2 * one[i], 1e-6 * 40);
+}
+
+// The samples on both sides of an edge of a mesh are joined by triangles without area, which
+// are divided where the ball does not reach the edge.
+TEST(GuideField, IsContinuousAcrossEdgesOfAMesh)
+{
+    const Part part{test::grid_mesh(4, 3, [](double i, double j) {
+        return Vec3{6 * i, 6 * j, (i == 2 ? -2.0 : 0.0) + (j == 1 ? 0.4 : 0.0)};
+    })};
+    const CoveredPart covered{part, BallCutter{radius}, {0.01, height}};
+    const PartSamples samples = covered.samples(1, 100'000);
+    ASSERT_GT(samples.unwanted_area(), 0);
+    const std::vector<double> values =
+        guide_field(samples, BallCutter{radius}, height, TravelKind::Contact);
+    int joined = 0;
+    for (const auto& [a, b, c] : samples.triangles())
+        for (const auto& [from, to] :
+             {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}}) {
+            ASSERT_TRUE(std::isfinite(values[from]));
+            if (samples.point(from) != samples.point(to))
+                continue;
+            ++joined;
+            ASSERT_EQ(values[from], values[to]);
+        }
+    EXPECT_GT(joined, 100);
 }
 
 }  // namespace

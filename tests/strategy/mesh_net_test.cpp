@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/strategy/detail/mesh_net.h"
 
+#include <cmath>
 #include <numeric>
 
 #include <gtest/gtest.h>
@@ -72,6 +73,30 @@ TEST(MeshNet, HasTheNormalsOfASmoothPart)
         const Vec3 normal = Vec3{-p.x() / 30, p.y() / 30, 1}.normalized();
         // facets at the border lie on one side only
         EXPECT_LT((net.normals[i] - normal).norm(), 0.012);
+    }
+}
+
+// On a roof of two facets, every place of a facet has the normal of its facet, up to the
+// border and the edge, if the turn of the edge exceeds the limit.
+TEST(MeshNet, HasTheNormalsOfFacetsBesideEdgesThatTurnMoreThanTheLimit)
+{
+    const double rise = 0.1;
+    const TriangleMesh roof{{{-4, 0, 0}, {0, -3, 4 * rise}, {0, 3, 4 * rise}, {4, 0, 0}},
+                            {{0, 1, 2}, {3, 2, 1}}};
+    const double turn = 2 * std::atan(rise);
+    const MeshNet blunt = mesh_net(roof, {1, 1.01 * turn});
+    EXPECT_EQ(blunt.points.size(), 4u);
+    const MeshNet net = mesh_net(roof, {1, 0.99 * turn});
+    EXPECT_FALSE(net.has_creases);
+    EXPECT_NEAR(area(net), area(blunt), 1e-12);
+    EXPECT_NEAR(border_length(net), border_length(blunt), 1e-12);
+    for (const auto& [a, b, c] : net.triangles) {
+        const Vec3 normal =
+            (net.points[b] - net.points[a]).cross(net.points[c] - net.points[a]);
+        if (normal.norm() == 0)
+            continue;  // of the strip
+        for (const std::int32_t corner : {a, b, c})
+            EXPECT_LT((net.normals[corner] - normal.normalized()).norm(), 1e-12);
     }
 }
 
