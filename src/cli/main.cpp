@@ -27,7 +27,7 @@ namespace {
 constexpr const char* footer =
     "Example:\n"
     "  endmill info datasets/surfaces/saddle.json\n"
-    "  endmill plan datasets/surfaces/saddle.json -o saddle\n"
+    "  endmill plan datasets/surfaces/saddle.json --strategy iso -o saddle\n"
     "  endmill verify saddle/u/toolpath.csv --resolution 0.5\n\n"
     "Exit status:\n"
     "  0  success, or the answer is yes    4  the geometry does not allow the task\n"

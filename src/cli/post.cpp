@@ -312,7 +312,8 @@ void add_post_command(CLI::App& program, Action& action)
         "path; otherwise rapids run into it, which verify reports as collisions.\n"
         "Descents without a cut after them (drilling) do not change.\n\n"
         "Example:\n"
-        "  endmill plan datasets/surfaces/saddle.json --cutter ball:20 -o saddle\n"
+        "  endmill plan datasets/surfaces/saddle.json --cutter ball:20 --strategy iso -o "
+        "saddle\n"
         "  endmill post saddle/u/toolpath.csv --control fanuc --feed 800 --spindle-rpm "
         "6000");
     command->callback([options, &action] {

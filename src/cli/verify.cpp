@@ -98,7 +98,8 @@ void add_verify_command(CLI::App& program, Action& action)
         "the summary.json beside TOOLPATH. Points are numbered from 0 through the whole\n"
         "path, as in removal.csv.\n\n"
         "Example:\n"
-        "  endmill plan datasets/surfaces/saddle.json --cutter ball:20 -o saddle\n"
+        "  endmill plan datasets/surfaces/saddle.json --cutter ball:20 --strategy iso -o "
+        "saddle\n"
         "  endmill verify saddle/u/toolpath.csv --resolution 0.5");
     command->callback(
         [options, &action] { action = [options] { return run_verify(*options); }; });

@@ -213,5 +213,47 @@ TEST(BestPlan, IsNotLongerThanThePlanOfAnyStrategy)
         << "iso-u and iso-v are always planned";
 }
 
+// The width of a strip on a plane is 2 sqrt(h (2R - h)), so that a square of 20 mm has
+// 400 / (4 h (2R - h)) squares of it.
+double height_for_squares(double squares, double radius)
+{
+    const double half_square = 400 / squares / 4;
+    return radius - std::sqrt(radius * radius - half_square);
+}
+
+TEST(BestPlan, LaysOneStrategyOnALargePart)
+{
+    const std::vector<Surface> surfaces{test::plane(20, 20)};
+    const BallCutter ball{5};
+    const BestPlan best = plan_by_best_strategy(
+        surfaces, ball, options_for(surfaces, height_for_squares(4200, 5)));
+    EXPECT_TRUE(best.plan.is_good());
+    int laid = 0;
+    for (const TriedStrategy& one : best.tried)
+        if (one.strategy != Strategy::IsoU && one.strategy != Strategy::IsoV) {
+            EXPECT_TRUE(one.travel_mm || one.estimated_mm || !one.refusal.empty());
+            laid += one.travel_mm ? 1 : 0;
+        }
+    EXPECT_EQ(laid, 1);
+}
+
+TEST(BestPlan, FollowsParametersOnAVeryLargePart)
+{
+    const std::vector<Surface> surfaces{test::plane(20, 20)};
+    const BallCutter ball{5};
+    const StrategyOptions options = options_for(surfaces, height_for_squares(21'000, 5));
+    const BestPlan best = plan_by_best_strategy(surfaces, ball, options);
+    EXPECT_TRUE(best.plan.is_good());
+    for (const TriedStrategy& one : best.tried) {
+        const bool follows =
+            one.strategy == Strategy::IsoU || one.strategy == Strategy::IsoV;
+        EXPECT_EQ(one.travel_mm.has_value(), follows) << strategy_name(one.strategy);
+        EXPECT_EQ(one.refusal.empty(), follows);
+        if (follows) {
+            EXPECT_LE(best.plan.economy.cut.contact_mm, *one.travel_mm);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace endmill

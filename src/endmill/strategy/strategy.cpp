@@ -268,9 +268,10 @@ constexpr double worth_following = 1.25;
 
 // A part is large if it has more squares with the side of a strip's width. On a large part
 // one strategy is laid on samples at most, and a still larger one is not sampled where there
-// are parameter lines: samples and their moves take time and memory.
+// are parameter lines: a steep part of many patches takes about 3 ms of processor time for
+// each square.
 constexpr double most_squares_compared = 4000;
-constexpr double most_squares_sampled = 300'000;
+constexpr double most_squares_sampled = 20'000;
 // Passes along parameter lines are estimated for so many squares.
 constexpr double squares_for_estimate = 1000;
 // A height is doubled for such an estimate, up to this share of the radius.
@@ -429,9 +430,11 @@ private:
         if (needed <= most_squares_sampled || !std::holds_alternative<Surfaces>(part_))
             return;
         std::ostringstream message;
-        message << std::setprecision(2) << "the part has " << needed
-                << " squares of a strip's width; best samples at most "
-                << most_squares_sampled << " (name the strategy to have it planned)";
+        message << std::fixed << std::setprecision(0) << "the part has " << needed
+                << " squares of a strip's width, and best samples parts of at most "
+                << most_squares_sampled
+                << ", to save time; name this strategy to plan by it, or allow a larger "
+                   "scallop height";
         throw LimitError{message.str()};
     }
 

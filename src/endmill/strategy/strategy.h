@@ -98,7 +98,7 @@ struct BestPlan {
 /// A part is large if its area exceeds 4000 squares of a strip's width. Of the strategies other
 /// than Strategy::IsoU and IsoV, only the one with the least estimate is then planned. IsoU and
 /// IsoV are estimated by a plan for a greater height, and planned unless the estimate exceeds
-/// the length of that path by more than 25 per cent. With more than 300 000 squares only IsoU
+/// the length of that path by more than 25 per cent. With more than 20 000 squares only IsoU
 /// and IsoV are compared, unless the part is a mesh. These rules depend on the part alone, not
 /// on the time that planning takes.
 ///
