@@ -293,6 +293,28 @@ std::string protected_text(const Json& s, const DeviationLimits& limits)
         shown_limit(limits.tolerance), shown(s["unreached_mm2"].get<double>()));
 }
 
+// Why strategies have no path, one line for each reason.
+std::string refusals_text(const Json& tried)
+{
+    std::vector<std::pair<std::string, std::string>> names_by_reason;
+    for (const Json& one : tried) {
+        if (!one.contains("refusal"))
+            continue;
+        const auto reason = one["refusal"].get<std::string>();
+        const auto strategy = one["strategy"].get<std::string>();
+        const auto known = std::ranges::find(names_by_reason, reason,
+                                             &std::pair<std::string, std::string>::first);
+        if (known == names_by_reason.end())
+            names_by_reason.emplace_back(reason, strategy);
+        else
+            known->second += ", " + strategy;
+    }
+    std::string text;
+    for (const auto& [reason, names] : names_by_reason)
+        text += fmt::format("  no path       {}: {}\n", names, reason);
+    return text;
+}
+
 std::string tried_text(const Json& s)
 {
     if (!s.contains("tried"))
@@ -308,7 +330,7 @@ std::string tried_text(const Json& s)
     for (const Json& one : s["tried"])
         text += fmt::format("{} {} {}", text.empty() ? "  tried        " : ",",
                             one["strategy"].get<std::string>(), length(one));
-    return text + "\n";
+    return text + "\n" + refusals_text(s["tried"]);
 }
 
 std::string report(const Json& s, const CoveringPath& plan, const DeviationLimits& limits)
