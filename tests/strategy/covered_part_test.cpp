@@ -31,6 +31,22 @@ TEST(CoveredPart, SamplesItsSurfaces)
     EXPECT_THROW(part.samples(1, 100), LimitError);
 }
 
+TEST(CoveredPart, AimsAtLessOnAMeshWhoseEdgesTurn)
+{
+    const BallCutter ball{5};
+    const Part plane = std::vector<Surface>{test::plane(20, 10)};
+    EXPECT_EQ((CoveredPart{plane, ball, {0.01, 1}}.aimed_height(1)), 1);
+
+    // A roof of two planes that rise by 1/200, so that its ridge turns by 0.01. At a height
+    // of 1 mm cos a = 4/5 and sin a = 3/5; half of the turn counts.
+    const std::vector<Vec3> points{{0, 0, 0},      {20, 0, 0}, {0, 10, 0.05},
+                                   {20, 10, 0.05}, {0, 20, 0}, {20, 20, 0}};
+    const std::vector<Triangle> facets{{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}};
+    const Part roof = TriangleMesh{points, facets};
+    const CoveredPart covered{roof, ball, {0.01, 1}};
+    EXPECT_NEAR(covered.aimed_height(1), 1 - 0.01 / 2 * 0.6, 1e-6);
+}
+
 // Strips of a ball of 5 mm are 6 mm wide at a height of 1 mm, and 2 mm at about 0.1 mm.
 TEST(FewSamples, KeepTheHeightIfTheySuffice)
 {

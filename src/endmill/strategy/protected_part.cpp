@@ -154,10 +154,10 @@ void ProtectedPart::require_clear(const ToolPath& path) const
         const Vec3& to = path.points[k].location.tip;
         const Vec3& from = path.points[k > 0 ? k - 1 : k].location.tip;
         if (!is_clear(from + to_centre, to + to_centre, checked_share * tolerance_))
-            throw GeometryError{std::string{"the "} +
-                                std::string{move_name(path.points[k].move)} + " from " +
-                                place_of(from) + " to " + place_of(to) +
-                                " would enter the protected part"};
+            throw GeometryError{
+                std::string{"the "} + std::string{move_name(path.points[k].move)} +
+                (k > 0 ? " from " + place_of(from) : std::string{}) + " to " +
+                place_of(to) + " would enter the protected part"};
     }
 }
 

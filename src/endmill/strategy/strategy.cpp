@@ -166,8 +166,10 @@ CoveringPath covering_after(const Trials& trials, const CoveredPart& covered,
                             const StrategyOptions& options)
 {
     const BallCutter& cutter = covered.cutter();
-    const StrategyOptions laying = with_progress(options, 0, laid_share);
-    const StrategyOptions making = with_progress(options, laid_share, 1);
+    StrategyOptions laying = with_progress(options, 0, laid_share);
+    StrategyOptions making = with_progress(options, laid_share, 1);
+    for (StrategyOptions* own : {&laying, &making})
+        own->scallop_height = covered.aimed_height(options.scallop_height);
     if (trials.directions) {
         PlanarPasses planar =
             planar_passes(covered, cutter, laying, trials.directions->best);

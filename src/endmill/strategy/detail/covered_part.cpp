@@ -15,21 +15,28 @@ namespace {
 // far apart where few are wanted; where more are wanted the net is refined.
 constexpr double net_share = 0.25;
 
-// Share of the scallop height by which the normals at an edge may change what is left.
-constexpr double turn_share = 0.002;
+// Share of the scallop height by which the normals at an edge may change what is left. Paths
+// on a coarser mesh with facets apart would be longer than those that leave this share.
+constexpr double turn_share = 0.01;
 
 // A height is raised for trials by this factor, up to a share of the radius.
 constexpr double raising_factor = 2;
 constexpr double greatest_raised_share = 0.2;
 
-// Where the normal of a place turns by t, the place is raised h t beside its own normal.
-// What is left between two passes has the slope tan a, cos a = 1 - h / R, so that this
-// changes what is left by h t sin a. At an edge, t is half the turn of the edge.
+// The share of the height by which an edge across which the normal is continuous changes what
+// is left, divided by the turn of the edge. Where the normal of a place turns by t, the place
+// is raised h t beside its own normal. What is left between two passes has the slope tan a,
+// cos a = 1 - h / R, so that this changes what is left by h t sin a. At an edge, t is half
+// the turn of the edge.
+double share_per_turn(const BallCutter& cutter, double height)
+{
+    return strip_width(cutter, height) / (2 * cutter.radius()) / 2;  // sin a / 2
+}
+
 MeshNetLimits net_limits(const BallCutter& cutter, double height)
 {
-    const double width = strip_width(cutter, height);
-    const double slope = width / (2 * cutter.radius());  // sin a
-    return {net_share * width, std::min(crease_angle, 2 * turn_share / slope)};
+    return {net_share * strip_width(cutter, height),
+            std::min(crease_angle, turn_share / share_per_turn(cutter, height))};
 }
 
 }  // namespace
@@ -68,6 +75,13 @@ PartSamples CoveredPart::samples(double spacing, std::size_t most_samples) const
     const auto& [surfaces, sides, clear] = std::get<CoveredSurfaces>(source_);
     return {*surfaces, sides, PartSampling{spacing, accessible_distance_, guard_},
             most_samples};
+}
+
+double CoveredPart::aimed_height(double height) const
+{
+    const auto* mesh = std::get_if<CoveredMesh>(&source_);
+    return mesh ? height * (1 - mesh->net.smoothed_turn * share_per_turn(cutter_, height))
+                : height;
 }
 
 bool CoveredPart::is_clear(const Vec3& from, const Vec3& to, MoveTestState& state) const

@@ -73,6 +73,11 @@ public:
     /// \param state    of this thread.
     bool is_clear(const Vec3& from, const Vec3& to, MoveTestState& state) const;
 
+    /// The height in mm at which strategies aim so that no more than `height` mm is left. On a
+    /// mesh it is less, because places near its edges are not raised along the normals of
+    /// their facets.
+    double aimed_height(double height) const;
+
     const BallCutter& cutter() const { return cutter_; }  ///< the ball
     std::span<const Surface> surfaces() const;  ///< of the part; none if it is a mesh
 

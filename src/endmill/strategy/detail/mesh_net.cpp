@@ -139,8 +139,9 @@ CornerNumber corner_number(std::size_t triangle, int k)
 
 // Unites the corners across edges with a small turn and returns the others. An edge of one
 // triangle, of more than two, or between triangles of opposite orientation is a border.
+// \param smoothed_turn becomes the greatest turn of an edge across which corners are united.
 std::vector<Crease> unite_smooth_corners(const TriangleMesh& mesh, double smooth_turn,
-                                         CornerGroups& groups)
+                                         CornerGroups& groups, double& smoothed_turn)
 {
     struct Use {
         std::int32_t low;
@@ -178,6 +179,7 @@ std::vector<Crease> unite_smooth_corners(const TriangleMesh& mesh, double smooth
         const CornerNumber b = uses[k + 1].from;
         const double turn = angle_between(normal(a), normal(b));
         if (turn <= smooth_turn) {
+            smoothed_turn = std::max(smoothed_turn, turn);
             groups.unite(a, to(b));
             groups.unite(to(a), b);
         } else {
@@ -297,8 +299,9 @@ MeshNet net_of(const TriangleMesh& mesh, double smooth_turn,
 {
     const std::span<const Triangle> triangles = mesh.triangles();
     CornerGroups groups{3 * triangles.size()};
-    const std::vector<Crease> creases = unite_smooth_corners(mesh, smooth_turn, groups);
     MeshNet net;
+    const std::vector<Crease> creases =
+        unite_smooth_corners(mesh, smooth_turn, groups, net.smoothed_turn);
     net.has_creases =
         std::any_of(creases.begin(), creases.end(),
                     [](const Crease& crease) { return crease.turn > crease_angle; });
@@ -358,6 +361,7 @@ MeshNet mesh_net(const TriangleMesh& mesh, const MeshNetLimits& limits)
         own[k] = normals[coarse.source_points[k]];
     MeshNet net = net_of(coarse.mesh, crease_angle, own);
     net.is_coarser = true;
+    net.smoothed_turn = 0;
     return net;
 }
 

@@ -22,6 +22,9 @@ struct MeshNet {
     /// the mesh.
     bool is_coarser = false;
     bool has_creases = false;  ///< whether an edge turns by more than crease_angle
+    /// Greatest turn in rad of an edge of the mesh across which the normal is continuous; 0 if
+    /// the net is coarser.
+    double smoothed_turn = 0;
 };
 
 /// Angle in rad between the normals of two facets from which their edge is sharp. Facets of
