@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/console.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/deviation_svg.h"

@@ -35,8 +35,8 @@ double area(const MeshNet& net)
 // The underside is left out; strips join the top and the sides.
 TEST(MeshNet, IsOneSheetOverTheFacetsOfABoxThatFaceTheTool)
 {
-    const MeshNet net =
-        mesh_net(test::box_mesh({0, 0, 0}, {40, 30, 10}), {1, crease_angle});
+    const MeshNet net = mesh_net(test::box_mesh({0, 0, 0}, {40, 30, 10}),
+                                 {1, crease_angle, crease_angle});
     EXPECT_TRUE(net.has_creases);
     EXPECT_FALSE(net.is_coarser);
     EXPECT_NEAR(area(net), 40 * 30 + 2 * (40 + 30) * 10, 1e-9);
@@ -49,8 +49,8 @@ TEST(MeshNet, IsOneSheetOverTheFacetsOfABoxThatFaceTheTool)
 // raised facets, quarters of cylinders and, at the four upper corners, of a sphere.
 TEST(MeshNet, TurnsTheNormalAroundSharpEdgesInSteps)
 {
-    const MeshNet net =
-        mesh_net(test::box_mesh({0, 0, 0}, {40, 30, 10}), {1, crease_angle});
+    const MeshNet net = mesh_net(test::box_mesh({0, 0, 0}, {40, 30, 10}),
+                                 {1, crease_angle, crease_angle});
     double least = 1;
     for (const auto& [a, b, c] : net.triangles)
         for (const auto& [p, q] : {std::pair{a, b}, std::pair{b, c}, std::pair{c, a}})
@@ -66,7 +66,7 @@ TEST(MeshNet, HasTheNormalsOfASmoothPart)
         const double y = (j - 20) * 0.5;
         return Vec3{x, y, height(x, y)};
     });
-    const MeshNet net = mesh_net(mesh, {0.5, crease_angle});
+    const MeshNet net = mesh_net(mesh, {0.5, crease_angle, crease_angle});
     EXPECT_FALSE(net.has_creases);
     for (std::size_t i = 0; i < net.points.size(); ++i) {
         const Vec3& p = net.points[i];
@@ -84,9 +84,13 @@ TEST(MeshNet, HasTheNormalsOfFacetsBesideEdgesThatTurnMoreThanTheLimit)
     const TriangleMesh roof{{{-4, 0, 0}, {0, -3, 4 * rise}, {0, 3, 4 * rise}, {4, 0, 0}},
                             {{0, 1, 2}, {3, 2, 1}}};
     const double turn = 2 * std::atan(rise);
-    const MeshNet blunt = mesh_net(roof, {1, 1.01 * turn});
+    const MeshNet blunt = mesh_net(roof, {1, 1.01 * turn, 1.01 * turn});
     EXPECT_EQ(blunt.points.size(), 4u);
-    const MeshNet net = mesh_net(roof, {1, 0.99 * turn});
+    EXPECT_NEAR(blunt.smoothed_turn, turn, 1e-9);
+    const MeshNet of_smooth_mesh = mesh_net(roof, {1, 0.5 * turn, 1.01 * turn});
+    EXPECT_EQ(of_smooth_mesh.points.size(), blunt.points.size());
+    const MeshNet net = mesh_net(roof, {1, 0.99 * turn, 0.99 * turn});
+    EXPECT_EQ(net.smoothed_turn, 0);
     EXPECT_FALSE(net.has_creases);
     EXPECT_NEAR(area(net), area(blunt), 1e-12);
     EXPECT_NEAR(border_length(net), border_length(blunt), 1e-12);
@@ -107,7 +111,8 @@ TEST(MeshNet, ClosesHairCracks)
     for (Vec3& point : moved)
         point.x() += 1 + 1e-7;
     const TriangleMesh mesh = test::both(left, {moved, test::triangles_of(left)});
-    EXPECT_NEAR(border_length(mesh_net(mesh, {0.5, crease_angle})), 6, 1e-6);
+    EXPECT_NEAR(border_length(mesh_net(mesh, {0.5, crease_angle, crease_angle})), 6,
+                1e-6);
 }
 
 TEST(MeshNet, IsCoarserThanAFineMesh)
@@ -115,10 +120,10 @@ TEST(MeshNet, IsCoarserThanAFineMesh)
     const TriangleMesh mesh = test::grid_mesh(300, 300, [&](int i, int j) {
         return Vec3{0.1 * i, 0.1 * j, std::sin(0.02 * i) * std::cos(0.03 * j)};
     });
-    const MeshNet net = mesh_net(mesh, {2, crease_angle});
+    const MeshNet net = mesh_net(mesh, {2, crease_angle, crease_angle});
     EXPECT_TRUE(net.is_coarser);
     EXPECT_LT(net.triangles.size(), 25'000u);
-    const MeshNet exact = mesh_net(mesh, {0.1, crease_angle});
+    const MeshNet exact = mesh_net(mesh, {0.1, crease_angle, crease_angle});
     EXPECT_FALSE(exact.is_coarser);
     EXPECT_NEAR(area(net), area(exact), 1e-3 * area(exact));
 }
@@ -127,7 +132,7 @@ TEST(MeshNet, RefusesAMeshThatFacesDown)
 {
     const TriangleMesh down =
         test::with_turned(test::flat_mesh(2, 2), [](std::size_t) { return true; });
-    EXPECT_THROW(mesh_net(down, {1, crease_angle}), GeometryError);
+    EXPECT_THROW(mesh_net(down, {1, crease_angle, crease_angle}), GeometryError);
 }
 
 }  // namespace

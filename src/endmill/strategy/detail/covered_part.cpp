@@ -15,9 +15,11 @@ namespace {
 // far apart where few are wanted; where more are wanted the net is refined.
 constexpr double net_share = 0.25;
 
-// Share of the scallop height by which the normals at an edge may change what is left. Paths
-// on a coarser mesh with facets apart would be longer than those that leave this share.
-constexpr double turn_share = 0.01;
+// Share of the scallop height by which the normals at an edge may change what is left.
+constexpr double turn_share = 0.002;
+// The same on a mesh without edges that would change more, such as one of a smooth surface.
+// With its facets apart paths would be some per cent longer.
+constexpr double smooth_mesh_share = 0.01;
 
 // A height is raised for trials by this factor, up to a share of the radius.
 constexpr double raising_factor = 2;
@@ -35,8 +37,10 @@ double share_per_turn(const BallCutter& cutter, double height)
 
 MeshNetLimits net_limits(const BallCutter& cutter, double height)
 {
+    const double share = share_per_turn(cutter, height);
     return {net_share * strip_width(cutter, height),
-            std::min(crease_angle, turn_share / share_per_turn(cutter, height))};
+            std::min(crease_angle, turn_share / share),
+            std::min(crease_angle, smooth_mesh_share / share)};
 }
 
 }  // namespace

@@ -20,13 +20,6 @@ constexpr int most_halvings = 6;
 // Triangles that are tested before the results are kept. It limits memory.
 constexpr std::size_t updated_at_once = 100'000;
 
-// Makes a list of moves a set; a move that a piece passes twice counts once.
-void make_set(std::vector<std::int32_t>& numbers)
-{
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
-
 }  // namespace
 
 double pass_length(const LaidPass& pass)
@@ -150,11 +143,13 @@ private:
     void find_near(const Triangle& triangle)
     {
         near_.clear();
+        seen_.resize(pieces_.moves_.size(), 0);
+        ++search_;
         for (const int corner : {0, 1, 2})
             for (const std::int32_t i : pieces_.samples_.neighbours(triangle[corner]))
-                near_.insert(near_.end(), pieces_.moves_at_[i].begin(),
-                             pieces_.moves_at_[i].end());
-        make_set(near_);
+                for (const std::int32_t move : pieces_.moves_at_[i])
+                    if (std::exchange(seen_[move], search_) != search_)
+                        near_.push_back(move);
     }
 
     std::optional<MissedPlace> run(std::int32_t number)
@@ -191,6 +186,8 @@ private:
     std::int32_t triangle_ = 0;
     std::optional<MissedPlace> worst_;
     MoveNumbers near_;
+    std::vector<std::uint32_t> seen_;  // by move, the last search that found it
+    std::uint32_t search_ = 0;         // number of the current search
 };
 
 CoveringPieces::CoveringPieces(const PartSamples& samples, const BallCutter& cutter,

@@ -294,14 +294,20 @@ private:
 
 // The net of facets, with the sides of sharp edges apart and joined by strips.
 // \param smooth_normals a direction at each point; it counts where no sharp edge ends.
-MeshNet net_of(const TriangleMesh& mesh, double smooth_turn,
+MeshNet net_of(const TriangleMesh& mesh, const MeshNetLimits& limits,
                std::span<const Vec3> smooth_normals)
 {
     const std::span<const Triangle> triangles = mesh.triangles();
     CornerGroups groups{3 * triangles.size()};
     MeshNet net;
-    const std::vector<Crease> creases =
-        unite_smooth_corners(mesh, smooth_turn, groups, net.smoothed_turn);
+    std::vector<Crease> creases =
+        unite_smooth_corners(mesh, limits.smooth_mesh_turn, groups, net.smoothed_turn);
+    if (!creases.empty()) {
+        groups = CornerGroups{3 * triangles.size()};
+        net.smoothed_turn = 0;
+        creases =
+            unite_smooth_corners(mesh, limits.smooth_turn, groups, net.smoothed_turn);
+    }
     net.has_creases =
         std::any_of(creases.begin(), creases.end(),
                     [](const Crease& crease) { return crease.turn > crease_angle; });
@@ -353,13 +359,13 @@ MeshNet mesh_net(const TriangleMesh& mesh, const MeshNetLimits& limits)
     const double needed = area_of(facing) / (std::sqrt(3.0) / 4 * spacing * spacing);
     const auto count = static_cast<double>(facing.triangles().size());
     if (facing.triangles().size() <= few_triangles || count <= fine_factor * needed)
-        return net_of(facing, limits.smooth_turn, normals);
+        return net_of(facing, limits, normals);
     const DecimatedMesh coarse = decimated(
         facing, std::max(few_triangles, static_cast<std::size_t>(std::ceil(needed))));
     std::vector<Vec3> own(coarse.source_points.size());
     for (std::size_t k = 0; k < own.size(); ++k)
         own[k] = normals[coarse.source_points[k]];
-    MeshNet net = net_of(coarse.mesh, crease_angle, own);
+    MeshNet net = net_of(coarse.mesh, {spacing, crease_angle, crease_angle}, own);
     net.is_coarser = true;
     net.smoothed_turn = 0;
     return net;

@@ -39,6 +39,8 @@ struct MeshNetLimits {
     /// that of its facet. A coarser net has the limit crease_angle instead, because its
     /// facets turn more than those of the mesh.
     double smooth_turn;
+    /// The same for a mesh no edge of which turns by more than this.
+    double smooth_mesh_turn;
 };
 
 /// The net of a mesh. Nearly equal points are joined, so that hair cracks close.

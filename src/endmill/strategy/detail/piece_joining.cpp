@@ -201,10 +201,12 @@ private:
              ++halving) {
             const double share = halving == 0 ? 1 : (too_far + far_enough) / 2;
             std::optional<std::vector<PassContact>> by;
-            // tests of moves take longer than those of the coverage, which most stretches fail
+            // On surfaces tests of moves take longer than those of the coverage, which most
+            // stretches fail.
             if (const auto targets = moved_towards_straight(old, share);
-                targets &&
-                covering_.would_cover({number, first + 1, last, along_surface(*targets)}))
+                targets && (part_.surfaces().empty() ||
+                            covering_.would_cover(
+                                {number, first + 1, last, along_surface(*targets)})))
                 by = linked(*targets);
             const std::size_t count = by ? by->size() : 0;
             if (by && covering_.make({number, first + 1, last, std::move(*by)})) {
