@@ -330,6 +330,23 @@ public:
             [](const Candidate& a, const Candidate& b) { return a.travel < b.travel; });
     }
 
+    // Lays the most promising of the strategies that have only been estimated; nothing if
+    // there is none left.
+    std::optional<Candidate> next()
+    {
+        candidates_.clear();
+        for (const Estimated& one : estimated_) {
+            TriedStrategy& own = tried(one.strategy);
+            if (!std::exchange(own.estimated_mm, std::nullopt))
+                continue;
+            attempt(one.strategy,
+                    [&] { lay(one, with_progress(options_, made_share, 1)); });
+            if (!candidates_.empty())
+                return std::move(candidates_.front());
+        }
+        return std::nullopt;
+    }
+
     // The paths, the shortest one first.
     std::vector<Candidate>& candidates() { return candidates_; }
     std::vector<TriedStrategy>& tried() { return tried_; }
@@ -485,12 +502,18 @@ private:
     void lay(const Estimated& one)
     {
         const StrategyOptions own = next_share();
-        if (!is_promising(one))
-            tried(one.strategy).estimated_mm = one.travel();
-        else if (follows_parameters(one.strategy))
-            add(one.strategy, covering_by(one.strategy, part_, cutter_, own));
+        if (is_promising(one))
+            lay(one, own);
         else
-            add(one.strategy, covering_after(one.trials, *covered_, own));
+            tried(one.strategy).estimated_mm = one.travel();
+    }
+
+    void lay(const Estimated& one, const StrategyOptions& options)
+    {
+        if (follows_parameters(one.strategy))
+            add(one.strategy, covering_by(one.strategy, part_, cutter_, options));
+        else
+            add(one.strategy, covering_after(one.trials, *covered_, options));
     }
 
     const Part& part_;
@@ -556,15 +579,23 @@ BestPlan plan_by_best_strategy(const Part& part, const BallCutter& cutter,
     comparison.run();
     std::vector<TriedStrategy>& tried = comparison.tried();
     std::optional<StrategyPlan> cleanest;
-    for (Candidate& candidate : comparison.candidates()) {
+    // Whether the path is good; then it is the cleanest one.
+    const auto judge = [&](Candidate& candidate) {
         StrategyPlan plan =
             judged(candidate.strategy, std::move(candidate.covering), part,
                    Cutter::ball(cutter.radius()), with_progress(options, made_share, 1));
-        if (plan.is_good())
-            return {std::move(plan), std::move(tried)};
-        if (!cleanest ||
+        const bool is_good = plan.is_good();
+        if (!cleanest || is_good ||
             plan.deviation.uncut_area_mm2 < cleanest->deviation.uncut_area_mm2)
             cleanest = std::move(plan);
+        return is_good;
+    };
+    bool is_found = std::ranges::any_of(comparison.candidates(), judge);
+    while (!is_found) {
+        std::optional<Candidate> candidate = comparison.next();
+        if (!candidate)
+            break;
+        is_found = judge(*candidate);
     }
     return {std::move(*cleanest), std::move(tried)};
 }
