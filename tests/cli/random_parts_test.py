@@ -123,10 +123,10 @@ class SweptTool:
 
 
 class RandomParts(ProgramTest):
-    def plan(self, part, diameter, height):
-        """Plans by the best strategy and returns the exit status, the summary or None, and the messages."""
+    def plan(self, part, diameter, height, strategy="best"):
+        """Plans a path and returns the exit status, the summary or None, and the messages."""
         done = endmill("plan", part, "--cutter", f"ball:{diameter}", "--scallop", height, "--inner-tolerance", INNER,
-                       "--strategy", "best", "--bound", "none", "-o", "out", "--force", "--json", cwd=self.folder)
+                       "--strategy", strategy, "--bound", "none", "-o", "out", "--force", "--json", cwd=self.folder)
         return done.returncode, json.loads(done.stdout) if done.stdout else None, done.stderr
 
     def assert_clean(self, facts, height):
@@ -139,6 +139,13 @@ class RandomParts(ProgramTest):
 
     def swept_tool(self, diameter):
         return SweptTool(self.folder / "out/toolpath.csv", diameter / 2)
+
+    def assert_not_gouged(self, facets, diameter):
+        """Asserts that the ball enters the mesh neither at its corners nor in the middle of its facets."""
+        tool = self.swept_tool(diameter)
+        centres = {tuple(sum(corner[k] for corner in facet) / 3 for k in range(3)) for facet in facets}
+        for point in centres.union(*facets):
+            self.assertGreaterEqual(tool.distance(point), diameter / 2 - INNER - ROUNDING)
 
     def test_height_grids_are_cut_clean_or_refused_with_the_place(self):
         planned = 0
@@ -166,11 +173,11 @@ class RandomParts(ProgramTest):
                 self.assertEqual(status, 0, messages)
                 self.assert_clean(facts, height)
                 self.assertEqual(facts["unreached_mm2"], 0)
+                self.assert_not_gouged(facets, diameter)
                 tool = self.swept_tool(diameter)
                 for facet in facets:
                     centre = [sum(corner[k] for corner in facet) / 3 for k in range(3)]
                     raised = [a + height * b for a, b in zip(centre, normal_of(facet))]
-                    self.assertGreaterEqual(tool.distance(centre), diameter / 2 - INNER - ROUNDING)
                     self.assertLessEqual(tool.distance(raised), diameter / 2 + ROUNDING)
 
     @unittest.skipUnless(IS_LONG, "ENDMILL_FAULTS=long runs it")
@@ -181,10 +188,15 @@ class RandomParts(ProgramTest):
                 status, facts, messages = self.plan(self.file(as_off(facets), "part.off"), diameter, height)
                 self.assertEqual(status, 0, messages)
                 self.assert_clean(facts, height)
-                tool = self.swept_tool(diameter)
-                for facet in facets:
-                    centre = [sum(corner[k] for corner in facet) / 3 for k in range(3)]
-                    self.assertGreaterEqual(tool.distance(centre), diameter / 2 - INNER - ROUNDING)
+                self.assert_not_gouged(facets, diameter)
+
+    def test_a_detour_over_a_corner_of_a_mesh_is_tested(self):
+        # the ball touches a corner beside the border of this mesh in many places
+        facets, diameter, height = random_mesh(5, ROUGH)
+        status, facts, messages = self.plan(self.file(as_off(facets), "part.off"), diameter, height, "iso-scallop")
+        self.assertEqual(status, 0, messages)
+        self.assert_clean(facts, height)
+        self.assert_not_gouged(facets, diameter)
 
 
 if __name__ == "__main__":

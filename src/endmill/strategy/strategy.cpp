@@ -8,6 +8,7 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "endmill/core/error.h"
@@ -528,6 +529,16 @@ private:
     std::size_t steps_ = 0;
 };
 
+// What is wrong with a path, the worst first: whether it gouges, the gouged and the uncut
+// area in mm^2. What is uncut can be cut later.
+std::tuple<bool, double, double> faults_of(const StrategyPlan& plan)
+{
+    double gouged = plan.deviation.gouge_area_mm2;
+    if (plan.of_protected)
+        gouged += plan.of_protected->gouge_area_mm2;
+    return {plan.verdict == Verdict::Gouged, gouged, plan.deviation.uncut_area_mm2};
+}
+
 }  // namespace
 
 std::size_t most_part_samples(double memory_gib)
@@ -585,8 +596,7 @@ BestPlan plan_by_best_strategy(const Part& part, const BallCutter& cutter,
             judged(candidate.strategy, std::move(candidate.covering), part,
                    Cutter::ball(cutter.radius()), with_progress(options, made_share, 1));
         const bool is_good = plan.is_good();
-        if (!cleanest || is_good ||
-            plan.deviation.uncut_area_mm2 < cleanest->deviation.uncut_area_mm2)
+        if (!cleanest || is_good || faults_of(plan) < faults_of(*cleanest))
             cleanest = std::move(plan);
         return is_good;
     };

@@ -103,7 +103,8 @@ struct BestPlan {
 /// on the time that planning takes.
 ///
 /// Paths are judged in the order of their lengths, up to the first good one. If none is good,
-/// the one that leaves the least area uncut is returned.
+/// one that does not gouge is returned, of these the one that leaves the least area uncut; if
+/// all gouge, the one that gouges the least area.
 /// \param part, cutter, options as above.
 /// \throws as plan_by_strategy, if no strategy makes a path.
 BestPlan plan_by_best_strategy(const Part& part, const BallCutter& cutter,

@@ -31,11 +31,9 @@ std::optional<std::vector<PassContact>> contact_link(const PassContact& from,
         return std::nullopt;
     std::vector<LaidPass> pieces = divided_into_moves(
         {steps_along(from, to, samples), false}, samples, part, limits);
-    const auto is_at = [](const PassContact& a, const PassContact& b) {
-        return a.at.contact.point == b.at.contact.point;
-    };
     if (pieces.size() != 1 || pieces[0].contacts.size() < 2 ||
-        !is_at(pieces[0].contacts.front(), from) || !is_at(pieces[0].contacts.back(), to))
+        !is_same_place(pieces[0].contacts.front(), from) ||
+        !is_same_place(pieces[0].contacts.back(), to))
         return std::nullopt;
     return std::move(pieces[0].contacts);
 }

@@ -489,8 +489,8 @@ void CoveringPieces::append(std::size_t number, std::span<const PassContact> way
     LaidPass& other = pieces_[next];
     std::vector<PassContact> link{piece.contacts.back()};
     link.insert(link.end(), way.begin(), way.end());
-    const bool is_joined = way.empty() && piece.contacts.back().at.contact.point ==
-                                              other.contacts.front().at.contact.point;
+    const bool is_joined =
+        way.empty() && is_same_place(piece.contacts.back(), other.contacts.front());
     if (!is_joined)
         link.push_back(other.contacts.front());
     const MoveNumbers link_moves = moves_along(link);

@@ -28,6 +28,14 @@ struct PassContact {
     bool is_required = false;  ///< whether a move must begin or end here
 };
 
+/// Whether the ball has the same place at both contacts. At a corner of a mesh the ball can
+/// touch one point in many places.
+inline bool is_same_place(const PassContact& a, const PassContact& b)
+{
+    return a.at.contact.point == b.at.contact.point &&
+           a.at.contact.normal == b.at.contact.normal;
+}
+
 /// A pass of a strategy, before it is divided into moves.
 struct LaidPass {
     std::vector<PassContact> contacts;  ///< in order, at least one

@@ -235,11 +235,12 @@ void append(const std::vector<StretchPiece>& stretch, std::vector<StretchPiece>&
 const std::vector<StretchPiece>& PassDivision::pieces_of(
     std::span<const PassContact> stretch)
 {
-    const Vec3& first = stretch.front().at.contact.point;
-    const Vec3& last = stretch.back().at.contact.point;
-    const auto [known, is_new] =
-        known_.try_emplace({static_cast<double>(stretch.size()), first.x(), first.y(),
-                            first.z(), last.x(), last.y(), last.z()});
+    StretchKey key{static_cast<double>(stretch.size())};
+    auto value = key.begin() + 1;
+    for (const PassContact* end : {&stretch.front(), &stretch.back()})
+        for (const Vec3* vector : {&end->at.contact.point, &end->at.contact.normal})
+            value = std::copy(vector->begin(), vector->end(), value);
+    const auto [known, is_new] = known_.try_emplace(key);
     if (is_new)
         known->second = divided_stretch(stretch, *samples_, *part_, limits_);
     return known->second;

@@ -47,9 +47,9 @@ public:
     std::vector<LaidPass> pieces_of(const LaidPass& pass);
 
 private:
-    // The number of contacts of a stretch, and its first and last place. They distinguish
-    // the stretches of a pass.
-    using StretchKey = std::array<double, 7>;
+    // The number of contacts of a stretch, and points and normals of its first and its last
+    // place. They distinguish the stretches of a pass.
+    using StretchKey = std::array<double, 13>;
 
     const std::vector<StretchPiece>& pieces_of(std::span<const PassContact> stretch);
 

@@ -388,13 +388,13 @@ private:
             return false;
         std::vector<PassContact> by;
         const auto add = [&](const PassContact& contact) {
-            if (distance(by.empty() ? a : by.back(), contact) > 0)
+            if (!is_same_place(by.empty() ? a : by.back(), contact))
                 by.push_back(contact);
         };
         for (const auto* some : {&*out, &detour.over, &*back})
             for (const PassContact& contact : *some)
                 add(contact);
-        if (!by.empty() && distance(by.back(), b) == 0)
+        if (!by.empty() && is_same_place(by.back(), b))
             by.pop_back();
         return covering_.make(
             {detour.piece, detour.move + 1, detour.move + 1, std::move(by), number});
@@ -438,11 +438,12 @@ private:
         if (length > longest_link * width_ ||
             (length > paying_link * width_ && (!saves_lifts || is_clear(from, to))))
             return false;
-        if (length == 0 &&
+        const bool is_touching = is_same_place(from, to);
+        if (is_touching &&
             std::max(piece(last).contacts.size(), piece(next).contacts.size()) < 2)
             return false;
         std::optional<std::vector<PassContact>> way;
-        if (length > 0 && !(way = contact_link(from, to, samples_, part_, limits_)))
+        if (!is_touching && !(way = contact_link(from, to, samples_, part_, limits_)))
             return false;
         if (is_closed)
             covering_.open(last, last_start);
