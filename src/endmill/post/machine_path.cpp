@@ -91,10 +91,10 @@ struct LinearPath {
 };
 
 // The number of equal parts of a move after which linear motion between their ends differs
-// from the machine's motion by at most a tenth of the tolerance. Errors of parts fall with
+// from the machine's motion by at most the tolerance. Errors of parts fall with
 // the square of their number.
-int parts_of_move(const ToolPath& path, std::size_t row,
-                  const MachinePathOptions& options)
+int parts_of_move(const ToolPath& path, std::size_t row, const Cutter& cutter,
+                  double tolerance)
 {
     const MachineMotion& machine = *path.machine;
     const JointBound bound =
@@ -102,22 +102,22 @@ int parts_of_move(const ToolPath& path, std::size_t row,
     const double angle =
         angle_between(path.points[row - 1].location.axis, path.points[row].location.axis);
     const double axis = bound.axis_error(std::max(angle, bound.rotary_turn));
-    double error = options.cutter.radius() * axis;
+    double error = cutter.radius() * axis;
     if (machine.interpolation == Interpolation::Joint)
-        error = std::max(
-            error, bound.tip_error(bound.second) + options.cutter.corner_radius() * axis);
+        error = std::max(error,
+                         bound.tip_error(bound.second) + cutter.corner_radius() * axis);
     constexpr double most_parts = 1e6;
     return static_cast<int>(
-        std::clamp(std::ceil(std::sqrt(error / (replacing_share * options.tolerance))),
-                   1.0, most_parts));
+        std::clamp(std::ceil(std::sqrt(error / (tolerance))), 1.0, most_parts));
 }
 
-LinearPath linear_path(const ToolPath& path, const MachinePathOptions& options)
+LinearPath linear_motion(const ToolPath& path, const Cutter& cutter, double tolerance)
 {
     LinearPath linear;
     linear.path.points.reserve(path.points.size());
     for (std::size_t row = 0; row < path.points.size(); ++row) {
-        const int parts = row > 0 && path.machine ? parts_of_move(path, row, options) : 1;
+        const int parts =
+            row > 0 && path.machine ? parts_of_move(path, row, cutter, tolerance) : 1;
         for (int k = 1; k < parts; ++k) {
             PathPoint point = path.points[row];
             point.known_contact = {};
@@ -435,6 +435,13 @@ void require_fit(const PartOnMachine& setup)
 
 }  // namespace
 
+ToolPath linear_path(const ToolPath& path, const Cutter& cutter, double tolerance)
+{
+    require(std::isfinite(tolerance) && tolerance > 0,
+            "linear_path: need a tolerance above 0");
+    return linear_motion(path, cutter, tolerance).path;
+}
+
 MachinePath machine_path(const ToolPath& path, const PartOnMachine& setup,
                          const MachinePathOptions& given)
 {
@@ -442,7 +449,8 @@ MachinePath machine_path(const ToolPath& path, const PartOnMachine& setup,
     require_poses(path);
     require_fit(setup);
     MachinePathOptions options = given;
-    const LinearPath linear = linear_path(path, options);
+    const LinearPath linear =
+        linear_motion(path, options.cutter, replacing_share * options.tolerance);
     if (path.machine)
         options.tolerance *= 1 - replacing_share;
     const PathNodes found = path_nodes(linear.path, setup, options);

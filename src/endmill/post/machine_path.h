@@ -75,6 +75,13 @@ struct MachinePath {
     MachinePathReport report;  ///< of all motions
 };
 
+/// The poses of a path with linear motion between them: the path itself, or for a path that
+/// a machine interpolates, poses so close that linear motion deviates from the machine's by
+/// at most `tolerance` at the tip and at the rim of the cutter.
+/// \param tolerance mm, above 0.
+/// \throws DomainError for a tolerance that is not above 0.
+ToolPath linear_path(const ToolPath& path, const Cutter& cutter, double tolerance);
+
 /// Moves a path onto a machine.
 ///
 /// The tool moves along `path` by its own interpolation (linear between poses). The
