@@ -18,6 +18,10 @@ namespace {
 Verification verified(VerificationTask& task, const VerifyOptions& options)
 {
     ProgressLine progress{"removing material", options.common};
+    task.progress = [&](double share) {
+        progress.begin("removing material");
+        progress.show(share);
+    };
     if (task.judged)
         task.judged->progress = [&](double share) {
             progress.begin("measuring the part");

@@ -98,7 +98,7 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
     replace_earlier_run(folder);
     std::optional<PartCharts> charts;
     if (verification.on_part) {
-        charts.emplace(part_charts(*task.judged->part));
+        charts.emplace(judged_charts(task));
         write_deviation(result, *charts, folder);
     }
     folder.write("removal.csv", removal_csv(verification.removal, input.program.path));
@@ -106,11 +106,12 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
         folder.write_pieces("engagement.csv", [&](const OutputFolder::Sink& sink) {
             write_engagement(result, sink);
         });
-    if (options.write_stock)
-        folder.write("stock.vti", stock_vti(verification.rest, history_of_rest(task)));
-    if (options.write_mesh)
-        folder.write("rest.stl",
-                     mesh_text(stock_mesh(verification.rest), MeshFormat::Stl));
+    if (const auto* heights = std::get_if<HeightStock>(&verification.rest)) {
+        if (options.write_stock)
+            folder.write("stock.vti", stock_vti(*heights, history_of_rest(task)));
+        if (options.write_mesh)
+            folder.write("rest.stl", mesh_text(stock_mesh(*heights), MeshFormat::Stl));
+    }
     Json summary =
         verify_summary({input.name, printable(input.part_path), stock_text(result),
                         task.cutter, input.limits, input.program, input.tools},

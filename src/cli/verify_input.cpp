@@ -141,6 +141,33 @@ void stand_upright(VerifyInput& input)
         " becomes +z");
 }
 
+// The engine of --engine, or else the one that the path needs. Options that need heights are
+// refused with the other one.
+RemovalEngine engine_of(const VerifyInput& input, const VerifyOptions& options)
+{
+    const bool is_fixed = fixed_axis(input.program.path).has_value();
+    const RemovalEngine engine = options.engine.value_or(
+        is_fixed ? RemovalEngine::ThreeAxis : RemovalEngine::FiveAxis);
+    const std::string why =
+        is_fixed ? "--engine five-axis" : "the tool axis turns along the path";
+    if (engine == RemovalEngine::ThreeAxis && !is_fixed)
+        throw DomainError{"--engine three-axis: " + why + "; expected five-axis"};
+    if (engine == RemovalEngine::ThreeAxis)
+        return engine;
+    if (options.engagement)
+        throw DomainError{"--engagement: " + why +
+                          "; the engagement is known for three axes only"};
+    for (const auto& [is_given, name] : {std::pair{options.write_stock, "--write-stock"},
+                                         std::pair{options.write_mesh, "--write-mesh"}})
+        if (is_given)
+            throw DomainError{std::string{name} + ": " + why +
+                              "; the stock is written for three axes only"};
+    if (input.inaccessible == InaccessibleStock::Report)
+        throw DomainError{"--inaccessible report: " + why +
+                          "; the test needs three axes. Expected --inaccessible count"};
+    return engine;
+}
+
 // The file of the protected part: that of --protect, or else of the summary.
 // \return nothing if there is none.
 std::optional<PartOptions> guard_file(const VerifyInput& input,
@@ -281,6 +308,7 @@ VerifyInput read_verify_input(const VerifyOptions& options)
     if (!is_given(options.part.path) && !is_given(options.guard) &&
         !may_be_mesh(options.stock))
         refuse_idle_mesh_options(options.common);
+    input.engine = engine_of(input, options);
     naming(file, [&] { stand_upright(input); });
     input.stock = read_verify_stock(options, input.part ? &input.part->part : nullptr,
                                     input.program.path, widest_cutter(input));
@@ -306,6 +334,7 @@ VerificationTask verification_task(const VerifyInput& input, const VerifyOptions
     if (input.stock.kept)
         task.stock = &*input.stock.kept;
     task.changes = input.changes;
+    task.engine = input.engine;
     task.resolution = options.resolution;
     task.max_memory_gib = options.common.limits.max_memory_gib;
     task.extra_bytes_per_cell = bytes_to_write(options);

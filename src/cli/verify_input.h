@@ -23,6 +23,7 @@ struct VerifyInput {
     Tool tool;  ///< the first one
     DeviationLimits limits;
     InaccessibleStock inaccessible = InaccessibleStock::Count;
+    RemovalEngine engine = RemovalEngine::ThreeAxis;
     std::optional<PartFile> part = {};
     std::string part_path = {};                       ///< empty without a part
     std::shared_ptr<const Part> guard_part = {};      ///< that the path must not enter

@@ -15,6 +15,10 @@ constexpr std::array inaccessible_words{
     Choice<InaccessibleStock>{inaccessible_names[0], InaccessibleStock::Count},
     Choice<InaccessibleStock>{inaccessible_names[1], InaccessibleStock::Report}};
 
+constexpr std::array engine_words{
+    Choice<RemovalEngine>{"three-axis", RemovalEngine::ThreeAxis},
+    Choice<RemovalEngine>{"five-axis", RemovalEngine::FiveAxis}};
+
 // Largest number of halvings. Smaller cells would be below the rounding of any file.
 constexpr int most_refine = 20;
 
@@ -77,6 +81,10 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
     add_tools_options(command, options.path);
     command.add_option("--stock", options.stock, stock_help)->type_name("STOCK");
     add_measure_options(command, options);
+    add_choice<RemovalEngine>(command, "--engine", options.engine, engine_words,
+                              "simulation by heights along a fixed axis, or by rays in "
+                              "three directions for any "
+                              "motion (default: five-axis if the tool axis turns)");
     add_reading_options(command, options.path);
     command.add_flag("--engagement", options.engagement,
                      "write engagement.csv: the engaged region of the cutter in each "

@@ -7,6 +7,7 @@
 #include "cli/path_options.h"
 #include "cli/surface_facts.h"
 #include "endmill/files/path_file.h"
+#include "endmill/verification/verification.h"
 
 namespace endmill {
 
@@ -30,6 +31,7 @@ struct VerifyOptions {
     std::optional<double> tolerance;  ///< mm, gouge
     std::optional<double> scallop;    ///< mm, remaining material
     int max_refine = 8;
+    std::optional<RemovalEngine> engine;  ///< default: five axes if the axis turns
     std::optional<InaccessibleStock> inaccessible;  ///< default: of the path's summary
     bool engagement = false;
     bool write_stock = false;

@@ -125,6 +125,38 @@ void add_earlier(Json& summary, const Verification& verification)
         earlier ? finite_or_null(earlier->bound_mm) : nullptr;
 }
 
+// Adds the accuracy of the removal by dexels, and contacts that are possible only; null
+// with three axes.
+void add_five_axis(Json& summary, const Verification& verification)
+{
+    const auto& bounds = verification.removed_bounds;
+    summary["engine"] = bounds ? "five-axis" : "three-axis";
+    summary["removed_bound_mm3"] = bounds ? Json(bounds->bound) : Json(nullptr);
+    summary["removed_spread_mm3"] = bounds ? Json(bounds->spread) : Json(nullptr);
+    const StockContacts& contacts = verification.contacts;
+    summary["possible_contact_mm"] = bounds ? Json(contacts.possible_mm) : Json(nullptr);
+    summary["first_of_possible_contacts"] =
+        contacts.first_possible ? Json(*contacts.first_possible) : Json(nullptr);
+}
+
+// Adds the range of the stock along x and y.
+void add_stock_extent(Json& summary, const Verification& verification)
+{
+    if (const auto* dexels = std::get_if<DexelStock>(&verification.rest)) {
+        const Block& block = dexels->block();
+        summary["min_x_mm"] = block.low.x();
+        summary["max_x_mm"] = block.high.x();
+        summary["min_y_mm"] = block.low.y();
+        summary["max_y_mm"] = block.high.y();
+        return;
+    }
+    const StockGrid& grid = std::get<HeightStock>(verification.rest).grid();
+    summary["min_x_mm"] = grid.low_x;
+    summary["max_x_mm"] = grid.low_x + grid.columns * grid.pitch;
+    summary["min_y_mm"] = grid.low_y;
+    summary["max_y_mm"] = grid.low_y + grid.rows * grid.pitch;
+}
+
 std::string length_text(const Json& mm)
 {
     return mm.is_null() ? "unknown" : shown(mm.get<double>()) + " mm";
@@ -276,9 +308,12 @@ std::string removal_text(const Json& s, const StockContacts& contacts)
 {
     const auto moves = s["points"].get<std::size_t>() - 1;
     const auto air = s["air_moves"].get<std::size_t>();
+    std::string error;
+    if (const Json& bound = s["removed_bound_mm3"]; !bound.is_null())
+        error = fmt::format(" +- {}", shown_bound(bound.get<double>()));
     std::string text =
-        fmt::format("  removed     {} mm3 by {} in {} of {}; deepest cut {}",
-                    shown(s["removed_mm3"].get<double>()), used_cutters(s),
+        fmt::format("  removed     {}{} mm3 by {} in {} of {}; deepest cut {}",
+                    shown(s["removed_mm3"].get<double>()), error, used_cutters(s),
                     moves - std::min(air, moves), counted(moves, "move"),
                     length_text(s["deepest_cut_mm"]));
     const Json& greatest = s["max_rate_mm3_per_min"];
@@ -306,6 +341,13 @@ std::vector<std::string> broken_rules(const Verification& verification)
             "shank or holder enters the material up to {} mm, on {}, the first to point "
             "{}",
             shown(inside), counted(hits, "move"), first_hit.value_or(0)));
+    const StockContacts& contacts = verification.contacts;
+    if (contacts.possible_mm > ignored_contact)
+        rules.push_back(fmt::format(
+            "a rapid, shank or holder may enter the material by up to {} mm, the first "
+            "on "
+            "the move to point {}",
+            shown_bound(contacts.possible_mm), contacts.first_possible.value_or(0)));
     if (!verification.on_part)
         return rules;
     const PartCollisions& in_part = verification.on_part->collisions;
@@ -365,13 +407,10 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
     add_path_totals(summary, path_totals(context.program.path));
     add_removal(summary, verification.removal, context.program.path);
     summary["contact_width_bound_mm"] = verification.contacts.width_mm;
+    add_five_axis(summary, verification);
     add_earlier(summary, verification);
     add_part_collisions(summary, verification);
-    const StockGrid& grid = verification.rest.grid();
-    summary["min_x_mm"] = grid.low_x;
-    summary["max_x_mm"] = grid.low_x + grid.columns * grid.pitch;
-    summary["min_y_mm"] = grid.low_y;
-    summary["max_y_mm"] = grid.low_y + grid.rows * grid.pitch;
+    add_stock_extent(summary, verification);
     add_interpreter(summary, options.path);
     summary["position_error_mm"] = context.program.position_error_mm;
     summary["remarks"] = context.program.remarks;

@@ -5,6 +5,7 @@
 /// All public headers of the module `cutter`.
 
 #include "endmill/cutter/cutter.h"
+#include "endmill/cutter/cutting_body.h"
 #include "endmill/cutter/engagement.h"
 #include "endmill/cutter/plane_offset.h"
 #include "endmill/cutter/straight_sweep.h"

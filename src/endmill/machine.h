@@ -8,3 +8,4 @@
 #include "endmill/machine/configuration.h"
 #include "endmill/machine/feasible_directions.h"
 #include "endmill/machine/kinematics.h"
+#include "endmill/machine/tool_motion.h"

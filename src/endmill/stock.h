@@ -4,6 +4,7 @@
 /// \file
 /// All public headers of the module `stock`.
 
+#include "endmill/stock/dexel_stock.h"
 #include "endmill/stock/height_stock.h"
 #include "endmill/stock/mesh_stock.h"
 #include "endmill/stock/removal.h"

@@ -6,3 +6,4 @@
 
 #include "endmill/verification/verification.h"
 #include "endmill/verification/verification_result.h"
+#include "endmill/verification/verification_task.h"

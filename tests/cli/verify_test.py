@@ -671,11 +671,6 @@ class BadInput(VerifyTest):
             gap = float(done.stderr.split("at least ")[1].split(" mm")[0])
             self.assertTrue(truth - 2 <= gap <= truth, gap)
 
-    def test_varying_tool_axis_is_refused(self):
-        rows = "axis_x,axis_y,axis_z," + COLUMNS + "0,0,1,0,0,0\n0,0.6,0.8,1,0,0\n"
-        self.refuse(4, "p.csv: ", "the axis", "+z", content=rows,
-                    options=("--cutter", "ball:10", "--part", self.file(plane())))
-
     def test_too_fine_resolution_is_refused_with_one_that_fits(self):
         part = ("--part", self.file(plane()))
         block = ("--stock", "0,0,0,100,100,10")

@@ -56,7 +56,7 @@ TEST(ToolRuns, RemoveWhatTwoPathsRemoveInTurn)
     EXPECT_EQ(found.removal.removed[5], second.removed[2]);
     for (int row = 0; row < stock.grid().rows; ++row)
         for (int column = 0; column < stock.grid().columns; ++column)
-            ASSERT_EQ(found.rest.height(column, row), stock.height(column, row));
+            ASSERT_EQ(found.heights().height(column, row), stock.height(column, row));
 }
 
 // A slot of a flat cutter through a block has a rectangular section.

@@ -67,7 +67,7 @@ struct Slope {
 struct TwoRuns {
     TwoRuns(const VerificationTask& first, VerificationTask second)
         : before{verify_path(first)},
-          kept{before.rest, history_of_rest(first)}
+          kept{before.heights(), history_of_rest(first)}
     {
         second.stock = &kept;
         after = verify_path(second);
@@ -189,7 +189,7 @@ TEST(VerifyPathAfterAnother, IsTheSameOnAnyNumberOfThreads)
         set_thread_count(threads);
         const Verification before = verify_path(slope.task(first, 0.8));
         VerificationTask task = slope.task(second, 0.8);
-        KeptStock kept{before.rest};
+        KeptStock kept{before.heights()};
         task.stock = &kept;
         found.push_back(verify_path(task));  // with the heights only
         kept.history = history_of_rest(slope.task(first, 0.8));
@@ -225,7 +225,7 @@ TEST(VerifyPathInHeights, IsNotCleanIfAGougeIsPossible)
             const Verification before = verify_path(slope.task(first, 0.4));
             const ToolPath second = slope.passes(-1, 9, 0);
             VerificationTask task = slope.task(second, 0.4);
-            const KeptStock kept{before.rest};
+            const KeptStock kept{before.heights()};
             task.stock = &kept;
             const Verification found = verify_path(task);
             ASSERT_TRUE(found.on_part->earlier_gouge);

@@ -54,7 +54,7 @@ TEST(VerifyPath, FindsACleanPathCleanAndItsVolumes)
     EXPECT_NEAR(sum / found.removal.total, 1, 1e-12);
     const HeightStock before =
         block_stock(default_block(&plane, path, Cutter::ball(5)), 0.25);
-    EXPECT_NEAR(stock_volume(before) - stock_volume(found.rest), found.removal.total,
+    EXPECT_NEAR(stock_volume(before) - stock_volume(found.heights()), found.removal.total,
                 1e-9 * found.removal.total);
 }
 
@@ -70,7 +70,7 @@ TEST(VerifyPath, RemovesOnlyTheRemainingStockOfAnEarlierRun)
     EXPECT_EQ(rough.verdict, Verdict::Uncut);
     task.path = &finishing;
     const Verification whole = verify_path(task);
-    const KeptStock left{rough.rest};
+    const KeptStock left{rough.heights()};
     task.stock = &left;
     const Verification rest = verify_path(task);
     EXPECT_EQ(rest.verdict, Verdict::Clean);
@@ -183,8 +183,8 @@ TEST(VerifyPath, ProposesAResolutionThatFitsTheMemory)
     ASSERT_NE(proposal, std::string::npos) << what;
     task.resolution = std::stod(what.substr(proposal + word.size()));
     EXPECT_EQ(verify_path(task).verdict, Verdict::Clean) << what;
-    const double cells = static_cast<double>(verify_path(task).rest.grid().columns) *
-                         verify_path(task).rest.grid().rows;
+    const double cells = static_cast<double>(verify_path(task).heights().grid().columns) *
+                         verify_path(task).heights().grid().rows;
     EXPECT_LT((cells * 8 + verify_path(task).on_part->deviation.rays * 16),
               0.02 * 0x1p30);
 }

@@ -2,7 +2,9 @@
 #include "endmill/deviation/part_charts.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 
@@ -28,6 +30,25 @@ constexpr double border_rounding = 1e-12;
 Vec3 area_vector(const std::array<Vec3, 3>& corners)
 {
     return (corners[1] - corners[0]).cross(corners[2] - corners[0]) / 2;
+}
+
+// Returns the directions, one of all those that differ by less than about 1e-3.
+std::vector<Vec3> distinct(std::span<const Vec3> directions)
+{
+    constexpr double cells = 1000;
+    std::vector<std::pair<std::array<long, 3>, std::size_t>> keys;
+    keys.reserve(directions.size());
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+        const Vec3 at = cells * directions[k];
+        keys.push_back(
+            {{std::lround(at.x()), std::lround(at.y()), std::lround(at.z())}, k});
+    }
+    std::ranges::sort(keys);
+    std::vector<Vec3> some;
+    for (std::size_t k = 0; k < keys.size(); ++k)
+        if (k == 0 || keys[k].first != keys[k - 1].first)
+            some.push_back(directions[keys[k].second]);
+    return some;
 }
 
 // Converts parameters of a chart to parameters of its patch, in [0, 1].
@@ -115,11 +136,21 @@ PartCharts::PartCharts(std::span<const Surface> surfaces, std::span<const double
     mark_borders_of_surfaces();
 }
 
-PartCharts::PartCharts(const TriangleMesh& mesh) : mesh_{&mesh}
+PartCharts::PartCharts(const TriangleMesh& mesh)
+    : PartCharts{mesh, std::array{Vec3{Vec3::UnitZ()}}}
 {
+}
+
+PartCharts::PartCharts(const TriangleMesh& mesh, std::span<const Vec3> tool_axes)
+    : mesh_{&mesh}
+{
+    const std::vector<Vec3> axes = distinct(tool_axes);
     for (std::uint32_t k = 0; k < mesh.triangles().size(); ++k) {
         const Vec3 area = area_vector(mesh.corners(k));
-        if (area.norm() > 0 && area.z() >= -wall_z * area.norm())
+        const double least = -wall_z * area.norm();
+        if (area.norm() > 0 && std::ranges::any_of(axes, [&](const Vec3& axis) {
+                return area.dot(axis) >= least;
+            }))
             charts_.push_back({k, 0, 0, {0, 0}, {1, 1}});
     }
     mark_borders_of_mesh();
@@ -344,6 +375,13 @@ PartCharts part_charts(const Part& part)
         return PartCharts{*mesh};
     const std::span<const Surface> surfaces = std::get<std::vector<Surface>>(part);
     return PartCharts{surfaces, tool_side_signs(surfaces, Vec3::UnitZ())};
+}
+
+PartCharts part_charts(const Part& part, std::span<const Vec3> tool_axes)
+{
+    if (const auto* mesh = std::get_if<TriangleMesh>(&part))
+        return PartCharts{*mesh, tool_axes};
+    return part_charts(part);
 }
 
 }  // namespace endmill

@@ -70,8 +70,15 @@ public:
     /// The charts of a mesh: the triangles that do not face away from +z. A 3-axis cutter
     /// cannot reach undersides. Triangles without area are omitted too.
     explicit PartCharts(const TriangleMesh& mesh);
+
+    /// The charts of a mesh for tools along any of these axes: the triangles that do not
+    /// face away from all of them.
+    /// \param tool_axes unit, from the tip to the spindle.
+    PartCharts(const TriangleMesh& mesh, std::span<const Vec3> tool_axes);
     /// A temporary mesh would not outlive the charts.
     explicit PartCharts(TriangleMesh&&) = delete;
+    /// A temporary mesh would not outlive the charts.
+    PartCharts(TriangleMesh&&, std::span<const Vec3> tool_axes) = delete;
 
     /// Number of charts.
     std::uint32_t count() const { return static_cast<std::uint32_t>(charts_.size()); }
@@ -164,5 +171,11 @@ struct PartTile {
 
 /// Returns the charts of a part for a tool along +z.
 PartCharts part_charts(const Part& part);
+
+/// Returns the charts of a part for a tool whose axis turns. Triangles that face away from
+/// all axes are left out, because no cutter touches them. The tool side of surfaces is that
+/// for +z.
+/// \param tool_axes unit, of all points of a path.
+PartCharts part_charts(const Part& part, std::span<const Vec3> tool_axes);
 
 }  // namespace endmill

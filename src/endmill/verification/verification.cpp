@@ -17,9 +17,11 @@
 #include "endmill/surface/extent.h"
 #include "endmill/verification/detail/earlier_gouge.h"
 #include "endmill/verification/detail/finer_contacts.h"
+#include "endmill/verification/detail/part_box.h"
 #include "endmill/verification/detail/part_collisions.h"
 #include "endmill/verification/detail/stock_ray.h"
 #include "endmill/verification/detail/tool_runs.h"
+#include "endmill/verification/detail/turning_verification.h"
 
 namespace endmill {
 namespace {
@@ -67,29 +69,6 @@ Block stock_box(const VerificationTask& task)
 {
     const KeptStock* kept = kept_stock(task);
     return kept ? material_box(kept->heights) : std::get<Block>(task.stock);
-}
-
-// Bounding box of the part.
-Block bounding_box(const Part& part)
-{
-    Block box{Vec3::Constant(std::numeric_limits<double>::infinity()),
-              Vec3::Constant(-std::numeric_limits<double>::infinity())};
-    if (const auto* mesh = std::get_if<TriangleMesh>(&part)) {
-        for (const Triangle& triangle : mesh->triangles())
-            for (const std::int32_t corner : triangle) {
-                const Vec3& point = mesh->points()[static_cast<std::size_t>(corner)];
-                box.low = box.low.cwiseMin(point);
-                box.high = box.high.cwiseMax(point);
-            }
-        return box;
-    }
-    for (int c = 0; c < 3; ++c) {
-        const Interval along =
-            extent(std::get<std::vector<Surface>>(part), Vec3::Unit(c));
-        box.low[c] = along.low;
-        box.high[c] = along.high;
-    }
-    return box;
 }
 
 // Area of the part, mm^2.
@@ -410,7 +389,7 @@ Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter
 std::optional<StockHistory> history_of_rest(const VerificationTask& task)
 {
     const KeptStock* kept = kept_stock(task);
-    if (kept && !kept->history)
+    if ((kept && !kept->history) || task.engine == RemovalEngine::FiveAxis)
         return std::nullopt;
     StockHistory history =
         kept ? *kept->history : StockHistory{std::get<Block>(task.stock), {}};
@@ -424,6 +403,8 @@ Verification verify_path(const VerificationTask& task)
 {
     require(task.path != nullptr, "verify_path: need a path");
     require(!task.judged || task.judged->part != nullptr, "verify_path: need a part");
+    if (task.engine == RemovalEngine::FiveAxis)
+        return verify_turning_path(task);
     const ToolRuns tools{changing_tool(task)};
     const std::span<const ToolRun> runs = tools.list();
     require_fitting(task);
@@ -447,6 +428,7 @@ Verification verify_path(const VerificationTask& task)
                        .contacts = contacts,
                        .earlier_moves = {},
                        .rest = std::move(rest),
+                       .removed_bounds = {},
                        .verdict = Verdict::Clean};
     if (const StockHistory* history = history_of(task))
         found.earlier_moves = sweep_count(*history);

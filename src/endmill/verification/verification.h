@@ -3,10 +3,7 @@
 
 #include <functional>
 #include <optional>
-#include <variant>
-#include <vector>
 
-#include "endmill/cutter/tool.h"
 #include "endmill/deviation/deviation.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/stock/height_stock.h"
@@ -14,9 +11,10 @@
 #include "endmill/stock/stock_history.h"
 #include "endmill/surface/part.h"
 #include "endmill/verification/verification_result.h"
+#include "endmill/verification/verification_task.h"
 
 /// \file
-/// Verification of a 3-axis path: `verify_path` removes the material, measures the
+/// Verification of a path: `verify_path` removes the material, measures the
 /// deviation from the part and gives a verdict. The last four functions turn a path with
 /// a fixed tilted axis and its part upright, because removal and measurement need the
 /// axis +z.
@@ -75,38 +73,9 @@ struct PathDeviationOptions {
 Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter& cutter,
                             const PathDeviationOptions& options);
 
-/// The part with which `verify_path` compares the stock, and how.
-struct JudgedPart {
-    const Part* part;             ///< not null; must outlive this object
-    DeviationLimits limits = {};  ///< of the verdict
-    int max_refine = 8;           ///< largest number of halvings of a cell, 0 to 20
-    /// If set, remaining stock is judged only where it returns true, see DeviationOptions.
-    std::function<bool(const PartRay& ray)> is_accessible = {};
-    /// If set, it is called with the finished share of the measurement, 0 to 1.
-    std::function<void(double share)> progress = {};
-};
-
-/// The input of `verify_path`. It refers to the part, the path and a kept stock, which
-/// must outlive it.
-struct VerificationTask {
-    const ToolPath* path;                 ///< tips along +z; not null
-    Cutter cutter;                        ///< the shape that cuts
-    std::vector<ToolCylinder> body = {};  ///< cylinders of shank and holder
-    /// The part that the path machines; nothing: only the removal is simulated.
-    std::optional<JudgedPart> judged = {};
-    /// The material before the path: a block, or a stock that was kept (not null), such
-    /// as the result of an earlier run or a mesh.
-    std::variant<Block, const KeptStock*> stock;
-    double resolution = 0.1;  ///< mm; cell size of a block and distance of the first rays
-    double max_memory_gib = 8;        ///< limit of the memory, GiB
-    double extra_bytes_per_cell = 0;  ///< memory for output made from the remaining stock
-    /// Changes to other tools, ascending by their first point. `cutter` and `body` are
-    /// those of the tool before the first change.
-    std::vector<ToolChange> changes = {};
-};
-
 /// Returns the history of the stock that remains after `task`.
-/// \return nothing if the history of the stock before the path is not known.
+/// \return nothing if the history of the stock before the path is not known, or with five
+///         axes.
 std::optional<StockHistory> history_of_rest(const VerificationTask& task);
 
 /// Removes the material along the path and measures the deviation from the part.
@@ -122,9 +91,12 @@ std::optional<StockHistory> history_of_rest(const VerificationTask& task);
 ///
 /// The verdict is `Gouged`, or without a part `Collides`, if a rapid cuts, or if shank or
 /// holder is in the stock or in the part. It is `Undecided` if shank or holder may be in the part.
-/// Source: docs/methods/removal.md, section 3.
+/// With five axes every ray of the part and of the stock has bounds between which the truth
+/// lies. The verdict is `Undecided` too if a rapid, shank or holder may be in the material.
+/// Source: docs/methods/removal.md, section 3; docs/methods/five-axis-removal.md.
 /// \throws GeometryError if the path cuts nothing over the part, with the gap between
-///         cutter and part, or if an axis is not +z.
+///         cutter and part, if an axis is not +z with three axes, or if two neighbouring
+///         axes are opposite with five.
 /// \throws LimitError if the memory does not suffice, with a resolution that fits.
 /// \throws DomainError if path or part is null, an option is out of range, or the changes
 ///         of the tool do not ascend within the path.

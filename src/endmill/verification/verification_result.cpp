@@ -27,11 +27,12 @@ Verdict verdict_with_contacts(const Verification& found)
     if (found.contacts.rapid_cuts.count > 0 || found.contacts.collisions.count > 0 ||
         (on_part && on_part->collisions.moves.count > 0))
         return on_part ? Verdict::Gouged : Verdict::Collides;
+    const bool may_touch_stock = found.contacts.possible_mm > ignored_contact;
     if (!on_part)
-        return Verdict::NotJudged;
+        return may_touch_stock ? Verdict::Undecided : Verdict::NotJudged;
     const Verdict of_rest = verdict(on_part->deviation, on_part->limits);
-    const bool is_open =
-        may_be_in_part(on_part->collisions) || may_be_gouged_before(*on_part);
+    const bool is_open = may_touch_stock || may_be_in_part(on_part->collisions) ||
+                         may_be_gouged_before(*on_part);
     return is_open && of_rest != Verdict::Gouged ? Verdict::Undecided : of_rest;
 }
 

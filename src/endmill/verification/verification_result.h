@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <optional>
+#include <variant>
 
 #include "endmill/core/tolerance.h"
 #include "endmill/core/vec.h"
 #include "endmill/deviation/deviation.h"
+#include "endmill/stock/dexel_stock.h"
 #include "endmill/stock/height_stock.h"
 #include "endmill/stock/removal.h"
 
@@ -47,7 +49,16 @@ struct StockContacts {
     /// A cut or contact may be missed if its footprint, seen from above, contains no
     /// circle of this diameter in mm. 0: none can be missed.
     double width_mm = 0;
+    /// mm, greatest depth of a contact that is possible but not certain, on a ray of the
+    /// stock. Not 0 with five axes only.
+    double possible_mm = 0;
+    /// Number of the point to which the first move with such a contact leads.
+    std::optional<std::size_t> first_possible = {};
 };
+
+/// Largest depth in mm of a possible contact with the stock that is ignored. It covers the
+/// layer of material whose removal by the move before is not certain.
+inline constexpr double ignored_contact = 0.001;
 
 /// Gouge in a stock before the path, if only the heights of the stock are known.
 struct EarlierGouge {
@@ -68,6 +79,12 @@ struct PartFindings {
     std::optional<EarlierGouge> earlier_gouge = {};
 };
 
+/// Accuracy of a volume that was removed from dexels.
+struct RemovedBounds {
+    double bound;   ///< mm^3, error bound on the rays
+    double spread;  ///< mm^3, difference of the three fields of rays
+};
+
 /// The result of `verify_path`. A move has the number of the point to which it leads.
 struct Verification {
     std::optional<PartFindings> on_part = {};  ///< none without a part
@@ -76,16 +93,22 @@ struct Verification {
     /// Number of moves of earlier runs that were measured with the path; none if the
     /// history of the stock is not known.
     std::optional<std::size_t> earlier_moves = {};
-    HeightStock rest;  ///< the stock after the path
-    Verdict verdict;   ///< of `verdict_with_contacts`
+    /// The stock after the path: heights with three axes, dexels with five.
+    std::variant<HeightStock, DexelStock> rest;
+    /// Error bound of the removed volume on the rays; none with three axes.
+    std::optional<RemovedBounds> removed_bounds = {};
+    Verdict verdict;  ///< of `verdict_with_contacts`
+
+    /// The heights of the stock after the path. \pre three axes.
+    const HeightStock& heights() const { return std::get<HeightStock>(rest); }
 };
 
 /// Returns the verdict on the deviation and all contacts. The first rule that applies
 /// decides:
 /// 1. `Gouged` if a rapid cuts, or shank or holder is in the stock or in the part; without
 ///    a part `Collides`.
-/// 2. `Undecided` if a bound allows shank or holder to be in the part, or an earlier
-///    gouge beyond the tolerance, and the verdict on the deviation is not `Gouged`.
+/// 2. `Undecided` if a bound allows a rapid, shank or holder to be in the stock, shank or
+///    holder to be in the part, or an earlier gouge beyond the tolerance, and the verdict on the deviation is not `Gouged`.
 /// 3. Otherwise the verdict on the deviation; `NotJudged` without a part.
 /// \param found its member `verdict` is not used.
 /// Source: docs/methods/removal.md, section 3.

@@ -37,19 +37,12 @@ constexpr double drawn_in = 1e-9;
 // middle.
 constexpr double steepest_owner = 4;
 
-// Thickness that one sweep leaves at a cell's corners, mm; minus infinity for a missing
-// fourth corner.
-struct CornerValues {
-    std::array<double, 4> at{-infinite, -infinite, -infinite, -infinite};
-
-    double most() const { return *std::ranges::max_element(at); }
-};
-
 using CornerRays = std::array<PartRay, 4>;
 
-// Returns the minimum over all convex combinations of `a` and `b` of the greatest corner
-// value. This is a convex, piecewise linear function of the weight; its kinks lie where
-// two corners are equal.
+}  // namespace
+
+// The greatest corner value is a convex, piecewise linear function of the weight; its kinks
+// lie where two corners are equal.
 double least_of_means(const CornerValues& a, const CornerValues& b, int corners)
 {
     double least = std::min(a.most(), b.most());
@@ -71,10 +64,10 @@ double least_of_means(const CornerValues& a, const CornerValues& b, int corners)
     return least;
 }
 
-// Returns the rays at the corners of a cell; nothing if one has no normal.
-std::optional<CornerRays> corner_rays(const PartCell& cell, const PartCharts& charts)
+std::optional<std::array<PartRay, 4>> corner_rays(const PartCell& cell,
+                                                  const PartCharts& charts)
 {
-    CornerRays rays;
+    std::array<PartRay, 4> rays;
     const Eigen::Vector2d middle = cell.centre();
     for (std::size_t k = 0; k < static_cast<std::size_t>(cell.corners); ++k) {
         const auto ray =
@@ -86,23 +79,6 @@ std::optional<CornerRays> corner_rays(const PartCell& cell, const PartCharts& ch
     return rays;
 }
 
-// Returns nothing if the sweep leaves `before` or more at a corner.
-std::optional<CornerValues> corner_values(const StraightSweep& sweep,
-                                          const CornerRays& rays, int corners,
-                                          double before)
-{
-    CornerValues values;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(corners); ++k) {
-        const auto cut = cut_ray(sweep, rays[k], before);
-        if (!cut)
-            return std::nullopt;
-        values.at[k] = cut->thickness;
-    }
-    return values;
-}
-
-// Returns a lower bound, below 0, of the thickness that a volume in the half space leaves
-// anywhere on the cell. It is infinite if the half space does not reach the cell.
 double least_by(const MeasuredCell& cell, const HalfSpace& half)
 {
     // Change of the normal over the cell.
@@ -119,6 +95,23 @@ double least_by(const MeasuredCell& cell, const HalfSpace& half)
         return infinite;
     const double rate = half.normal.dot(cell.ray.normal) - bend;
     return rate > 0 ? -depth / rate : -infinite;
+}
+
+namespace {
+
+// Returns nothing if the sweep leaves `before` or more at a corner.
+std::optional<CornerValues> corner_values(const StraightSweep& sweep,
+                                          const CornerRays& rays, int corners,
+                                          double before)
+{
+    CornerValues values{{-infinite, -infinite, -infinite, -infinite}};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(corners); ++k) {
+        const auto cut = cut_ray(sweep, rays[k], before);
+        if (!cut)
+            return std::nullopt;
+        values.at[k] = cut->thickness;
+    }
+    return values;
 }
 
 // Tries three half spaces and takes the best bound. The first is perpendicular to the way

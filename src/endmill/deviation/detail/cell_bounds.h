@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "endmill/cutter/cutter.h"
 #include "endmill/deviation/detail/cut_ray.h"
+#include "endmill/deviation/detail/half_space.h"
 #include "endmill/deviation/part_charts.h"
 
 namespace endmill {
@@ -68,6 +70,29 @@ inline double hidden_gouge(const MeasuredCell& cell, double corner_radius)
 /// \param sweeps numbers of at least those sweeps that may clear the part on the cell.
 double least_left_by_planes(const MeasuredCell& cell, std::span<const StraightSweep> all,
                             std::span<const std::int32_t> sweeps);
+
+/// Returns a lower bound, below 0, of the thickness that a volume in the half space leaves
+/// anywhere on the cell. It is infinite if the half space does not reach the cell, and
+/// minus infinity if it does not bound the depth.
+double least_by(const MeasuredCell& cell, const HalfSpace& half);
+
+/// Thickness that a cutter leaves at a cell's corners, mm; minus infinity for a missing
+/// fourth corner.
+struct CornerValues {
+    std::array<double, 4> at;  ///< mm
+
+    /// The greatest of them, mm.
+    double most() const { return *std::ranges::max_element(at); }
+};
+
+/// Returns the minimum over all convex combinations of `a` and `b` of the greatest corner
+/// value. If both thicknesses are convex over the cell, their minimum is nowhere greater.
+double least_of_means(const CornerValues& a, const CornerValues& b, int corners);
+
+/// Returns the rays at the corners of a cell, drawn in by a rounding; nothing if one has
+/// no normal.
+std::optional<std::array<PartRay, 4>> corner_rays(const PartCell& cell,
+                                                  const PartCharts& charts);
 
 /// Returns those of `sweeps` that no separating plane keeps off the part on the cell.
 std::vector<std::int32_t> sweeps_on_cell(const MeasuredCell& cell,

@@ -96,6 +96,29 @@ RefinementThresholds refinement_thresholds(double rest, double gouge,
             -threshold(gouge, limits.tolerance, gouge_sharpness)};
 }
 
+RefinementThresholds sharpened_thresholds(const RefinementThresholds& thresholds,
+                                          const Extremes& found,
+                                          const DeviationLimits& limits)
+{
+    const RefinementThresholds here =
+        refinement_thresholds(found.highest.left, -found.deepest.left, limits);
+    return {std::max(thresholds.upper, here.upper),
+            std::min(thresholds.lower, here.lower)};
+}
+
+PartCharts::CurvatureBounds greatest_curvature(const PartCharts& charts,
+                                               const PartTile& tile)
+{
+    const PartCell& whole = tile.whole;
+    PartCharts::CurvatureBounds most = charts.curvature(whole.chart, whole.centre());
+    for (std::size_t k = 0; k < static_cast<std::size_t>(whole.corners); ++k) {
+        const PartCharts::CurvatureBounds at = charts.curvature(whole.chart, whole.at[k]);
+        most.convex = std::max(most.convex, at.convex);
+        most.absolute = std::max(most.absolute, at.absolute);
+    }
+    return most;
+}
+
 bool is_beyond(double left, const DeviationLimits& limits)
 {
     return left > limits.scallop || -left > limits.tolerance;

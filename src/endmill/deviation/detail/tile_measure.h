@@ -128,6 +128,15 @@ struct Measured {
     const PartDistance& distance;     ///< from the part
 };
 
+/// Returns the thresholds, widened by the maxima that were found meanwhile.
+RefinementThresholds sharpened_thresholds(const RefinementThresholds& thresholds,
+                                          const Extremes& found,
+                                          const DeviationLimits& limits);
+
+/// Returns the greatest curvatures of the part at the middle and the corners of a tile.
+PartCharts::CurvatureBounds greatest_curvature(const PartCharts& charts,
+                                               const PartTile& tile);
+
 /// Whether a thickness of `left` mm violates a limit.
 bool is_beyond(double left, const DeviationLimits& limits);
 
@@ -220,8 +229,6 @@ private:
                      double away) const;
     bool clears_no_foot(const MeasuredCell& cell,
                         std::span<const std::int32_t> sweep_numbers, double away) const;
-    RefinementThresholds sharpened(const RefinementThresholds& thresholds,
-                                   const Extremes& found) const;
     void refine(const MeasuredCell& cell, const RefinementThresholds& first_thresholds,
                 const Depth& depth, Extremes& found);
     void refine_quarters(const MeasuredCell& cell,

@@ -112,16 +112,6 @@ bool TileMeasure::clears_no_foot(const MeasuredCell& cell,
     });
 }
 
-// Widens the thresholds by the maxima that were found in the tile meanwhile.
-RefinementThresholds TileMeasure::sharpened(const RefinementThresholds& thresholds,
-                                            const Extremes& found) const
-{
-    const RefinementThresholds here =
-        refinement_thresholds(found.highest.left, -found.deepest.left, limits());
-    return {std::max(thresholds.upper, here.upper),
-            std::min(thresholds.lower, here.lower)};
-}
-
 // Bounds the thickness on a cell and refines it if the bounds exceed the thresholds.
 void TileMeasure::refine(const MeasuredCell& cell,
                          const RefinementThresholds& first_thresholds, const Depth& depth,
@@ -136,7 +126,8 @@ void TileMeasure::refine(const MeasuredCell& cell,
     double least =
         by_planes ? least_left_by_planes(cell, sweeps(), gouging) : smooth_least(cell);
     // A maximum found in this tile may have settled more than those of the first rays.
-    const RefinementThresholds thresholds = sharpened(first_thresholds, found);
+    const RefinementThresholds thresholds =
+        sharpened_thresholds(first_thresholds, found, limits());
     std::vector<std::int32_t> local;
     bool is_leaf = !thresholds.are_exceeded(most, least);
     if (!is_leaf) {

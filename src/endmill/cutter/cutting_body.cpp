@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/cutter/cutting_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "endmill/core/error.h"
+
+// The search of `searched` keeps the tangents of the convex function at the ends of a
+// bracket around the minimum. Where they meet is a lower bound; the weights with which
+// they are combined there make a plane without slope along the segment, which bounds the
+// distances of a moved segment too.
+
+namespace endmill {
+namespace {
+
+// Accuracy of the least distance in mm, far below every tolerance.
+constexpr double least_accuracy = 1e-8;
+// The bracket halves at least every other step; the accuracy is reached long before.
+constexpr int most_steps = 100;
+
+}  // namespace
+
+CuttingBody::CuttingBody(const Cutter& cutter, double length)
+    : cutter_{cutter},
+      length_{length}
+{
+    require(length > 0 && length >= cutter.corner_radius(),
+            "CuttingBody: need 0 < length and corner radius <= length");
+}
+
+CuttingBody CuttingBody::of_cylinder(const ToolCylinder& cylinder)
+{
+    require(cylinder.from >= 0, "CuttingBody: need 0 <= from");
+    CuttingBody body{Cutter::flat(cylinder.diameter / 2), cylinder.to - cylinder.from};
+    body.base_ = cylinder.from;
+    body.length_ = cylinder.to;
+    return body;
+}
+
+CuttingBody::Distance CuttingBody::distance(const Vec3& place) const
+{
+    const Distance found = endless_distance(place);
+    if (place.z() - length_ > found.value)
+        return {place.z() - length_, Vec3::UnitZ()};
+    return found;
+}
+
+// The distance without the upper end.
+CuttingBody::Distance CuttingBody::endless_distance(const Vec3& place) const
+{
+    const double r = cutter_.corner_radius();
+    const double h = place.z() - base_ - r;
+    const double d = std::sqrt(place.x() * place.x() + place.y() * place.y());
+    const double out = d - cutter_.flat_radius();
+    const auto across = [&](double share) -> Vec3 {
+        return d > 0 ? Vec3{share / d * place.x(), share / d * place.y(), 0}
+                     : Vec3{Vec3::Zero()};
+    };
+    if (out > 0 && h < 0) {
+        const double length = std::sqrt(out * out + h * h);
+        Vec3 gradient = across(out / length);
+        gradient.z() = h / length;
+        return {length - r, gradient};
+    }
+    if (out >= -h)
+        return {out - r, across(1)};
+    return {-h - r, -Vec3::UnitZ()};
+}
+
+// Returns the parameter of the place nearest to the half line z >= R on the axis. The
+// squared distance is convex and piecewise quadratic, with a break where z = R.
+double CuttingBody::ball_parameter(const Vec3& from, const Vec3& way) const
+{
+    const double h = from.z() - cutter_.radius();
+    const double along = from.x() * way.x() + from.y() * way.y();
+    const double square = way.x() * way.x() + way.y() * way.y();
+    const bool is_level = way.z() == 0;
+    // Whether the minimum lies where the height is below R.
+    bool is_below = h < 0;
+    if (!is_level) {
+        const double at_break = -h / way.z();
+        const double slope = along + at_break * square;
+        if (slope == 0)
+            return std::clamp(at_break, 0.0, 1.0);
+        is_below = (slope > 0) == (way.z() > 0);
+    }
+    const double steep = is_below ? square + way.z() * way.z() : square;
+    if (!(steep > 0))
+        return 0;
+    const double slope = is_below ? along + h * way.z() : along;
+    return std::clamp(-slope / steep, 0.0, 1.0);
+}
+
+CuttingBody::Least CuttingBody::least_on_segment(const Vec3& from, const Vec3& to,
+                                                 double enough) const
+{
+    if (!cutter_.is_ball())
+        return searched(from, to, enough);
+    const Vec3 way = to - from;
+    const double u = ball_parameter(from, way);
+    const Vec3 place = from + u * way;
+    const double h = place.z() - cutter_.radius();
+    const double d2 = place.x() * place.x() + place.y() * place.y();
+    const double below = std::min(h, 0.0);
+    const double length = std::sqrt(d2 + below * below);
+    const double value = length - cutter_.radius();
+    if (place.z() - length_ > value)
+        return searched(from, to, enough);
+    const Vec3 gradient = length > 0 ? Vec3{Vec3{place.x(), place.y(), below} / length}
+                                     : Vec3{Vec3::Zero()};
+    return {value, u, value, gradient};
+}
+
+CuttingBody::Least CuttingBody::searched(const Vec3& from, const Vec3& to,
+                                         double enough) const
+{
+    const Vec3 way = to - from;
+    double low = 0;
+    double high = 1;
+    Distance at_low = distance(from);
+    double slope_low = at_low.gradient.dot(way);
+    if (!(slope_low < 0))
+        return {at_low.value, 0, at_low.value, at_low.gradient};
+    Distance at_high = distance(to);
+    double slope_high = at_high.gradient.dot(way);
+    if (!(slope_high > 0))
+        return {at_high.value, 1, at_high.value, at_high.gradient};
+    Least least{};
+    for (int step = 0;; ++step) {
+        // Tangents at both ends, and where they meet.
+        const double width = high - low;
+        const double share = slope_high / (slope_high - slope_low);
+        const double meet =
+            std::clamp((at_low.value - at_high.value + slope_high * width) /
+                           (slope_high - slope_low),
+                       0.0, width);
+        const bool low_is_less = at_low.value <= at_high.value;
+        least.value = low_is_less ? at_low.value : at_high.value;
+        least.at = low_is_less ? low : high;
+        least.lower = std::min(at_low.value + slope_low * meet, least.value);
+        if (least.value - least.lower <= least_accuracy || least.lower >= enough ||
+            step == most_steps) {
+            least.gradient = share * at_low.gradient + (1 - share) * at_high.gradient;
+            return least;
+        }
+        // In turn: where the tangents meet, where the slope would vanish if it were
+        // linear, the middle.
+        double next = meet;
+        if (step % 3 == 1)
+            next = -slope_low / (slope_high - slope_low) * width;
+        if (step % 3 == 2 || !(next > 0 && next < width))
+            next = width / 2;
+        const double u = low + next;
+        const Distance here = distance(from + u * way);
+        const double slope = here.gradient.dot(way);
+        if (slope == 0)
+            return {here.value, u, here.value, here.gradient};
+        if (slope < 0) {
+            low = u;
+            at_low = here;
+            slope_low = slope;
+        } else {
+            high = u;
+            at_high = here;
+            slope_high = slope;
+        }
+    }
+}
+
+double CuttingBody::support(const Vec3& direction) const
+{
+    const double beside = direction.head<2>().norm();
+    const double top = std::isinf(length_) ? -std::numeric_limits<double>::infinity()
+                                           : direction.z() * length_;
+    if (direction.z() < 0)
+        return top - cutter_.radius() * beside;
+    const double r = cutter_.corner_radius();
+    return (base_ + r) * direction.z() - r - cutter_.flat_radius() * beside;
+}
+
+}  // namespace endmill

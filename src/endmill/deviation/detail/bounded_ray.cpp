@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/deviation/detail/bounded_ray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "endmill/deviation/detail/cut_ray.h"
+#include "endmill/machine/tool_motion.h"
+#include "endmill/stock/detail/ray_on_motion.h"
+
+namespace endmill {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// Rounding error of a distance in mm, for coordinates up to some metres.
+constexpr double rounding = 1e-10;
+// Depth in mm below a place that may be removed at which the search for the end of a gouge
+// starts.
+constexpr double first_step = 2e-8;
+constexpr int most_steps = 40;
+// Least rate at which the distance is assumed to grow into the part.
+constexpr double least_rise = 0.02;
+// Steps of the search for the depth of one pose.
+constexpr int most_halvings_of_depth = 20;
+// Pieces are halved at most this often: the error falls to a millionth.
+constexpr int most_halvings = 10;
+// A piece is not halved if its error is below this share of the sharpness: the ray then
+// grazes the cutter.
+constexpr double small_error_share = 0.1;
+// A gouge is followed down to this depth, mm.
+constexpr double deepest_gouge = 1e4;
+// Steps by which a direction is turned until it points away from no axis.
+constexpr int most_projections = 16;
+// Sine of the angle by which a direction may point below a plane across the axis. On an
+// endless cutter it changes a half space by less than the rounding of the coordinates.
+constexpr double level_sine = 1e-13;
+
+// Returns a lower bound of the thickness where the ray's point may be removed: below it
+// no pose reaches the point.
+double gouge_entry(const RayOnMotion& on)
+{
+    double s = 0;
+    for (int step = 0; step < most_steps && s >= -deepest_gouge; ++step) {
+        const RayOnMotion::Distance here = on.distance(s);
+        if (here.gap() > 0)
+            return on.first_entry(s, 0).value_or(0);
+        const double rise = std::max(-on.rate(here.least), least_rise);
+        s -= (first_step - here.gap()) / rise;
+    }
+    return -deepest_gouge;
+}
+
+// A place on the ray that is removed for certain by a pose that counts.
+struct SurePlace {
+    double s;
+    CuttingBody::Least least;  // of the pose
+};
+
+// Returns the deepest such place found below a point that is removed for certain. The pose
+// must remove the point too; then it removes all between them, because it is convex.
+// \param low lower bound of the thickness.
+SurePlace sure_gouge(const RayOnMotion& on, const RayOnMotion::Distance& at_point,
+                     double low)
+{
+    RayOnMotion::Distance there{};
+    const auto sure = on.sure_entry(low, 0, there);
+    const double error = std::max(at_point.error, on.distance(low).error);
+    if (sure && on.at_pose(0, there.least.at) <= -error)
+        return {*sure, there.least};
+    double inside = 0;
+    double outside = low;
+    for (int step = 0; step < most_halvings_of_depth; ++step) {
+        const double middle = (inside + outside) / 2;
+        (on.at_pose(middle, at_point.least.at) <= -error ? inside : outside) = middle;
+    }
+    return {inside, at_point.least};
+}
+
+// Returns a place at or beyond the ray's point that is removed for certain.
+// \param from lower bound of the thickness.
+std::optional<SurePlace> sure_place(const RayOnMotion& on, double from, double most)
+{
+    RayOnMotion::Distance there{};
+    const auto sure = on.sure_entry(std::max(0.0, from), most, there);
+    return sure ? std::optional{SurePlace{*sure, there.least}} : std::nullopt;
+}
+
+// Lowers the bounds by a motion, which is halved at most `halvings` times.
+void cut(BoundedRay& bounded, const PartRay& ray, const ToolPiece& piece,
+         const ToolMotion& motion, double sharpness, int halvings)
+{
+    const RayOnMotion on{ray.point, ray.normal, motion, piece.body};
+    const RayOnMotion::Distance at_point = on.distance(0, std::max(0.0, bounded.low));
+    std::optional<double> low;
+    if (at_point.gap() <= 0) {
+        low = gouge_entry(on);
+    } else if (at_point.gap() < bounded.low) {
+        low = on.first_entry(0, bounded.low);
+    }
+    if (!low || !(*low < bounded.low))
+        return;
+    const std::optional<SurePlace> sure = at_point.is_removed()
+                                              ? sure_gouge(on, at_point, *low)
+                                              : sure_place(on, *low, bounded.high);
+    if (sure && sure->s < bounded.high) {
+        bounded.high = sure->s;
+        bounded.piece = &piece;
+        bounded.slope = slope_of_cosine(on.rate(sure->least));
+    }
+    const bool is_sharp = bounded.high - *low <= sharpness;
+    const double error = motion.chord_error(ray.point + *low * ray.normal);
+    if (is_sharp || halvings == 0 || error <= small_error_share * sharpness) {
+        bounded.low = *low;
+        return;
+    }
+    for (const ToolMotion& half : motion.halves())
+        cut(bounded, ray, piece, half, sharpness, halvings - 1);
+}
+
+}  // namespace
+
+void cut(BoundedRay& bounded, const PartRay& ray, const ToolPiece& piece,
+         double sharpness)
+{
+    cut(bounded, ray, piece, piece.motion, sharpness, most_halvings);
+}
+
+PieceDistance distance_from(const ToolPiece& piece, const Vec3& place, double enough)
+{
+    const ToolMotion& motion = piece.motion;
+    const double error = motion.chord_error(place) + rounding;
+    const CuttingBody::Least least = piece.body.least_on_segment(
+        motion.from().seen(place), motion.to().seen(place), enough + error);
+    return {least.lower - error, least.at, least.gradient};
+}
+
+std::optional<double> thickness_by(const ToolPiece& piece, const PartRay& ray,
+                                   double near, double before)
+{
+    const RayOnMotion on{ray.point, ray.normal, piece.motion, piece.body};
+    // By the turn, a place between others may be farther from the cutter than they are; and
+    // the error of the straight line changes between them.
+    const double turn = piece.motion.turn();
+    const double margin = turn * (1 + turn) * near / 4;
+    const auto low = on.first_entry(0, before);
+    if (!low)
+        return std::nullopt;
+    RayOnMotion::Distance there{};
+    return on.sure_entry(*low, before, there, margin);
+}
+
+HalfSpace half_space_of(const ToolPiece& piece, const Vec3& normal)
+{
+    const ToolMotion& motion = piece.motion;
+    const CuttingBody& body = piece.body;
+    const double R = body.cutter().radius();
+    const bool is_endless = std::isinf(body.length());
+    Vec3 w = normal;
+    const auto projected = [&] {
+        bool is_done = true;
+        for (const ToolFrame* frame : {&motion.from(), &motion.to()})
+            if (const double along = w.dot(frame->axes.col(2)); along < -level_sine) {
+                w -= along * frame->axes.col(2);
+                is_done = false;
+            }
+        return is_done;
+    };
+    for (int step = 0; is_endless && step < most_projections && !projected(); ++step) {
+    }
+    const double length = w.norm();
+    HalfSpace half{length > 0 ? Vec3{w / length} : normal, -infinite};
+    double least = infinite;
+    for (const ToolFrame* frame : {&motion.from(), &motion.to()}) {
+        Vec3 seen = frame->axes.transpose() * half.normal;
+        if (std::abs(seen.z()) <= 2 * level_sine)
+            seen.z() = 0;
+        least = std::min(least, half.normal.dot(frame->tip) + body.support(seen));
+    }
+    // The lowest place of the cutter lies at most this far from the tip.
+    const double far =
+        std::hypot(R, is_endless ? body.cutter().corner_radius() : body.length());
+    half.least = least - motion.largest_axis_bend(far) / 8 - rounding;
+    return half;
+}
+
+}  // namespace endmill

@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/stock/detail/dexel_removal.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <optional>
+
+#include "endmill/core/parallel.h"
+#include "endmill/stock/detail/ray_on_motion.h"
+
+namespace endmill {
+namespace {
+
+constexpr int tile_side = 8;
+// A chord on a ray is sharp enough if its certain and its possible ends differ by this, in
+// mm, at both ends together; otherwise the piece is halved.
+constexpr double chord_sharpness = 2e-3;
+constexpr int most_halvings = 6;
+// A piece is not halved if its error is below this, in mm: the ray then grazes the cutter.
+constexpr double small_error = 1e-5;
+
+// An interval on a ray, in units.
+using Interval32 = DexelInterval;
+
+// What a piece removes on a ray: at most `may`, and all of `sure`.
+struct Chord {
+    Interval32 may;
+    Interval32 sure;  // empty if from >= to
+};
+
+// Removes an interval from a set. \return the length that was removed, in units.
+std::int64_t remove(std::vector<Interval32>& set, const Interval32& cut)
+{
+    std::int64_t removed = 0;
+    for (std::size_t k = 0; k < set.size();) {
+        Interval32& one = set[k];
+        const Interval32 both{std::max(one.from, cut.from), std::min(one.to, cut.to)};
+        if (both.from >= both.to) {
+            ++k;
+            continue;
+        }
+        removed += std::int64_t{both.to} - both.from;
+        const Interval32 above{both.to, one.to};
+        one.to = both.from;
+        if (one.from < one.to) {
+            ++k;
+            if (above.from < above.to)
+                set.insert(set.begin() + static_cast<std::ptrdiff_t>(k), above);
+        } else if (above.from < above.to) {
+            one = above;
+        } else {
+            set.erase(set.begin() + static_cast<std::ptrdiff_t>(k));
+        }
+    }
+    return removed;
+}
+
+// Returns the length of a set within an interval, in units.
+std::int64_t length_within(const std::vector<Interval32>& set, const Interval32& within)
+{
+    std::int64_t sum = 0;
+    for (const Interval32& one : set)
+        sum += std::max(std::int64_t{0}, std::int64_t{std::min(one.to, within.to)} -
+                                             std::max(one.from, within.from));
+    return sum;
+}
+
+// A range of places on a ray, mm.
+struct Range {
+    double from;
+    double to;
+};
+
+// Bounds of what a motion removes on a ray, mm.
+struct Removed {
+    Range may;
+    std::optional<Range> sure;
+};
+
+// Returns the part that is removed for certain, between places that are. The pose that
+// removes one end removes all up to any place that it removes too, because it is convex.
+// If that fails, F itself is convex along the ray except for the turn of its direction.
+std::optional<Range> sure_range(const RayOnMotion& on, const Range& may)
+{
+    RayOnMotion::Distance at_from{};
+    const auto from = on.sure_entry(may.from, may.to, at_from);
+    if (!from)
+        return std::nullopt;
+    RayOnMotion::Distance at_to{};
+    const auto back = on.reversed().sure_entry(-may.to, -*from, at_to);
+    if (!back)
+        return std::nullopt;
+    const Range sure{*from, -*back};
+    const double middle = (sure.from + sure.to) / 2;
+    const double error =
+        std::max({at_from.error, at_to.error, on.distance(middle).error});
+    const auto removes = [&](double s, double u) { return on.at_pose(s, u) <= -error; };
+    const bool is_whole =
+        removes(sure.from, at_from.least.at) && removes(middle, at_from.least.at) &&
+        removes(middle, at_to.least.at) && removes(sure.to, at_to.least.at);
+    if (is_whole)
+        return sure;
+    const double bend = on.turn() * (sure.to - sure.from) *
+                        std::abs(at_from.least.at - at_to.least.at) / 4;
+    // Both ends are drawn in where the distance falls enough.
+    const Range inner{sure.from + 2 * bend, sure.to - 2 * bend};
+    if (!(inner.from <= inner.to))
+        return std::nullopt;
+    const auto is_deep = [&](double s) {
+        return on.distance(s).least.value <= -(error + bend);
+    };
+    return bend == 0 || (is_deep(inner.from) && is_deep(inner.to)) ? std::optional{inner}
+                                                                   : std::nullopt;
+}
+
+// Returns what a motion removes on a range of a ray; nothing if it removes nothing.
+std::optional<Removed> removed_on(const RayOnMotion& on, const Range& range)
+{
+    Range may = range;
+    if (on.distance(range.to).gap() > 0) {
+        const auto to = on.reversed().first_entry(-range.to, -range.from);
+        if (!to)
+            return std::nullopt;
+        may.to = -*to;
+    }
+    const auto from = on.first_entry(range.from, may.to);
+    if (!from)
+        return std::nullopt;
+    may.from = *from;
+    return Removed{may, sure_range(on, may)};
+}
+
+// The rays of a tile while the pieces cut them.
+class DexelTile {
+public:
+    DexelTile(const DexelStock& stock, int axis, int column, int row)
+        : field_{stock.field(axis)},
+          unit_{stock.unit()},
+          direction_{Vec3::Unit(axis)},
+          columns_{std::min(tile_side, field_.columns() - column)},
+          rows_{std::min(tile_side, field_.rows() - row)},
+          length_{stock.block().high[axis] - stock.block().low[axis]}
+    {
+        for (int j = 0; j < rows_; ++j)
+            for (int i = 0; i < columns_; ++i) {
+                const auto upper = field_.upper(column + i, row + j);
+                const auto lower = field_.lower(column + i, row + j);
+                dexels_.push_back(
+                    {{upper.begin(), upper.end()}, {lower.begin(), lower.end()}});
+                starts_.push_back(field_.start(column + i, row + j));
+            }
+        middle_ = (starts_.front() + starts_.back()) / 2;
+        radius_ = (starts_.front() - middle_).norm();
+    }
+
+    const Vec3& middle() const { return middle_; }
+    double radius() const { return radius_; }
+    Vec3 end(const Vec3& start) const { return start + length_ * direction_; }
+    int columns() const { return columns_; }
+    int rows() const { return rows_; }
+    std::vector<Dexel>& dexels() { return dexels_; }
+
+    // Calls `use(ray, chord)` for all chords of a piece with the material of the rays.
+    template <typename Use>
+    void for_chords(const ToolPieces& pieces, std::uint32_t number, const Use& use)
+    {
+        const ToolPiece& piece = pieces.pieces()[number];
+        for (std::size_t ray = 0; ray < dexels_.size(); ++ray) {
+            const std::vector<Interval32>& upper = dexels_[ray].upper;
+            if (upper.empty() ||
+                !pieces.is_near_segment(number, at(ray, upper.front().from * unit_),
+                                        at(ray, upper.back().to * unit_), 0))
+                continue;
+            chords_.clear();
+            for (const Interval32& one : upper)
+                add_chords(ray, piece, piece.motion, {one.from * unit_, one.to * unit_},
+                           most_halvings);
+            for (const Chord& chord : chords_)
+                use(ray, chord);
+        }
+    }
+
+private:
+    Vec3 at(std::size_t ray, double s) const { return starts_[ray] + s * direction_; }
+
+    void add_chords(std::size_t ray, const ToolPiece& piece, const ToolMotion& motion,
+                    const Range& range, int halvings)
+    {
+        const RayOnMotion on{starts_[ray], direction_, motion, piece.body};
+        const auto removed = removed_on(on, range);
+        if (!removed)
+            return;
+        const auto& [may, sure] = *removed;
+        const double doubt =
+            sure ? sure->from - may.from + may.to - sure->to : may.to - may.from;
+        if (doubt > chord_sharpness && halvings > 0 &&
+            std::max(motion.chord_error(at(ray, may.from)),
+                     motion.chord_error(at(ray, may.to))) > small_error) {
+            for (const ToolMotion& half : motion.halves())
+                add_chords(ray, piece, half, range, halvings - 1);
+            return;
+        }
+        const auto down = [&](double s) {
+            return static_cast<std::int32_t>(std::floor(s / unit_));
+        };
+        const auto up = [&](double s) {
+            return static_cast<std::int32_t>(std::ceil(s / unit_));
+        };
+        Chord chord{{down(may.from), up(may.to)}, {0, 0}};
+        if (sure)
+            chord.sure = {up(sure->from), down(sure->to)};
+        // The ends of the range itself are whole units.
+        if (may.to >= range.to)
+            chord.may.to = up(range.to - unit_ / 2);
+        if (sure && sure->to >= range.to)
+            chord.sure.to = chord.may.to;
+        if (sure && sure->from <= range.from)
+            chord.sure.from = down(range.from + unit_ / 2);
+        chords_.push_back(chord);
+    }
+
+    const DexelField& field_;
+    double unit_;
+    Vec3 direction_;
+    int columns_;
+    int rows_;
+    double length_;
+    std::vector<Dexel> dexels_;
+    std::vector<Vec3> starts_;
+    std::vector<Chord> chords_;
+    Vec3 middle_;
+    double radius_;
+};
+
+// What the moves do on the rays of one field, in units.
+struct FieldMove {
+    std::int64_t removed = 0;  // of the upper and of the lower set together
+    std::int64_t deepest = 0;
+    std::int64_t most_deep = 0;
+    std::int64_t body = 0;
+    std::int64_t most_body = 0;
+
+    void add(const FieldMove& other)
+    {
+        removed += other.removed;
+        deepest = std::max(deepest, other.deepest);
+        most_deep = std::max(most_deep, other.most_deep);
+        body = std::max(body, other.body);
+        most_body = std::max(most_body, other.most_body);
+    }
+};
+
+// A piece of a cutter or a body that comes near a tile.
+struct NearPiece {
+    std::int32_t order;
+    bool is_cutter;  // bodies come first
+    std::uint32_t number;
+
+    auto key() const { return std::tuple{order, is_cutter, number}; }
+};
+
+std::vector<NearPiece> pieces_near(const DexelTile& tile, const DexelMotions& motions)
+{
+    std::vector<NearPiece> near;
+    const auto add = [&](const ToolPieces& pieces, bool is_cutter) {
+        for (const std::uint32_t number :
+             pieces.near_segment(tile.middle(), tile.end(tile.middle()), tile.radius()))
+            near.push_back({pieces.pieces()[number].order, is_cutter, number});
+    };
+    add(motions.bodies, false);
+    add(motions.cutters, true);
+    std::ranges::sort(near, {}, &NearPiece::key);
+    return near;
+}
+
+// Cuts the rays of one tile by all pieces.
+// \param moves receives what they do, by the number of the point.
+void cut_tile(DexelTile& tile, const DexelMotions& motions, std::vector<FieldMove>& moves)
+{
+    for (const auto& [order, is_cutter, number] : pieces_near(tile, motions)) {
+        if (!is_cutter) {
+            FieldMove& move =
+                moves[static_cast<std::size_t>(motions.bodies.pieces()[number].point)];
+            tile.for_chords(motions.bodies, number,
+                            [&](std::size_t ray, const Chord& chord) {
+                                const Dexel& dexel = tile.dexels()[ray];
+                                move.add({0, 0, 0, length_within(dexel.lower, chord.sure),
+                                          length_within(dexel.upper, chord.may)});
+                            });
+            continue;
+        }
+        FieldMove& move =
+            moves[static_cast<std::size_t>(motions.cutters.pieces()[number].point)];
+        tile.for_chords(motions.cutters, number,
+                        [&](std::size_t ray, const Chord& chord) {
+                            Dexel& dexel = tile.dexels()[ray];
+                            FieldMove done;
+                            done.deepest = length_within(dexel.lower, chord.sure);
+                            done.most_deep = length_within(dexel.upper, chord.may);
+                            done.removed = remove(dexel.lower, chord.may);
+                            done.removed += remove(dexel.upper, chord.sure);
+                            move.add(done);
+                        });
+    }
+}
+
+// Removes the material on the rays of one field.
+std::vector<FieldMove> cut_field(DexelStock& stock, int axis, const DexelMotions& motions,
+                                 const std::function<void(double)>& progress)
+{
+    DexelField& field = stock.field(axis);
+    const int across = (field.columns() + tile_side - 1) / tile_side;
+    const int along = (field.rows() + tile_side - 1) / tile_side;
+    const std::size_t tiles = static_cast<std::size_t>(across) * along;
+    std::vector<Dexel> dexels(static_cast<std::size_t>(field.columns()) * field.rows());
+    std::vector<FieldMove> moves(motions.points);
+    std::mutex adding;
+    std::atomic<std::size_t> done = 0;
+    parallel_for(tiles, [&](std::size_t begin, std::size_t end) {
+        std::vector<FieldMove> own(motions.points);
+        for (std::size_t k = begin; k < end; ++k) {
+            const int column = static_cast<int>(k % across) * tile_side;
+            const int row = static_cast<int>(k / across) * tile_side;
+            DexelTile tile{stock, axis, column, row};
+            cut_tile(tile, motions, own);
+            for (int j = 0; j < tile.rows(); ++j)
+                for (int i = 0; i < tile.columns(); ++i)
+                    dexels[static_cast<std::size_t>(row + j) * field.columns() + column +
+                           i] =
+                        std::move(
+                            tile.dexels()[static_cast<std::size_t>(j) * tile.columns() +
+                                          i]);
+            const std::size_t finished = ++done;
+            if (progress)
+                progress((axis + static_cast<double>(finished) / tiles) / 3);
+        }
+        const std::scoped_lock lock{adding};
+        for (std::size_t k = 0; k < moves.size(); ++k)
+            moves[k].add(own[k]);
+    });
+    field.assign(dexels);
+    return moves;
+}
+
+}  // namespace
+
+DexelRemoval remove_from_dexels(DexelStock& stock, const DexelMotions& motions,
+                                const std::function<void(double)>& progress)
+{
+    DexelRemoval removal;
+    removal.moves.resize(motions.points);
+    std::array<double, 3> removed{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const DexelVolume before = dexel_volume(stock, axis);
+        const std::vector<FieldMove> moves = cut_field(stock, axis, motions, progress);
+        const double unit = stock.unit();
+        const double volume = unit * stock.field(axis).cell_area();
+        for (std::size_t k = 0; k < moves.size(); ++k) {
+            DexelMove& move = removal.moves[k];
+            move.removed += static_cast<double>(moves[k].removed) * volume / 6;
+            move.deepest = std::max(move.deepest, moves[k].deepest * unit);
+            move.most_deep = std::max(move.most_deep, moves[k].most_deep * unit);
+            move.body_depth = std::max(move.body_depth, moves[k].body * unit);
+            move.most_body_depth =
+                std::max(move.most_body_depth, moves[k].most_body * unit);
+        }
+        const DexelVolume after = dexel_volume(stock, axis);
+        const double most = before.upper - after.lower;
+        const double least = before.lower - after.upper;
+        removed[std::size_t(axis)] = (most + least) / 2;
+        removal.removed += (most + least) / 6;
+        removal.bound += (most - least) / 6;
+    }
+    removal.spread =
+        *std::ranges::max_element(removed) - *std::ranges::min_element(removed);
+    return removal;
+}
+
+}  // namespace endmill

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/stock/detail/ray_on_motion.h"
+
+#include <algorithm>
+#include <cmath>
+
+// For one pose the distance is convex along the line, and over the poses of the straight
+// approximation jointly convex but for the turn of the line's direction, which is at most
+// the turn of the motion. A Newton step whose rate is steeper by this turn can therefore
+// not pass a place with F = e. The error e changes along the line by less than a quarter of
+// the square of the turn.
+
+namespace endmill {
+namespace {
+
+// Rounding error of a distance in mm, for coordinates up to some metres.
+constexpr double rounding = 1e-10;
+// A search along a line ends when the distance is at most this, in mm.
+constexpr double converged = 1e-8;
+// Steps of a search. Where the line grazes the cutter they become slow; the bounds reached
+// so far hold.
+constexpr int most_entry_steps = 40;
+constexpr int most_sure_steps = 12;
+// Least rate at which the distance is assumed to fall towards a removed place.
+constexpr double least_fall = 0.02;
+
+}  // namespace
+
+RayOnMotion::RayOnMotion(const Vec3& start, const Vec3& direction,
+                         const ToolMotion& motion, const CuttingBody& body)
+    : start_{start},
+      direction_{direction},
+      motion_{&motion},
+      body_{&body},
+      from_{motion.from().seen(start)},
+      to_{motion.to().seen(start)},
+      along_from_{motion.from().axes.transpose() * direction},
+      along_to_{motion.to().axes.transpose() * direction}
+{
+}
+
+RayOnMotion::Distance RayOnMotion::distance(double s, double enough) const
+{
+    const double error = motion_->chord_error(start_ + s * direction_) + rounding;
+    return {body_->least_on_segment(from_ + s * along_from_, to_ + s * along_to_,
+                                    enough + error),
+            error};
+}
+
+double RayOnMotion::rate(const CuttingBody::Least& least) const
+{
+    return least.gradient.dot((1 - least.at) * along_from_ + least.at * along_to_);
+}
+
+double RayOnMotion::at_pose(double s, double u) const
+{
+    return body_
+        ->distance((1 - u) * (from_ + s * along_from_) + u * (to_ + s * along_to_))
+        .value;
+}
+
+std::optional<double> RayOnMotion::first_entry(double s, double most) const
+{
+    const double slack = motion_->turn() * (1 + motion_->turn() / 4);
+    for (int step = 0; step < most_entry_steps; ++step) {
+        const Distance here = distance(s, most - s);
+        if (here.gap() <= converged)
+            return s;
+        const double fall = std::min(1.0, slack - rate(here.least));
+        if (!(fall > 0) || !(s + here.gap() / fall < most))
+            return std::nullopt;
+        s += here.gap() / fall;
+    }
+    return s;
+}
+
+std::optional<double> RayOnMotion::sure_entry(double s, double most, Distance& distance,
+                                              double margin) const
+{
+    for (int step = 0; step < most_sure_steps && s <= most; ++step) {
+        distance = this->distance(s);
+        if (distance.is_removed(margin))
+            return s;
+        const double fall = std::max(-rate(distance.least), least_fall);
+        s += (distance.least.value + distance.error + margin + converged) / fall;
+    }
+    return std::nullopt;
+}
+
+RayOnMotion RayOnMotion::reversed() const
+{
+    RayOnMotion other = *this;
+    other.direction_ = -direction_;
+    other.along_from_ = -along_from_;
+    other.along_to_ = -along_to_;
+    return other;
+}
+
+}  // namespace endmill

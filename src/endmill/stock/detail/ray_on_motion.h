@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "endmill/cutter/cutting_body.h"
+#include "endmill/machine/tool_motion.h"
+
+namespace endmill {
+
+/// A straight line in the part as seen from a moving tool. Places on it are given by their
+/// signed distance s from its start.
+///
+/// Seen from the tool, a place of the part moves on a curve. Let F(s) be the least signed
+/// distance from the cutter on the straight line between the ends of this curve, and e(s)
+/// the error of that line. Where F <= -e the place is removed for certain, where F > e it
+/// is not.
+/// Source: docs/methods/five-axis-removal.md, sections 2 and 3.
+class RayOnMotion {
+public:
+    /// A distance F, and bounds that hold for it.
+    struct Distance {
+        CuttingBody::Least least;  ///< F, with the pose where it is attained
+        double error;              ///< e, mm
+
+        double gap() const { return least.lower - error; }  ///< above 0: not removed
+        /// For certain, and by more than a margin in mm.
+        bool is_removed(double margin = 0) const
+        {
+            return least.value <= -error - margin;
+        }
+    };
+
+    /// Motion and body must outlive the object.
+    /// \param start mm. \param direction unit.
+    RayOnMotion(const Vec3& start, const Vec3& direction, const ToolMotion& motion,
+                const CuttingBody& body);
+
+    /// Returns the distance at s.
+    /// \param enough mm; a larger gap may be stated too small, but above this.
+    Distance distance(double s,
+                      double enough = std::numeric_limits<double>::infinity()) const;
+
+    /// Returns the rate at which F changes along the line.
+    double rate(const CuttingBody::Least& least) const;
+
+    /// Returns the distance from the cutter at s, in the straight approximation of the
+    /// pose at u.
+    double at_pose(double s, double u) const;
+
+    /// Returns a place such that nothing from s up to it is removed, as close as possible
+    /// to the first place that may be removed.
+    /// \return nothing if it is not below `most`.
+    std::optional<double> first_entry(double s, double most) const;
+
+    /// Returns the first place found from s up that is removed for certain. Grazing lines
+    /// may be missed.
+    /// \param distance receives F there.
+    /// \param margin mm, by which F must be less than needed.
+    /// \return nothing if none is found up to `most`.
+    std::optional<double> sure_entry(double s, double most, Distance& distance,
+                                     double margin = 0) const;
+
+    /// Returns the angle by which the direction turns as seen from the tool, at most; rad.
+    double turn() const { return motion_->turn(); }
+
+    /// The line in the opposite direction, from the same start.
+    RayOnMotion reversed() const;
+
+private:
+    Vec3 start_;
+    Vec3 direction_;
+    const ToolMotion* motion_;
+    const CuttingBody* body_;
+    Vec3 from_;        // start, seen from the tool at u = 0
+    Vec3 to_;          // the same at u = 1
+    Vec3 along_from_;  // direction, seen from the tool at u = 0
+    Vec3 along_to_;
+};
+
+}  // namespace endmill

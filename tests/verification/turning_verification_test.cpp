@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/verification/detail/turning_verification.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "endmill/core/angle.h"
+#include "endmill/core/error.h"
+#include "endmill/verification/detail/closed_form_parts.h"
+#include "turning_paths.h"
+
+namespace endmill {
+namespace {
+
+double rad(double degrees)
+{
+    return Angle::degrees(degrees).radians();
+}
+
+Part plane_below(double low_x, double high_x, double half_y)
+{
+    const Nurbs plane{{1, {0, 0, 1, 1}},
+                      {1, {0, 0, 1, 1}},
+                      {{low_x, -half_y, 0},
+                       {high_x, -half_y, 0},
+                       {low_x, half_y, 0},
+                       {high_x, half_y, 0}},
+                      {}};
+    return std::vector<Surface>{nurbs_surface(plane)};
+}
+
+VerificationTask task_of(const ToolPath& path, const Cutter& cutter, const Part* part,
+                         RemovalEngine engine)
+{
+    VerificationTask task{
+        .path = &path, .cutter = cutter, .stock = default_block(part, path, cutter)};
+    if (part)
+        task.judged = JudgedPart{.part = part, .limits = {0.01, 0.05}};
+    task.resolution = 0.25;
+    task.engine = engine;
+    return task;
+}
+
+TEST(TurningVerification, CleanPathIsCleanAndRefiningDoesNotChangeIt)
+{
+    const Cutter cutter{5, 1};
+    const ToolPath path =
+        test::plane_passes(cutter, {.count = 5, .lead = {rad(10), rad(20)}});
+    const Part part = plane_below(5, 15, 3);
+    for (const int refine : {2, 8}) {
+        VerificationTask task = task_of(path, cutter, &part, RemovalEngine::FiveAxis);
+        task.judged->max_refine = refine;
+        const Verification found = verify_path(task);
+        EXPECT_EQ(found.verdict, Verdict::Clean);
+        EXPECT_EQ(found.contacts.rapid_cuts.count, 0U);
+        EXPECT_GT(found.removal.total, 0);
+        ASSERT_TRUE(found.removed_bounds);
+        EXPECT_LT(found.removed_bounds->bound, 0.01 * found.removal.total);
+    }
+}
+
+// With a constant axis both engines measure the same.
+TEST(TurningVerification, AgreesWithThreeAxesIfTheAxisIsConstant)
+{
+    for (const Cutter& cutter : {Cutter::ball(5), Cutter{5, 2}, Cutter::flat(5)}) {
+        ToolPath path = level_passes(1, std::nullopt);
+        path.points[7].location.tip.z() -= 0.03;
+        const Part part = plane_part({20, 0, 0}, {0, 12, 0});
+        const Verification three =
+            verify_path(task_of(path, cutter, &part, RemovalEngine::ThreeAxis));
+        const Verification five =
+            verify_path(task_of(path, cutter, &part, RemovalEngine::FiveAxis));
+        EXPECT_EQ(three.verdict, five.verdict);
+        const Deviation& a = three.on_part->deviation;
+        const Deviation& b = five.on_part->deviation;
+        EXPECT_NEAR(a.max_gouge_mm, b.max_gouge_mm,
+                    a.gouge_bound_mm + b.gouge_bound_mm + 1e-6);
+        EXPECT_NEAR(a.max_scallop_mm, b.max_scallop_mm,
+                    a.scallop_bound_mm + b.scallop_bound_mm + 1e-6);
+        EXPECT_NEAR(a.area_mm2, b.area_mm2, 1e-6);
+        EXPECT_NEAR(a.mean_scallop_mm, b.mean_scallop_mm, 1e-6);
+        // Heights are the middles of cells, accurate to the square of the pitch.
+        EXPECT_NEAR(three.removal.total, five.removal.total,
+                    five.removed_bounds->bound + five.removed_bounds->spread +
+                        2e-3 * three.removal.total);
+        EXPECT_EQ(three.contacts.rapid_cuts.count, five.contacts.rapid_cuts.count);
+    }
+}
+
+TEST(TurningVerification, RapidThroughTheStockGouges)
+{
+    const Cutter ball = Cutter::ball(5);
+    ToolPath path = test::plane_passes(ball, {.count = 5, .lead = {rad(10), rad(20)}});
+    const Part part = plane_below(5, 15, 3);
+    // The first pass is made at rapid speed.
+    const std::size_t rapid = 20;
+    path.points[rapid].move = Move::Rapid;
+    const Verification found =
+        verify_path(task_of(path, ball, &part, RemovalEngine::FiveAxis));
+    EXPECT_EQ(found.verdict, Verdict::Gouged);
+    EXPECT_EQ(found.contacts.rapid_cuts.count, 1U);
+    EXPECT_EQ(found.contacts.rapid_cuts.first, rapid);
+    EXPECT_GT(found.contacts.rapid_cuts.deepest, 0.1);
+}
+
+TEST(TurningVerification, ShankInTheStockGouges)
+{
+    const Cutter ball = Cutter::ball(5);
+    const ToolPath path =
+        test::plane_passes(ball, {.count = 3, .lead = {rad(10), rad(20)}});
+    const Part part = plane_below(5, 15, 1);
+    VerificationTask task = task_of(path, ball, &part, RemovalEngine::FiveAxis);
+    task.stock = Block{{0, -10, -2}, {20, 10, 8}};
+    task.body = {{30, 6, 60}};
+    const Verification found = verify_path(task);
+    EXPECT_EQ(found.verdict, Verdict::Gouged);
+    EXPECT_GT(found.contacts.collisions.count, 0U);
+}
+
+TEST(TurningVerification, WithoutAPartIsNotJudged)
+{
+    const Cutter ball = Cutter::ball(5);
+    const ToolPath path =
+        test::plane_passes(ball, {.count = 3, .lead = {rad(10), rad(20)}});
+    VerificationTask task = task_of(path, ball, nullptr, RemovalEngine::FiveAxis);
+    const Verification found = verify_path(task);
+    EXPECT_EQ(found.verdict, Verdict::NotJudged);
+    EXPECT_FALSE(found.on_part);
+}
+
+TEST(TurningVerification, RefusesAPathBesideThePart)
+{
+    const Cutter ball = Cutter::ball(5);
+    const ToolPath path = test::plane_passes(ball, {.count = 3, .lead = {0.1, 0.2}});
+    const Part part = plane_below(40, 50, 3);
+    try {
+        verify_path(task_of(path, ball, &part, RemovalEngine::FiveAxis));
+        FAIL();
+    } catch (const GeometryError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("cuts nothing over the part"), std::string::npos) << text;
+        EXPECT_NE(text.find("mm apart"), std::string::npos) << text;
+    }
+}
+
+TEST(TurningVerification, RefusesOppositeAxes)
+{
+    ToolPath path;
+    test::add(path, Move::Rapid, {{0, 0, 5}, {0, 0, 1}});
+    test::add(path, Move::Cut, {{1, 0, 5}, {0, 0, -1}});
+    const Part part = plane_below(0, 5, 3);
+    EXPECT_THROW(
+        verify_path(task_of(path, Cutter::ball(5), &part, RemovalEngine::FiveAxis)),
+        GeometryError);
+}
+
+}  // namespace
+}  // namespace endmill
