@@ -7,7 +7,7 @@
 
 #include "cli/path_options.h"
 #include "endmill/post/control.h"
-#include "endmill/post/machine_path.h"
+#include "endmill/post/machine_path_options.h"
 #include "endmill/post/program.h"
 
 namespace endmill {

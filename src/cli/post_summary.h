@@ -10,7 +10,7 @@
 #include "cli/post_options.h"
 #include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
-#include "endmill/post/machine_path.h"
+#include "endmill/post/machine_path_options.h"
 #include "endmill/post/program.h"
 
 namespace endmill {

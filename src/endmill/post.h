@@ -11,4 +11,5 @@
 #include "endmill/post/gcode_writer.h"
 #include "endmill/post/machine_gcode.h"
 #include "endmill/post/machine_path.h"
+#include "endmill/post/machine_path_options.h"
 #include "endmill/post/program.h"

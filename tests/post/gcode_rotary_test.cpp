@@ -9,6 +9,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/post/machine_gcode.h"
+#include "endmill/post/machine_path.h"
 #include "five_axis.h"
 
 namespace endmill {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "endmill/post/machine_path.h"
 #include "five_axis.h"
 
 namespace endmill {

@@ -6,7 +6,6 @@
 #include <cstddef>
 
 #include "endmill/core/error.h"
-#include "endmill/post/program.h"
 
 // The data of a control become part of a program that moves a machine. So every text is
 // made of plain words, and the blocks at the start may only set modes. A list of allowed

@@ -42,6 +42,9 @@ enum class DwellUnit { Seconds, Milliseconds };
 /// Coolant during the program.
 enum class Coolant { Off, Flood, Mist };
 
+/// Largest number of digits after the decimal point in a written program. Nine digits
+/// keep all that a double stores of a coordinate up to 1e6 mm.
+inline constexpr int most_decimals = 9;
 /// Largest number of a program, after O.
 inline constexpr int largest_program_number = 99'999'999;
 /// Largest value of `Control::largest_line_number`.

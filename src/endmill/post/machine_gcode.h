@@ -5,8 +5,7 @@
 #include <optional>
 
 #include "endmill/path/tool_path.h"
-#include "endmill/post/gcode_writer.h"
-#include "endmill/post/machine_path.h"
+#include "endmill/post/machine_path_options.h"
 #include "endmill/post/program.h"
 
 namespace endmill {

@@ -13,8 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "endmill/core/angle.h"
 #include "endmill/cutter/cutter.h"
 #include "endmill/path/tool_path.h"
+#include "endmill/post/control.h"
 
 namespace endmill {
 
@@ -89,10 +91,6 @@ enum class ProgramUnit {
 /// Length of one `unit` in mm: 1 or 25.4.
 double millimetres_per(ProgramUnit unit);
 
-/// Largest number of digits after the decimal point in a written program. Nine digits
-/// keep all that a double stores of a coordinate up to 1e6 mm.
-inline constexpr int most_decimals = 9;
-
 /// Smallest and largest of the numbers added so far; both are std::nullopt if there are
 /// none.
 struct MinMax {
@@ -137,6 +135,42 @@ struct FeedSettings {
 /// \throws DomainError if `plunge_mm_per_min` is above the largest feed of the other moves
 ///         of the changed path; unless all numbers are above 0 and the share at most 1.
 void set_feeds(ToolPath& path, const FeedSettings& feeds);
+
+/// Default clearance in mm between the moves at feed and the safe height.
+inline constexpr double default_clearance_mm = 5;
+
+/// Data that a path does not contain, and the format of its program.
+struct GcodeOptions {
+    std::string name = {};  ///< name of the program, for the comment at the start
+    std::optional<Cutter> cutter = {};           ///< cutter, for the comment at the start
+    std::optional<double> feed_mm_per_min = {};  ///< mm/min, for moves without a feed
+    std::optional<double> spindle_rpm = {};  ///< rpm, for moves without a spindle speed
+    int tool = 1;                            ///< tool number, for moves without one
+    /// mm. Default: `default_clearance_mm` above the moves at feed, but not below a rapid
+    /// of the path.
+    std::optional<double> safe_height = {};
+    /// mm, tolerance for which the path was planned; 0 if it may deviate to one side only.
+    std::optional<double> tolerance = {};
+    std::optional<int> decimals = {};    ///< of coordinates, 0 to 9; none: the control's
+    bool line_numbers = false;           ///< whether every block has a number N1, N2, ...
+    bool comments = true;                ///< whether the comment at the start is written
+    Control control = {};                ///< words and number formats
+    ProgramUnit unit = ProgramUnit::Mm;  ///< unit of the program
+    Coolant coolant = Coolant::Off;      ///< coolant during the program
+    double dwell_s = 0;                  ///< s, wait after each start of the spindle
+    /// Feeds of the descents that the path does not have: back to the path after a tool
+    /// change. The feeds of its own moves are those of the path.
+    FeedSettings feeds = {};
+    /// mm, above 0: descents to a cut are rapids down to this height above the point at
+    /// which they end. The stock must not be higher there. None: no such rapids.
+    std::optional<double> approach_distance = {};
+    /// Slope of the descents of the path; none: straight down. The descent after a tool
+    /// change stays vertical.
+    std::optional<Angle> ramp = {};
+    /// mm, above 0: largest distance of arcs from the moves that they replace; none: no
+    /// arcs.
+    std::optional<double> arc_tolerance = {};
+};
 
 /// The text of a program, and a record of the changes that writing made.
 struct WrittenProgram {

@@ -6,7 +6,7 @@
 
 #include "endmill/machine/kinematics.h"
 #include "endmill/path/tool_path.h"
-#include "endmill/post/machine_path.h"
+#include "endmill/post/machine_path_options.h"
 
 namespace endmill {
 
@@ -25,7 +25,7 @@ struct IntendedMove {
     RotaryCourse course;          ///< of the axes between
     std::size_t branch = 0;       ///< solution, for a great arc
     double axis_slack = 0;        ///< rad, error of the axis beside that of the pieces
-    PathPoint point;              ///< what the end of the move states
+    PathPoint point = {};         ///< what the end of the move states
     std::size_t row = 0;          ///< index of that point in the path
     /// mm/min, feed of the move; none: a rapid.
     std::optional<double> feed_mm_per_min = {};

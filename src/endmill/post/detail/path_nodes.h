@@ -9,7 +9,7 @@
 #include "endmill/machine/kinematics.h"
 #include "endmill/path/tool_path.h"
 #include "endmill/post/detail/branch_search.h"
-#include "endmill/post/machine_path.h"
+#include "endmill/post/machine_path_options.h"
 
 namespace endmill {
 

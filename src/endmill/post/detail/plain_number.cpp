@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "endmill/core/error.h"
-#include "endmill/post/program.h"
+#include "endmill/post/control.h"
 
 namespace endmill {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "endmill/post/detail/block_writer.h"
-#include "endmill/post/gcode_writer.h"
+#include "endmill/post/program.h"
 
 namespace endmill {
 
