@@ -9,6 +9,7 @@
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/verification/detail/closed_form_parts.h"
+#include "endmill/verification/verification.h"
 #include "turning_paths.h"
 
 namespace endmill {
