@@ -78,6 +78,21 @@ std::filesystem::path existing_folder(const std::string& output)
     return std::filesystem::current_path();
 }
 
+// The machine of the options is that of a program. Other files need none to be read.
+void add_rotary_reading(PathReadOptions& reading, const PathOptions& path,
+                        const std::optional<Cutter>& cutter, const CommonOptions& options)
+{
+    refuse_idle_rotary_options(path.rotary, options);
+    const auto setup = part_on_machine(path.rotary, path.tool_length, options);
+    if (!setup)
+        return;
+    const PathFormat format =
+        path_format(read_file(path.file, options.limits), path.file);
+    if (format == PathFormat::Gcode || format == PathFormat::Canonical)
+        reading.gcode.rotary =
+            rotary_reading(path.rotary, *setup, cutter ? cutter->radius() : 0);
+}
+
 // Whether a summary has values by which a path is judged.
 bool states_limits(const PathSummary& known)
 {
@@ -205,6 +220,7 @@ PathReadOptions path_reading(const PathOptions& path, const std::optional<Cutter
     if (path.arc_tolerance)
         reading.gcode.arc_tolerance_mm = *path.arc_tolerance;
     reading.gcode.block_delete = path.block_delete;
+    add_rotary_reading(reading, path, cutter, options);
     if (path.programmed_point == ProgrammedPoint::Centre) {
         if (!cutter)
             throw DomainError{
@@ -261,9 +277,16 @@ std::optional<std::string> rounding_remark(const Program& program, double tolera
 }
 
 Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
-                         const CommonOptions& options)
+                         const CommonOptions& options,
+                         const std::optional<MachineMotion>& machine)
 {
-    const PathReadOptions reading = path_reading(path, cutter, options);
+    PathReadOptions reading = path_reading(path, cutter, options);
+    reading.machine = machine;
+    const double radius = cutter ? cutter->radius() : 0;
+    if (machine && path.rotary.machine.empty())
+        reading.gcode.rotary = RotaryReading{.setup = machine->setup,
+                                             .frame = machine->interpolation,
+                                             .cutter_radius = radius};
     return program_of_text(read_file(path.file, options.limits), path, reading, options);
 }
 

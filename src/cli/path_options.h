@@ -8,6 +8,7 @@
 
 #include "cli/command.h"
 #include "cli/interpreter.h"
+#include "cli/rotary_options.h"
 #include "endmill/cutter/cutter.h"
 #include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
@@ -28,6 +29,8 @@ struct PathOptions {
     double interpreter_seconds = 60;  ///< s, limit of another interpreter
     std::string tools;  ///< file with a tool table; empty: the path has one tool
     std::optional<double> tools_unit_mm = {};  ///< mm, unit of a table that states none
+    RotaryOptions rotary = {};                 ///< the machine, for rotary axes
+    double tool_length = 0;  ///< mm, from the spindle nose to the tip, for rotary axes
 };
 
 /// Adds the argument TOOLPATH and the option --cutter.
@@ -84,7 +87,10 @@ std::optional<std::string> rounding_remark(const Program& program, double tolera
 ///         if the centre is programmed and `cutter` is empty, since the tip is then not
 ///         known; FormatError, LimitError as `read_program`; as `canonical_output` if
 ///         the options name an interpreter.
+/// \param machine of the summary beside the path, which interpolates a CSV path, and runs a
+///        program unless the options name a machine.
 Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
-                         const CommonOptions& options);
+                         const CommonOptions& options,
+                         const std::optional<MachineMotion>& machine = {});
 
 }  // namespace endmill

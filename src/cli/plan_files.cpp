@@ -239,7 +239,7 @@ void replace_earlier_plans(OutputFolder& folder)
         for (const char* name :
              {"toolpath.csv", "toolpath.vtp", "toolpath.svg", "summary.json"})
             folder.remove_unless_written(prefix + name);
-    for (const char* name : {"angles.csv", "angles.svg"})
+    for (const char* name : {"angles.csv", "angles.svg", "density.svg"})
         folder.remove_unless_written(name);
 }
 

@@ -221,8 +221,10 @@ void add_points_bound(Json& summary, const BoundProblem& problem, const PlanTask
 }
 
 // Compares the length of the cuts with the bound for every path that covers the part.
-void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering,
-               ProgressLine& progress)
+// \return the density of the bound; empty if there is none.
+std::vector<DensityCorners> add_bound(Json& summary, const PlanTask& task,
+                                      const CoveringPath& covering,
+                                      ProgressLine& progress)
 {
     progress.begin("bounding the length");
     const std::vector<double> sides =
@@ -243,6 +245,7 @@ void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering
                                 "bound_grade", "travel_over_bound"})
             summary[key] = nullptr;
         summary["bound_reason"] = reason;
+        return std::vector<DensityCorners>{};
     };
     summary["points_estimate"] = nullptr;
     if (task.context.is_mesh)
@@ -251,7 +254,7 @@ void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering
         return set_none("there is no bound where a protected part bars places");
     add_points_bound(summary, problem, task, sides);
     try {
-        const PathBound bound = path_bound(task.surfaces, sides, problem, estimate);
+        PathBound bound = path_bound(task.surfaces, sides, problem, estimate);
         summary["bound_density_mm"] = bound.density_mm;
         summary["bound_disc_mm"] = bound.disc_mm;
         summary["bound_mm"] = bound.bound_mm ? Json(*bound.bound_mm) : Json(nullptr);
@@ -264,9 +267,10 @@ void add_bound(Json& summary, const PlanTask& task, const CoveringPath& covering
         if (!bound.bound_mm)
             summary["bound_reason"] =
                 "the part is little larger than what the ball covers at rest";
+        return std::move(bound.density);
     } catch (const GeometryError& error) {
         // there is none for a part with creases, and not always a certificate
-        set_none(error.what());
+        return set_none(error.what());
     }
 }
 
@@ -430,6 +434,25 @@ void write_directions(const CoveringPath& covering, const Json& s, OutputFolder&
     folder.write("angles.svg", direction_travel_svg(travel, figure));
 }
 
+// Draws the density of the bound.
+void write_density(const std::vector<DensityCorners>& density, const Json& s,
+                   OutputFolder& folder)
+{
+    if (density.empty())
+        return;
+    std::vector<DensityPiece> pieces;
+    pieces.reserve(density.size());
+    for (const auto& [points, mean_per_mm] : density)
+        pieces.push_back({points, mean_per_mm});
+    FigureOptions figure;
+    figure.title = s["name"].get<std::string>() + ": density of the lower bound";
+    figure.captions = {
+        fmt::format("{}, scallop height {:g} mm", s["cutter"].get<std::string>(),
+                    s["scallop_mm"].get<double>()),
+        "length of cuts that every path needs for each mm2 of the part"};
+    folder.write("density.svg", density_svg(pieces, figure));
+}
+
 // Warns of places that the ball cannot reach.
 void warn_of_unreached(const CoveringPath& plan, const PlanTask& task)
 {
@@ -469,8 +492,9 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     number_points(covering.path);
     const DeviationLimits limits{strategy.inner_tolerance, strategy.scallop_height};
     Json summary = summary_of(task, chosen, strategy);
+    std::vector<DensityCorners> density;
     if (options.bound != PlanBound::None && context.cutter.is_ball())
-        add_bound(summary, task, covering, progress);
+        density = add_bound(summary, task, covering, progress);
     add_path_totals(summary["path"], path_totals(covering.path));
     summary["path"]["points"] = covering.path.points.size();
     name_part(summary, options.part, folder.path());
@@ -484,6 +508,7 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     folder.write("toolpath.svg", tool_path_svg(covering.path, strategy_figure(summary),
                                                PathDrawing{&part, use}));
     write_directions(covering, summary, folder);
+    write_density(density, summary, folder);
     folder.write("summary.json", summary.dump(2) + "\n");
     PlanResult result{
         summary, report(summary, covering, limits), covering.uncovered.size(), {}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // endmill post: writes a tool path as a machine program.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -18,11 +19,14 @@
 #include "cli/surface_facts.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/files/machining_data.h"
 #include "endmill/files/output_folder.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
 #include "endmill/post/apt.h"
 #include "endmill/post/gcode_writer.h"
+#include "endmill/post/machine_gcode.h"
+#include "endmill/post/machine_path.h"
 
 namespace endmill {
 namespace {
@@ -105,9 +109,9 @@ std::optional<Cutter> cutter_before(const std::vector<NumberedTool>& table,
     return options.path.cutter ? options.path.cutter : beside.cutter;
 }
 
-// The G-code program.
-WrittenProgram written_gcode(const PostedPath& posted, const Control& control,
-                             const PostOptions& options, const FeedSettings& feeds)
+// The format of a G-code program, and what it states beside the path.
+GcodeOptions gcode_options(const PostedPath& posted, const Control& control,
+                           const PostOptions& options, const FeedSettings& feeds)
 {
     const PathSummary& known = posted.known;
     GcodeOptions program;
@@ -131,7 +135,73 @@ WrittenProgram written_gcode(const PostedPath& posted, const Control& control,
         program.ramp = Angle::degrees(options.ramp_angle_deg);
     if (options.arcs)
         program.arc_tolerance = arc_tolerance(known, options);
-    return written_path(options, [&] { return gcode(posted.read.path, program); });
+    return program;
+}
+
+// The largest deviation of a machine with rotary axes from the path.
+double motion_tolerance(const PostedPath& posted, const PostOptions& options)
+{
+    const auto tolerance = posted.known.tolerance_mm();
+    const bool is_usable = tolerance && *tolerance > 0;
+    return options.machine.tolerance.value_or(is_usable ? *tolerance / 2
+                                                        : MachinePathOptions{}.tolerance);
+}
+
+// The heights from which rapids may turn the axes: with the default clearance above the
+// moves at feed.
+double free_height(const ToolPath& path)
+{
+    double top = -HUGE_VAL;
+    for (const PathPoint& point : path.points)
+        if (point.move != Move::Rapid)
+            top = std::max(top, point.location.tip.z());
+    return top + default_clearance_mm;
+}
+
+// The program for a machine with rotary axes, and what its motions are.
+void write_machine_program(PostedPath& posted, const PartOnMachine& setup,
+                           const PostOptions& options, const GcodeOptions& format)
+{
+    const MachinePostOptions& machine = options.machine;
+    if (!posted.known.cutter)
+        throw DomainError{"--machine: " + printable(options.path.file) +
+                          ": the cutter is not known; expected --cutter or --tool"};
+    const MachinePathOptions moving{
+        .frame = options.path.rotary.frame.value_or(Interpolation::Joint),
+        .tolerance = motion_tolerance(posted, options),
+        .cutter = *posted.known.cutter,
+        .singular = machine.singular,
+        .singular_cone = Angle::degrees(machine.singular_cone_deg),
+        .retract = machine.retract,
+        .free_height = free_height(posted.read.path),
+        .rapid_feed = machine.rapid_feed};
+    MachinePath made = machine_path(posted.read.path, setup, moving);
+    WrittenMachineProgram written =
+        machine_gcode(made, format, {machine.angle_decimals, machine.blend});
+    posted.written = std::move(written.program);
+    made.path.machine->positions.clear();
+    posted.motion = PostedMotion{.machine = std::move(*made.path.machine),
+                                 .rows = posted.read.path.points.size(),
+                                 .tolerance_mm = moving.tolerance,
+                                 .report = made.report,
+                                 .xyz_range = written.xyz_range,
+                                 .rotary_range = written.rotary_range,
+                                 .rounding_tip_mm = written.rounding_tip_mm};
+}
+
+// Refuses an axis that three axes cannot direct.
+void require_machine_for_turns(const Program& program, const PostOptions& options)
+{
+    for (std::size_t i = 0; i < program.path.points.size(); ++i) {
+        const Vec3& axis = program.path.points[i].location.axis;
+        if (axis == Vec3::UnitZ())
+            continue;
+        throw DomainError{printable(options.path.file) + ": the axis at point " +
+                          std::to_string(i) + " of the path is " + to_text(axis.x()) +
+                          ", " + to_text(axis.y()) + ", " + to_text(axis.z()) +
+                          ", and a 3-axis machine cannot turn the tool; expected "
+                          "--machine, or the axis 0, 0, 1 throughout"};
+    }
 }
 
 // Refuses what the written program could not do as the path and the options ask.
@@ -151,7 +221,7 @@ void require_writable(const Program& program, const PostOptions& options)
              "a tapping cycle (G74, G84) reverses the spindle on the move to point " +
                  std::to_string(*point) + ", and the written program does not",
              "a program without tapping cycles"}};
-    if (!options.safe_height)
+    if (!options.safe_height || !options.path.rotary.machine.empty())
         return;
     const auto extent = path_totals(program.path).extent;
     if (extent && *options.safe_height < extent->high.z())
@@ -168,6 +238,11 @@ void warn_of(const PostedPath& posted, const PostOptions& options)
     const auto tolerance = posted.known.tolerance_mm();
     if (const auto remark = rounding_remark(posted.read, tolerance.value_or(HUGE_VAL)))
         warn(options.common, options.path.file + ": " + *remark);
+    if (posted.motion && options.machine.tool_file.empty() &&
+        options.path.rotary.frame.value_or(Interpolation::Joint) == Interpolation::Joint)
+        warn(options.common,
+             "the tool length is taken as 0; --tool FILE states the length from the "
+             "spindle to the tip");
     const double error = posted.written.max_rounding_error_mm;
     if (tolerance && error > negligible_share * *tolerance)
         warn(options.common,
@@ -200,6 +275,7 @@ PostedPath posted_path(const Program& program, PathSummary known,
                       {},
                       stem + ".apt",
                       {},
+                      {},
                       {}};
     const ProgressLine progress{"writing the program", options.common};
     if (options.format == PostFormat::Apt) {
@@ -210,13 +286,29 @@ PostedPath posted_path(const Program& program, PathSummary known,
                                 posted.known.spindle_rpm,
                                 options.decimals.value_or(apt_decimals),
                                 options.multax};
-        posted.written = written_path(options, [&] { return apt(program.path, format); });
+        const Cutter cutter = posted.known.cutter.value_or(MachinePathOptions{}.cutter);
+        posted.written = written_path(options, [&] {
+            if (!program.path.machine)
+                return apt(program.path, format);
+            return apt(
+                linear_path(program.path, cutter, motion_tolerance(posted, options)),
+                format);
+        });
         return posted;
     }
     posted.control = chosen_control(options);
     require_possible(options, *posted.control);
     posted.file = stem + posted.control->extension;
-    posted.written = written_gcode(posted, *posted.control, options, feeds);
+    const GcodeOptions format = gcode_options(posted, *posted.control, options, feeds);
+    const auto setup =
+        part_on_machine(options.path.rotary, options.path.tool_length, options.common);
+    if (setup) {
+        naming(options.path.file,
+               [&] { write_machine_program(posted, *setup, options, format); });
+        return posted;
+    }
+    require_machine_for_turns(program, options);
+    posted.written = written_path(options, [&] { return gcode(program.path, format); });
     return posted;
 }
 
@@ -236,15 +328,32 @@ bool is_earlier_program(const std::filesystem::path& file, const ReadLimits& lim
     }
 }
 
-ExitCode run_post(const PostOptions& options)
+// The options with what the tool file of --tool states.
+PostOptions with_tool_file(PostOptions options)
 {
+    if (options.machine.tool_file.empty())
+        return options;
+    const Tool tool = read_tool(options.machine.tool_file, options.common.limits);
+    if (options.path.cutter && !(*options.path.cutter == tool.cutter))
+        throw DomainError{"--cutter: found " + cutter_word(*options.path.cutter) +
+                          ", and the tool file of --tool has " +
+                          cutter_word(tool.cutter) + "; expected only one of them"};
+    options.path.cutter = tool.cutter;
+    options.path.tool_length = tool.length;
+    return options;
+}
+
+ExitCode run_post(const PostOptions& given)
+{
+    const PostOptions options = with_tool_file(given);
     refuse_idle_post_options(options);
     require_within_extent("--safe-height", options.safe_height, options.common.limits);
     refuse_idle_tool_options(options.path, options.common);
     const std::vector<NumberedTool> table = read_tools_for(options.path, options.common);
     const PathSummary beside = path_summary_of(options.path, options.common);
-    Program program = read_program_for(
-        options.path, cutter_before(table, options, beside), options.common);
+    Program program =
+        read_program_for(options.path, cutter_before(table, options, beside),
+                         options.common, beside.machine);
     require_writable(program, options);
     put_rapids_of_no_tool_to_others(program.path);
     PathSummary known = known_of(program, beside, options);
@@ -311,6 +420,8 @@ void add_post_command(CLI::App& program, Action& action)
         "With --approach-distance no stock may be higher than this distance above the\n"
         "path; otherwise rapids run into it, which verify reports as collisions.\n"
         "Descents without a cut after them (drilling) do not change.\n\n"
+        "With --machine the program has rotary words (G93). Results stay within\n"
+        "--tolerance of the path; docs/guide/post.md has an example.\n\n"
         "Example:\n"
         "  endmill plan datasets/surfaces/saddle.json --cutter ball:20 --strategy iso -o "
         "saddle\n"

@@ -23,6 +23,10 @@ constexpr std::array coolants{Choice<Coolant>{"off", Coolant::Off},
                               Choice<Coolant>{"mist", Coolant::Mist}};
 constexpr std::array lead_ins{Choice<LeadIn>{"straight", LeadIn::Straight},
                               Choice<LeadIn>{"ramp", LeadIn::Ramp}};
+constexpr std::array singular_rules{
+    Choice<SingularRule>{"exact", SingularRule::Exact},
+    Choice<SingularRule>{"turn", SingularRule::Turn},
+    Choice<SingularRule>{"retract", SingularRule::Retract}};
 constexpr std::array units{Choice<ProgramUnit>{"mm", ProgramUnit::Mm},
                            Choice<ProgramUnit>{"inch", ProgramUnit::Inch}};
 constexpr std::array no_first{Choice<bool>{"no", false}, Choice<bool>{"yes", true}};
@@ -108,6 +112,57 @@ void add_motion_options(CLI::App& command, PostOptions& options)
         options.arc_fit_tolerance_mm);
 }
 
+// Options of programs with rotary axes, beside those for reading them.
+void add_rotary_post_options(CLI::App& command, PostOptions& post)
+{
+    MachinePostOptions& options = post.machine;
+    add_rotary_options(command, post.path.rotary);
+    command
+        .add_option(
+            "--tool", options.tool_file,
+            "--machine: tool file (endmill-tool/1) with the cutter and the length "
+            "from spindle to tip (default length 0)")
+        ->type_name("FILE");
+    add_number(command,
+               {"--tolerance", "MM",
+                "--machine: largest deviation of the machine from the path (default half "
+                "of the path's tolerance, or 0.005)"},
+               options.tolerance);
+    add_whole_number(command,
+                     {"--angle-decimals",
+                      "--machine: digits after the point of rotary words (default 5)", 0,
+                      most_decimals},
+                     [&options](int decimals) { options.angle_decimals = decimals; })
+        ->type_name("N");
+    add_number(
+        command,
+        {"--retract", "MM",
+         "--machine: reorient the tool in the air, this far beyond the path, where "
+         "no other way leads on (default: never)"},
+        options.retract);
+    add_number(command,
+               {"--rapid-feed", "MM_PER_MIN",
+                "--machine: write rapids that turn an axis at this feed (default: G0)",
+                NumberDomain::of_machine()},
+               options.rapid_feed);
+    add_number(command,
+               {"--blend", "MM",
+                "--machine: how far the control may round corners, G64 P (default: not, "
+                "G61)",
+                NumberDomain::from_zero()},
+               options.blend);
+    add_choice<SingularRule>(
+        command, "--singular", options.singular, singular_rules,
+        "--machine: near the axis of the first rotary axis keep the path (exact), take "
+        "that direction (turn), or turn there in the air (retract; default exact)");
+    constexpr double widest_cone_deg = 10;
+    add_number(command,
+               {"--singular-cone-deg", "DEG",
+                "--singular: half angle of the cone that counts as near (default 0.1)",
+                NumberDomain::above_zero_to(widest_cone_deg)},
+               options.singular_cone_deg);
+}
+
 void add_text_options(CLI::App& command, PostOptions& options)
 {
     add_choice<ProgramUnit>(command, "--units", options.unit, units,
@@ -134,6 +189,11 @@ std::string word_of(PostFormat format)
     return std::string{word_for<PostFormat>(format, formats)};
 }
 
+std::string word_of(SingularRule rule)
+{
+    return std::string{word_for<SingularRule>(rule, singular_rules)};
+}
+
 std::string word_of(Coolant coolant)
 {
     return std::string{word_for<Coolant>(coolant, coolants)};
@@ -148,6 +208,7 @@ void add_post_options(CLI::App& command, PostOptions& options)
     add_tools_options(command, options.path);
     add_reading_options(command, options.path);
     add_machine_options(command, options);
+    add_rotary_post_options(command, options);
     add_motion_options(command, options);
     add_text_options(command, options);
     add_common_options(command, options.common);
@@ -191,6 +252,19 @@ void refuse_idle_post_options(const PostOptions& options)
                        "--approach-distance", "--arcs", "--arc-fit-tolerance", "--units",
                        "--line-numbers", "--comments"},
             found, "--format gcode");
+    if (options.path.rotary.machine.empty())
+        refuse_idle_options(
+            options.common,
+            std::array{"--tool", "--tolerance", "--angle-decimals", "--retract",
+                       "--rapid-feed", "--blend", "--singular", "--singular-cone-deg"},
+            "no --machine", "--machine");
+    else
+        refuse_idle_options(options.common,
+                            std::array{"--arcs", "--lead-in", "--approach-distance"},
+                            "--machine", "a program without rotary axes");
+    if (options.machine.singular == SingularRule::Exact)
+        refuse_idle_options(options.common, std::array{"--singular-cone-deg"},
+                            "--singular exact", "--singular turn");
     if (options.lead_in == LeadIn::Straight)
         refuse_idle_options(options.common, std::array{"--ramp-angle-deg"},
                             "--lead-in straight", "--lead-in ramp");

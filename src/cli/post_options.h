@@ -7,6 +7,7 @@
 
 #include "cli/path_options.h"
 #include "endmill/post/control.h"
+#include "endmill/post/machine_path.h"
 #include "endmill/post/program.h"
 
 namespace endmill {
@@ -16,6 +17,18 @@ enum class PostFormat { Gcode, Apt };
 
 /// How the tool first descends to a pass.
 enum class LeadIn { Straight, Ramp };
+
+/// Options of `post --machine`.
+struct MachinePostOptions {
+    std::string tool_file;            ///< endmill-tool/1: cutter and length; may be empty
+    std::optional<double> tolerance;  ///< mm; default: half of the path's, or 0.005
+    int angle_decimals = 5;           ///< of rotary words
+    std::optional<double> retract;    ///< mm; none: no retracts
+    std::optional<double> rapid_feed;  ///< mm/min, of rapids that turn an axis
+    std::optional<double> blend;       ///< mm, rounding of corners; none: exact path
+    SingularRule singular = SingularRule::Exact;
+    double singular_cone_deg = 0.1;
+};
 
 /// The options of `endmill post`. An empty option is taken from the path or its summary.
 struct PostOptions {
@@ -42,6 +55,7 @@ struct PostOptions {
     bool multax = false;
     bool line_numbers = false;
     bool comments = true;
+    MachinePostOptions machine = {};  ///< of programs with rotary axes
 };
 
 /// Adds every option of `post` to `command`.
@@ -49,6 +63,9 @@ void add_post_options(CLI::App& command, PostOptions& options);
 
 /// The word of a format on the command line.
 std::string word_of(PostFormat format);
+
+/// The word of a rule for singular directions on the command line.
+std::string word_of(SingularRule rule);
 
 /// The word of a coolant on the command line.
 std::string word_of(Coolant coolant);

@@ -10,6 +10,7 @@
 #include "cli/path_facts.h"
 #include "cli/path_tools.h"
 #include "cli/shown_numbers.h"
+#include "endmill/core/angle.h"
 #include "endmill/core/text.h"
 
 namespace endmill {
@@ -67,7 +68,7 @@ std::string descents_text(const PostedPath& posted, const PostOptions& options)
     const bool is_slow =
         totals.plunge_mm > totals.cut_mm ||
         totals.plunge_time_min > large_share * totals.time_min.value_or(HUGE_VAL);
-    if (!posted.control || options.approach_distance || !is_slow)
+    if (!posted.control || options.approach_distance || !is_slow || posted.motion)
         return "";
     return fmt::format(
         "  descents    {} of {} min; --approach-distance MM makes them "
@@ -90,6 +91,87 @@ void add_gcode_keys(Json& summary, const PostedPath& posted, const PostOptions& 
     summary["straight_descents"] = written.straight_descents;
     summary["arcs"] = written.arcs;
     summary["max_arc_error_mm"] = written.max_arc_error_mm;
+}
+
+Json vector_of(const Vec3& vector)
+{
+    return {vector.x(), vector.y(), vector.z()};
+}
+
+double degrees_of(double radians)
+{
+    return Angle::radians(radians).written_degrees();
+}
+
+// The machine of a program, from which the poses of the tool follow.
+Json machine_json(const PartOnMachine& setup)
+{
+    const Machine& machine = setup.machine;
+    Json rows = Json::array();
+    for (Eigen::Index k = 0; k < 3; ++k)
+        rows.push_back(vector_of(setup.part_to_machine.row(k).transpose()));
+    Json signs = Json::object();
+    const auto& rotary = machine.configuration.rotary;
+    for (std::size_t k = 0; k < rotary.size(); ++k)
+        signs[std::string(1, rotary[k].letter)] = machine.word_signs[k];
+    return {{"configuration", machine.configuration.word},
+            {"pivot_mm", machine.pivot},
+            {"table_offset_mm", vector_of(machine.table_offset)},
+            {"axis_offset_mm", vector_of(machine.axis_offset)},
+            {"word_sign", signs},
+            {"tool_length_mm", setup.tool_length},
+            {"part_to_machine", rows},
+            {"clamp_mm", vector_of(setup.clamp)}};
+}
+
+// Adds the keys of a program with rotary axes.
+void add_motion_keys(Json& summary, const PostedMotion& motion,
+                     const PostOptions& options)
+{
+    const MachinePathReport& report = motion.report;
+    const bool is_joint = motion.machine.interpolation == Interpolation::Joint;
+    summary["machine"] = machine_json(motion.machine.setup);
+    summary["frame"] = is_joint ? "joint" : "part";
+    summary["programmed_point"] = is_joint ? "axes" : "tip";
+    summary["tolerance_mm"] = motion.tolerance_mm;
+    summary["singular"] = word_of(options.machine.singular);
+    summary["time_min"] = report.time_min;
+    summary["rotary_travel_deg"] = degrees_of(report.rotary_travel);
+    summary["retracts"] = report.retracts;
+    summary["branch_changes"] = report.branch_changes;
+    summary["singular_points"] = report.singular_points;
+    summary["rows"] = motion.rows;
+    summary["pieces"] = report.pieces;
+    summary["max_tip_error_mm"] = report.max_tip_error_mm;
+    summary["max_axis_error_deg"] = degrees_of(report.max_axis_error);
+    summary["max_tip_feed_mm_per_min"] = report.max_tip_feed_mm_per_min;
+    summary["rate_limited_min"] = report.rate_limited_min;
+    Json xyz = Json::object();
+    for (int axis = 0; axis < 3; ++axis)
+        xyz[std::string(1, "xyz"[axis])] = {motion.xyz_range.low[axis],
+                                            motion.xyz_range.high[axis]};
+    summary["xyz_range_mm"] = xyz;
+    Json turns = Json::object();
+    const auto& rotary = motion.machine.setup.machine.configuration.rotary;
+    for (std::size_t k = 0; k < rotary.size(); ++k)
+        turns[std::string(1, rotary[k].letter)] = {
+            degrees_of(motion.rotary_range[k].least.value_or(0)),
+            degrees_of(motion.rotary_range[k].greatest.value_or(0))};
+    summary["rotary_range_deg"] = turns;
+    summary["rounding_tip_mm"] = motion.rounding_tip_mm;
+}
+
+// A line about the motions of the machine; empty for a program without rotary axes.
+std::string motion_text(const PostedPath& posted)
+{
+    if (!posted.motion)
+        return "";
+    const MachinePathReport& report = posted.motion->report;
+    return fmt::format(
+        "  motion      {} in {}, rotary travel {} degrees, {}, tip within {} mm\n",
+        counted(posted.motion->rows, "point"), counted(report.pieces, "piece"),
+        shown(degrees_of(report.rotary_travel)), counted(report.retracts, "retract"),
+        shown_bound(report.max_tip_error_mm));
 }
 
 }  // namespace
@@ -121,6 +203,11 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
     if (posted.control)
         add_gcode_keys(summary, posted, options);
     summary["interpolation"] = written.arcs > 0 ? "linear and circular" : "linear";
+    if (posted.motion) {
+        summary["interpolation"] =
+            interpolation_name(posted.motion->machine.interpolation);
+        add_motion_keys(summary, *posted.motion, options);
+    }
     summary["cutter"] =
         posted.known.cutter ? Json(cutter_word(*posted.known.cutter)) : Json(nullptr);
     summary["cutters"] = cutters_json(posted.tools);
@@ -142,6 +229,7 @@ std::string post_text(const Json& s, const PostedPath& posted, const PostOptions
     return fmt::format(
         "{}: {}, {}, {}{}, within {} mm of the path\n"
         "{}"
+        "{}"
         "  feed        {}\n"
         "{}",
         s["name"].get<std::string>(), s["file"].get<std::string>(), language,
@@ -149,7 +237,8 @@ std::string post_text(const Json& s, const PostedPath& posted, const PostOptions
         arcs > 0 ? ", " + counted(arcs, "arc") : "",
         shown_bound(std::max(posted.written.max_rounding_error_mm,
                              posted.written.max_arc_error_mm)),
-        path_totals_text(s), conditions_text(s), descents_text(posted, options));
+        path_totals_text(s), motion_text(posted), conditions_text(s),
+        descents_text(posted, options));
 }
 
 }  // namespace endmill

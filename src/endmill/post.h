@@ -9,4 +9,6 @@
 #include "endmill/post/fed_gcode.h"
 #include "endmill/post/gcode_reader.h"
 #include "endmill/post/gcode_writer.h"
+#include "endmill/post/machine_gcode.h"
+#include "endmill/post/machine_path.h"
 #include "endmill/post/program.h"

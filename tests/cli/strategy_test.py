@@ -99,6 +99,7 @@ class Strategies(ProgramTest):
         facts = self.summary("plan", part, *BALL, "--strategy", "best", "-o", "out")
         self.assertEqual((facts["verdict"], facts["uncovered_mm2"], facts["unreached_mm2"]), ("clean", 0, 0))
         self.assertIsNone(facts["bound_mm"])
+        self.assertFalse((self.folder / "out/density.svg").exists())
         refused = {one["strategy"] for one in facts["tried"] if one["cut_mm"] is None}
         self.assertGreaterEqual(refused, {"iso-u", "iso-v"})
         seen = self.summary("verify", self.folder / "out" / "toolpath.csv", "--resolution", "0.4", "-o", "seen")

@@ -188,6 +188,56 @@ TEST(ScallopPasses, ReachTheFootOfASlopeBeyondTheBorder)
     EXPECT_EQ(curves[0][0].points.back().x(), 30);
 }
 
+// At the ends of its passes a bull-nose cutter rolls off the border of level ground. A pass for
+// each pitch is enough there, up to two beyond the borders. Every place, those on the border
+// too, is cut to the height by a position of the cutter on a pass.
+TEST(ScallopPasses, AreOneForEachPitchOnLevelGroundInEveryDirection)
+{
+    const TriangleMesh mesh = test::grid_mesh(3, 3, [](double i, double j) {
+        return Vec3{20 * i, 15 * j, 0};
+    });
+    const Cutter bull{5, 1};
+    const DropCutter drop_cutter{mesh, bull};
+    const double pitch = 2 * (4 + std::sqrt(height * (2 - height)));
+    for (const double degrees : {17.0, 45.0, 80.0}) {
+        const DriveFrame frame{Angle::degrees(degrees)};
+        const Interval across = extent_across(mesh, frame);
+        MeshSectionOptions options;
+        options.beyond_borders = true;
+        const MeshPasses passes =
+            mesh_passes(drop_cutter, drive_planes_by_pitch(frame, across, pitch),
+                        {.height = height, .level_interval = pitch}, options);
+        EXPECT_LE(passes.planes.positions.size(),
+                  std::ceil((across.high - across.low) / pitch) + 3);
+        // whether the cutter contains a point where it passes it
+        const auto cuts = [&](const Vec3& from, const Vec3& to, const Vec3& point) {
+            const Vec3 way = to - from;
+            const double share = std::clamp(
+                (point - from).head<2>().dot(way.head<2>()) / way.head<2>().squaredNorm(),
+                0.0, 1.0);
+            const Vec3 tip = from + share * way;
+            const double away = (point - tip).head<2>().norm();
+            return away <= 5 && point.z() >= tip.z() + bull.profile(away);
+        };
+        for (int i = 0; i <= 60; ++i)
+            for (int j = 0; j <= 45; ++j) {
+                const Vec3 above{double(i), double(j), height + 1e-9};
+                bool is_cut = false;
+                for (std::size_t plane = 0; plane < passes.curves.size(); ++plane) {
+                    const double position = passes.planes.positions[plane];
+                    for (const SectionCurve& curve : passes.curves[plane])
+                        for (std::size_t k = 1; k < curve.points.size() && !is_cut; ++k) {
+                            const auto& a = curve.points[k - 1];
+                            const auto& b = curve.points[k];
+                            is_cut = cuts(frame.point(a.x(), position, a.y() - 1),
+                                          frame.point(b.x(), position, b.y() - 1), above);
+                        }
+                }
+                EXPECT_TRUE(is_cut) << degrees << ": " << i << ", " << j;
+            }
+    }
+}
+
 TEST(ScallopPasses, DoNotDependOnTheThreads)
 {
     const TriangleMesh mesh = slope(50);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/figures/tool_path_svg.h"
 
+#include <limits>
 #include <set>
 #include <span>
 #include <string>
@@ -127,6 +128,40 @@ TEST(ToolPathSvg, DrawsAMeshUnderThePath)
     EXPECT_GE(triangles, 12);
     EXPECT_TRUE(texts_of(svg).contains("part"));
     EXPECT_FALSE(texts_of(tool_path_svg(wavy_path(2, 5))).contains("part"));
+}
+
+TEST(DensitySvg, ColoursAFifthOfTheCellsInEachColour)
+{
+    std::vector<DensityPiece> pieces;
+    for (int k = 0; k < 10; ++k)
+        pieces.push_back(
+            {{Vec3(k, 0, 0), Vec3(k + 1, 0, 0), Vec3(k + 1, 1, 0), Vec3(k, 1, 0)},
+             0.01 * ((7 * k) % 10 + 0.5)});
+    const std::string text = density_svg(pieces, {"Part A"});
+    EXPECT_THAT(text, testing::HasSubstr("Part A"));
+    EXPECT_THAT(text, testing::HasSubstr("0.005 to 0.025 per mm"));
+    for (const char* colour :
+         {"#fcb171", "#e9776a", "#ab467b"})  // and the legend's sample
+        EXPECT_EQ(lines_of(text, colour).size(), 2U + 1);
+    EXPECT_EQ(lines_of(text, "#ffe9a8").size(), 3U + 1);
+    EXPECT_EQ(lines_of(text, "#5f2a74").size(), 1U + 1);
+}
+
+TEST(DensitySvg, HasOneClassIfTheDensityIsConstant)
+{
+    const DensityPiece piece{{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}},
+                             0.25};
+    const std::string text = density_svg(std::vector{piece, piece});
+    EXPECT_THAT(text, testing::HasSubstr(">0.25 per mm<"));
+    EXPECT_EQ(lines_of(text, "#ffe9a8").size(), 2U + 1);
+}
+
+TEST(DensitySvg, RefusesNoCellsAndADensityThatIsNotFinite)
+{
+    EXPECT_THROW(density_svg({}), DomainError);
+    const DensityPiece piece{{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}},
+                             std::numeric_limits<double>::quiet_NaN()};
+    EXPECT_THROW(density_svg(std::vector{piece}), DomainError);
 }
 
 }  // namespace

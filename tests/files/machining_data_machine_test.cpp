@@ -103,6 +103,24 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"_s2\": 1", "_s2\": \"1\"", "E_JSON m.json:/acceleration_m_per_s2"},
         Fault{"max_rpm", "max_rpn", "did you mean \"max_rpm\"?"},
         Fault{"[1, 2, 3]", "[1, 2]", "E_MACHINE m.json:/table_offset_mm"},
+        Fault{"\"pivot_mm\"", R"("word_sign": {"c": 2}, "pivot_mm")",
+              "E_MACHINE m.json:/word_sign/c"},
+        Fault{"\"pivot_mm\"", R"("word_sign": {"c": 0.5}, "pivot_mm")",
+              "expected 1 or -1"},
+        Fault{"\"pivot_mm\"", R"("word_sign": {"b": 1}, "pivot_mm")",
+              "m.json:/word_sign/b: sign of an axis that the machine does not have; "
+              "expected "
+              "an axis of W/caxyBz/T"},
+        Fault{"\"pivot_mm\"", R"("word_sign": {"x": 1}, "pivot_mm")",
+              "m.json:/word_sign/x"},
+        Fault{"\"pivot_mm\"", R"("max_rate": {"c_deg_per_min": 0}, "pivot_mm")",
+              "E_MACHINE m.json:/max_rate/c_deg_per_min"},
+        Fault{"\"pivot_mm\"", R"("max_rate": {"x_mm_per_min": -1}, "pivot_mm")",
+              "E_MACHINE m.json:/max_rate/x_mm_per_min"},
+        Fault{"\"pivot_mm\"", R"("max_rate": {"b_deg_per_min": 1}, "pivot_mm")",
+              "rate of an axis that the machine does not have"},
+        Fault{"\"pivot_mm\"", R"("max_rate": {"c_deg_per_mi": 1}, "pivot_mm")",
+              "did you mean \"c_deg_per_min\"?"},
         Fault{"150", "1e7", "E_MACHINE m.json:/pivot_mm"},
         Fault{"\"source\"", "\"origin\"", "m.json:/origin: unknown key"},
         Fault{"{\"format\"", "solid {\"format\"", "E_FORMAT"}));
@@ -136,6 +154,32 @@ TEST(MovingMachine, HasTheLimitsOfTheFile)
     EXPECT_EQ(plain.rotary.phi, (RotaryRange{0, 0}));
     EXPECT_EQ(plain.pivot, 0);
     EXPECT_EQ(plain.table_offset, Vec3(0, 0, 0));
+}
+
+TEST(MovingMachine, HasTheSignsAndRatesOfTheFile)
+{
+    const Machine machine = moving_machine(parse_machine(
+        replaced(whole, "\"pivot_mm\"",
+                 R"("word_sign": {"c": -1}, "max_rate": {"y_mm_per_min": 5000,
+                 "a_deg_per_min": 1800}, "pivot_mm")"),
+        "m.json"));
+    EXPECT_EQ(machine.word_signs, (RotaryPositions{-1, 1}));
+    EXPECT_FALSE(machine.rates.linear_mm_per_min[0]);
+    EXPECT_EQ(machine.rates.linear_mm_per_min[1], 5000);
+    EXPECT_FALSE(machine.rates.rotary_rad_per_min[0]);
+    EXPECT_DOUBLE_EQ(machine.rates.rotary_rad_per_min[1].value_or(0),
+                     10 * std::numbers::pi);
+    EXPECT_EQ(machine.rates.feed_mm_per_min, 2000);
+}
+
+// Limits of a full rotation are limits, although every direction is within them.
+TEST(MovingMachine, KeepsLimitsOfAFullRotation)
+{
+    const Machine machine = moving_machine(
+        parse_machine(replaced(whole, "[-180, 90]", "[-180, 180]"), "m.json"));
+    EXPECT_FALSE(is_within_travel(machine, {{3.2, 0}, {0, 0, 0}}));
+    EXPECT_TRUE(is_within_travel(machine, {{3.1, 0}, {0, 0, 0}}));
+    EXPECT_TRUE(is_within_travel(machine, {{0, 7}, {0, 0, 0}}));
 }
 
 // Directions repeat after a rotation; positions do not.

@@ -59,6 +59,54 @@ TEST(PathSummary, MayBeMissingOrEmpty)
                 HasSubstr("one of count, report"));
 }
 
+TEST(PathSummary, MayNameTheMachineThatInterpolatesThePath)
+{
+    const TemporaryFolder folder;
+    folder.put("summary.json",
+               R"({"interpolation": "tcp", "machine": {"configuration": "W/caxyBz/T",
+                   "pivot_mm": 5, "table_offset_mm": [1, 2, 3], "axis_offset_mm": [0, 4, 0],
+                   "tool_length_mm": 70, "word_sign": {"c": -1},
+                   "part_to_machine": [[0, 1, 0], [-1, 0, 0], [0, 0, 1]],
+                   "clamp_mm": [7, 8, 9]}})");
+    const auto summary = read_path_summary(folder.path() / "toolpath.csv");
+    ASSERT_TRUE(summary && summary->machine);
+    EXPECT_EQ(summary->machine->interpolation, Interpolation::Tcp);
+    const PartOnMachine& setup = summary->machine->setup;
+    EXPECT_EQ(setup.machine.configuration.word, "W/caxyBz/T");
+    EXPECT_EQ(setup.machine.pivot, 5);
+    EXPECT_EQ(setup.machine.table_offset, Vec3(1, 2, 3));
+    EXPECT_EQ(setup.machine.axis_offset, Vec3(0, 4, 0));
+    EXPECT_EQ(setup.machine.word_signs, (RotaryPositions{-1, 1}));
+    EXPECT_EQ(setup.tool_length, 70);
+    EXPECT_EQ(setup.part_to_machine.row(0), (Eigen::RowVector3d{0, 1, 0}));
+    EXPECT_EQ(setup.clamp, Vec3(7, 8, 9));
+    const SetupPose pose = [&] {
+        folder.put("pose.json",
+                   R"({"part_to_machine": [[0, 1, 0], [-1, 0, 0], [0, 0, 1]],
+                       "clamp_mm": [7, 8, 9], "type": "CA"})");
+        return read_setup_pose(folder.path() / "pose.json");
+    }();
+    EXPECT_EQ(pose.part_to_machine, setup.part_to_machine);
+    EXPECT_EQ(pose.clamp, Vec3(7, 8, 9));
+}
+
+// The summary of `feed` has a file under the key machine.
+TEST(PathSummary, OfALinearPathHasNoMachine)
+{
+    const TemporaryFolder folder;
+    folder.put("summary.json", R"({"interpolation": "linear", "machine": "m.json"})");
+    EXPECT_FALSE(read_path_summary(folder.path() / "toolpath.csv")->machine);
+    EXPECT_THAT(path_file_summary_complaint(R"({"interpolation": "joint"})"),
+                HasSubstr("no key machine"));
+    EXPECT_THAT(path_file_summary_complaint(
+                    R"({"interpolation": "joint", "machine": {"configuration": "W/x"}})"),
+                HasSubstr("/machine/configuration"));
+    EXPECT_THAT(path_file_summary_complaint(
+                    R"({"interpolation": "joint", "machine": {"configuration":
+                        "W/caxyBz/T", "part_to_machine": [[1,0,0],[0,1,0],[0,0,-1]]}})"),
+                HasSubstr("no rotation"));
+}
+
 TEST(PathSummary, MayHaveAToleranceOfZeroOnOneSide)
 {
     const TemporaryFolder folder;

@@ -50,6 +50,70 @@ ToolPath path_with_conditions()
     return path;
 }
 
+// A machine of two axes, and a path of two poses that it interpolates.
+ToolPath machine_path_of_two_points()
+{
+    ToolPath path;
+    path.machine = MachineMotion{.interpolation = Interpolation::Joint};
+    PartOnMachine& setup = path.machine->setup;
+    setup.machine.configuration = configuration_from_word("W/caxyBz/T");
+    setup.machine.rotary = widest_limits(setup.machine.configuration);
+    setup.tool_length = 70;
+    for (const RotaryPositions& rotary :
+         {RotaryPositions{0.1, -0.2}, RotaryPositions{7, -0.3}}) {
+        const AxisPositions at = axis_positions(setup, rotary, Vec3{1, 2, 3});
+        path.machine->positions.push_back(at);
+        path.points.push_back({.pass = 0,
+                               .point = static_cast<int>(path.points.size()),
+                               .move = Move::Cut,
+                               .location = tool_location(setup, at)});
+    }
+    return path;
+}
+
+TEST(ToolPathReader, ReadsThePositionsOfAMachine)
+{
+    const ToolPath path = machine_path_of_two_points();
+    std::optional<MachineMotion> machine = path.machine;
+    machine->positions.clear();
+    const std::string text = tool_path_csv(path);
+    EXPECT_THAT(text, HasSubstr(",x_mm,y_mm,z_mm,r1_deg,r2_deg\n"));
+    const Program read = parse_tool_path(text, "f", {}, machine);
+    ASSERT_TRUE(read.path.machine);
+    EXPECT_EQ(read.path.interpolation(), Interpolation::Joint);
+    for (std::size_t i = 0; i < 2; ++i) {
+        const AxisPositions& expected = path.machine->positions[i];
+        const AxisPositions& found = read.path.machine->positions[i];
+        EXPECT_EQ(found.xyz, expected.xyz);
+        EXPECT_NEAR(found.rotary[0], expected.rotary[0], 1e-14);
+        EXPECT_NEAR(found.rotary[1], expected.rotary[1], 1e-14);
+    }
+    EXPECT_THAT(parse_tool_path(text, "f").remarks,
+                ElementsAre(HasSubstr("positions of a machine are ignored")));
+}
+
+TEST(ToolPathReader, RefusesPositionsThatAreNotThoseOfThePose)
+{
+    ToolPath path = machine_path_of_two_points();
+    std::optional<MachineMotion> machine = path.machine;
+    const auto complaint = [&](const std::string& text) {
+        return complaint_of([&] { parse_tool_path(text, "f", {}, machine); });
+    };
+    path.machine->positions[1].xyz.x() += 1e-5;
+    EXPECT_THAT(complaint(tool_path_csv(path)),
+                HasSubstr("E_CSV f:3: the positions of the machine are "));
+    ToolPath plain = path;
+    plain.machine.reset();
+    EXPECT_EQ(complaint(tool_path_csv(plain)),
+              "E_CSV f:1: no columns x_mm, y_mm, z_mm, r1_deg and r2_deg; expected "
+              "positions of the machine: the interpolation of the path is joint");
+    EXPECT_THAT(complaint("tip_x_mm,tip_y_mm,tip_z_mm,x_mm,y_mm,z_mm,r1_deg,r2_deg\n"
+                          "1,2,3,4,5,6,,8\n"),
+                HasSubstr("E_CSV f:2: r1_deg is empty"));
+    EXPECT_THAT(complaint("tip_x_mm,tip_y_mm,tip_z_mm,x_mm,y_mm,z_mm,r1_deg\n"),
+                HasSubstr("no column \"r2_deg\""));
+}
+
 TEST(ToolPathReader, ReadsAWrittenPathToTheLastBit)
 {
     const ToolPath path = wavy_path(5, 400);

@@ -127,12 +127,12 @@ TEST(ParseBlock, RefusesUnknownWords)
               "E_GCODE f:1: polar coordinates \"@5\"; expected X and Y: --interpreter "
               "linuxcnc expands them");
     EXPECT_EQ(refusal("TRAORI"),
-              "E_GCODE f:1: tool-centre-point code \"TRAORI\"; expected a three-axis "
-              "program");
+              "E_GCODE f:1: tool-centre-point code \"TRAORI\"; expected positions of "
+              "the axes, or tips with rotary words (--frame part)");
     for (const char* call : {"TCPM F100", "FUNCTION TCPM F TCP", "12 Function TCPM"})
         EXPECT_EQ(refusal(call),
-                  "E_GCODE f:1: tool-centre-point code \"TCPM\"; expected a three-axis "
-                  "program");
+                  "E_GCODE f:1: tool-centre-point code \"TCPM\"; expected positions of "
+                  "the axes, or tips with rotary words (--frame part)");
 }
 
 TEST(ParseBlock, RefusesAWordTwice)

@@ -170,12 +170,15 @@ TEST(GcodeModes, RefuseUnsupportedCodes)
         EXPECT_EQ(refusal(code), "E_GCODE f:1: scaling or mirroring " + code + frame);
     for (const std::string code : {"G52", "G92", "G92.3"})
         EXPECT_EQ(refusal(code), "E_GCODE f:1: coordinate offset " + code + offsets);
-    EXPECT_EQ(refusal("G68"), "E_GCODE f:1: rotation G68" + frame);
+    EXPECT_EQ(refusal("G68"), "E_GCODE f:1: rotation or tilted plane G68" + frame);
     EXPECT_EQ(refusal("G95"),
               "E_GCODE f:1: feed per revolution G95; expected G93 or G94");
-    for (const std::string code : {"G43.4", "G234"})
+    for (const std::string code : {"G43.4", "G43.5", "G234"})
         EXPECT_EQ(refusal(code), "E_GCODE f:1: tool-centre-point code " + code +
-                                     "; expected a three-axis program");
+                                     "; expected positions of the axes, or tips with "
+                                     "rotary words (--frame part)");
+    EXPECT_EQ(refusal("G68.2"), "E_GCODE f:1: rotation or tilted plane G68.2" + frame);
+    EXPECT_EQ(refusal("G53.1"), "E_GCODE f:1: turn into a tilted plane G53.1" + frame);
 }
 
 TEST(GcodeModes, RefuseUnknownCodes)
@@ -203,8 +206,8 @@ TEST(CheckMCodes, RefusesSubprogramsAndCentrePointCodes)
     EXPECT_EQ(m_refusal("M47"), "E_GCODE f:1: repetition of the program M47" + expand);
     EXPECT_EQ(m_refusal("M200"), "E_GCODE f:1: unknown code M200; expected M0 to M199");
     EXPECT_EQ(m_refusal("M128"),
-              "E_GCODE f:1: tool-centre-point code M128; expected a "
-              "three-axis program");
+              "E_GCODE f:1: tool-centre-point code M128; expected positions of the "
+              "axes, or tips with rotary words (--frame part)");
     for (const std::string code : {"M70", "M71", "M72", "M73"})
         EXPECT_EQ(m_refusal(code), "E_GCODE f:1: saved modal state " + code + expand);
 }

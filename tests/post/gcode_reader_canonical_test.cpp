@@ -216,7 +216,8 @@ TEST(ParseCanonical, RefusesUnsupportedMotion)
               "E_CANONICAL f.txt:8: feed per revolution; expected feed per minute");
     EXPECT_EQ(
         refusal("STRAIGHT_TRAVERSE(0.0000, 0.0000, 0.0000, 0.0000, 9.0000, 0.0000)"),
-        "E_CANONICAL f.txt:8: a turned rotary axis; expected a three-axis program");
+        "E_CANONICAL f.txt:8: a turned rotary axis; expected the machine of the program "
+        "(--machine and --frame), or no turns");
     EXPECT_EQ(refusal("STRAIGHT_FEED(1.0000, 0.0000, 0.0000)"),
               "E_CANONICAL f.txt:8: a move at feed before any feed rate; expected "
               "SET_FEED_RATE above 0");

@@ -30,9 +30,11 @@ INSTANTIATE_TEST_SUITE_P(
     Words, RefusedProgram,
     testing::Values(
         Refused{"G1 A5 F9",
-                "E_GCODE f.ngc:3: A5; expected A0: turning axes are not read yet"},
+                "E_GCODE f.ngc:3: A5; expected A0, or the machine of the program "
+                "(--machine and --frame)"},
         Refused{"\nB-0.5",
-                "E_GCODE f.ngc:4: B-0.5; expected B0: turning axes are not read yet"},
+                "E_GCODE f.ngc:4: B-0.5; expected B0, or the machine of the program "
+                "(--machine and --frame)"},
         Refused{"G10 L2 P1 X0",
                 "E_GCODE f.ngc:3: setting of offsets G10; expected coordinates in one "
                 "coordinate system of the part: --interpreter linuxcnc applies offsets"},

@@ -4,6 +4,7 @@ from fake_tree import ROOT, FakeTree
 
 import generate_meshes
 import generate_offset_curves
+import generate_paths
 import generate_surfaces
 
 
@@ -35,8 +36,11 @@ class Generators(FakeTree):
         self.assert_writes(generate_offset_curves, "datasets/offset-curves",
                            {"vectors.json", "hard-cases.json", "random-families.json"})
 
+    def test_paths_are_reproduced(self):
+        self.assert_writes(generate_paths, "datasets/paths", set())
+
     def test_unknown_arguments_are_refused(self):
-        for script in (generate_surfaces, generate_meshes, generate_offset_curves):
+        for script in (generate_surfaces, generate_meshes, generate_offset_curves, generate_paths):
             for arguments, code in ((["--help"], 0), (["--nonsense"], 2), (["a", "b"], 2)):
                 found, printed = self.check(script.main, arguments)
                 self.assertEqual(found, code)

@@ -6,6 +6,7 @@
 
 #include "endmill/bound/detail/closed_bound.h"
 #include "endmill/bound/detail/density_certificate.h"
+#include "endmill/bound/detail/density_grid.h"
 #include "endmill/bound/detail/density_search.h"
 #include "endmill/core/error.h"
 #include "endmill/surface/continuity.h"
@@ -101,6 +102,29 @@ Estimate estimate(std::span<const Surface> surfaces, std::span<const double> sid
     return {search.run(), spacing};
 }
 
+// The cells of a density. The grid is that of the search.
+std::vector<DensityCorners> cells_of(std::span<const Surface> surfaces,
+                                     std::span<const double> sides, double spacing,
+                                     std::span<const double> at_nodes)
+{
+    const DensityGrid grid{{surfaces, sides}, spacing};
+    std::vector<DensityCorners> cells;
+    cells.reserve(grid.cells().size());
+    for (const DensityCell& cell : grid.cells()) {
+        const auto point = [&](double u, double v) -> Vec3 {
+            return surfaces[cell.surface].tangents(u, v).point;
+        };
+        double sum = 0;
+        for (const std::uint32_t node : grid.corners(cell.node))
+            sum += at_nodes[node];
+        cells.push_back(
+            {{point(cell.u.low, cell.v.low), point(cell.u.high, cell.v.low),
+              point(cell.u.high, cell.v.high), point(cell.u.low, cell.v.high)},
+             sum / 4});
+    }
+    return cells;
+}
+
 // A progress that shows work as a range of the shares of another.
 std::function<void(double)> part_of(const std::function<void(double)>& progress,
                                     double from, double to)
@@ -154,7 +178,8 @@ PathBound estimated_bound(std::span<const Surface> surfaces,
             found.places,
             found.test_places,
             0,
-            spacing};
+            spacing,
+            cells_of(surfaces, sides, spacing, found.at_nodes)};
 }
 
 PathBound certified_bound(std::span<const Surface> surfaces,
@@ -179,7 +204,8 @@ PathBound certified_bound(std::span<const Surface> surfaces,
             found.places,
             found.test_places,
             proved.boxes,
-            spacing};
+            spacing,
+            cells_of(surfaces, sides, spacing, proved.at_nodes)};
 }
 
 }  // namespace endmill

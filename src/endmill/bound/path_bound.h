@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "endmill/bound/bound_problem.h"
+#include "endmill/core/vec.h"
 #include "endmill/surface/surface.h"
 
 /// \file
@@ -26,6 +29,12 @@ enum class BoundGrade {
 /// The name of a grade: "closed", "certified" or "estimated".
 std::string_view bound_grade_name(BoundGrade grade);
 
+/// A cell of the grid on which a density was computed.
+struct DensityCorners {
+    std::array<Vec3, 4> points;  ///< corners in order around the cell, mm
+    double mean_per_mm;          ///< mean of the density at them, 1/mm
+};
+
 /// A lower bound of path length, with the numbers behind it.
 struct PathBound {
     double density_mm;  ///< integral of the density g over the part
@@ -41,6 +50,9 @@ struct PathBound {
     std::size_t test_places = 0;  ///< random places of the last test
     std::size_t boxes = 0;        ///< boxes of contacts of a certificate
     double node_spacing_mm = 0;   ///< of the density's nodes; 0 for closed forms
+    /// The density g; empty for closed forms. Of a bound of tips it is the density before
+    /// it is lowered for what the ball strays from contact.
+    std::vector<DensityCorners> density = {};
 };
 
 /// How a bound is estimated. The defaults take a few seconds on 200 x 120 mm.

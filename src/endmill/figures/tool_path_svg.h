@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 
@@ -10,8 +11,8 @@
 #include "endmill/surface/surface.h"
 
 /// \file
-/// Figures of a tool path and of a surface. Implemented in `tool_path_svg.cpp` and
-/// `surface_svg.cpp`.
+/// Figures of a tool path, of a surface, and of a density on a part. Implemented in
+/// `tool_path_svg.cpp`, `surface_svg.cpp` and `density_svg.cpp`.
 
 namespace endmill {
 
@@ -53,5 +54,17 @@ struct SurfaceDrawing {
 /// Source: after [KimChoi, figs. 2 and 11].
 /// \throws DomainError if `spaces_per_patch` is below 1, and as `AxonometricFigure`.
 std::string surface_svg(const Surface& surface, const SurfaceDrawing& drawing = {});
+
+/// A cell of a part with a density.
+struct DensityPiece {
+    std::array<Vec3, 4> corners;  ///< in order around the cell, mm
+    double density_per_mm;        ///< 1/mm, mean over the cell
+};
+
+/// A density on a part in parallel projection, as an SVG file: cells coloured in five
+/// classes of about as many cells each. Nearer cells cover farther ones.
+/// \throws DomainError if there are no cells, and unless every number is finite.
+std::string density_svg(std::span<const DensityPiece> pieces,
+                        const FigureOptions& options = {});
 
 }  // namespace endmill

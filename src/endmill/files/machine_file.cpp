@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <numbers>
 
 #include "endmill/core/angle.h"
 #include "endmill/core/text.h"
@@ -125,6 +126,64 @@ std::vector<AxisTravel> travels(const JsonValue& root, std::string_view configur
     return all;
 }
 
+// An error for a key of an axis that the machine lacks.
+FormatError missing_axis(const JsonValue& value, const std::string& what,
+                         std::string_view configuration)
+{
+    return value.complaint(what + " of an axis that the machine does not have",
+                           "an axis of " + std::string{configuration}, std::string{code});
+}
+
+// The signs of words in programs, in the order a, b, c.
+std::vector<WordSign> word_signs(const JsonValue& root, std::string_view configuration)
+{
+    constexpr std::array<std::string_view, 3> letters{"a", "b", "c"};
+    std::vector<WordSign> signs;
+    const auto value = root.find_member("word_sign");
+    if (!value)
+        return signs;
+    value->allow_only(letters);
+    for (const std::string_view letter : letters) {
+        const auto found = value->find_member(letter);
+        if (!found)
+            continue;
+        if (configuration.find(letter) == std::string_view::npos)
+            throw missing_axis(*found, "sign", configuration);
+        const double sign =
+            number_in(*found, {.above = -1, .most = 1, .from = true, .code = code});
+        if (sign != 1 && sign != -1)
+            throw machine_complaint(*found, "1 or -1");
+        signs.push_back({letter.front(), static_cast<int>(sign)});
+    }
+    return signs;
+}
+
+// Largest speeds of single axes, in the order x, y, z, a, b, c.
+std::vector<AxisRate> axis_rates(const JsonValue& root, std::string_view configuration)
+{
+    constexpr std::array<std::string_view, 6> keys{"x_mm_per_min",  "y_mm_per_min",
+                                                   "z_mm_per_min",  "a_deg_per_min",
+                                                   "b_deg_per_min", "c_deg_per_min"};
+    std::vector<AxisRate> rates;
+    const auto value = root.find_member("max_rate");
+    if (!value)
+        return rates;
+    value->allow_only(keys);
+    for (const std::string_view key : keys) {
+        const auto found = value->find_member(key);
+        if (!found)
+            continue;
+        const char axis = key.front();
+        if (configuration.find(axis) == std::string_view::npos)
+            throw missing_axis(*found, "rate", configuration);
+        const double rate =
+            number_in(*found, {.above = 0, .most = most_of_all, .code = code});
+        const bool is_linear = axis >= 'x';
+        rates.push_back({axis, is_linear ? rate : Angle::degrees(rate).radians()});
+    }
+    return rates;
+}
+
 // Limits of the spindle and the feed drives; each is optional.
 MachineLimits machine_limits(const JsonValue& root)
 {
@@ -187,7 +246,7 @@ MachineDescription parse_machine(std::string_view content,
                                  const std::filesystem::path& path,
                                  const ReadLimits& limits)
 {
-    constexpr std::array<std::string_view, 11> keys{"format",
+    constexpr std::array<std::string_view, 13> keys{"format",
                                                     "name",
                                                     "source",
                                                     "configuration",
@@ -195,6 +254,8 @@ MachineDescription parse_machine(std::string_view content,
                                                     "pivot_mm",
                                                     "table_offset_mm",
                                                     "axis_offset_mm",
+                                                    "word_sign",
+                                                    "max_rate",
                                                     "spindle",
                                                     "max_feed_mm_per_min",
                                                     "acceleration_m_per_s2"};
@@ -212,12 +273,33 @@ MachineDescription parse_machine(std::string_view content,
         root, "pivot_mm", {.above = -most, .most = most, .from = true, .code = code});
     machine.table_offset_mm = offset(root, "table_offset_mm", most);
     machine.axis_offset_mm = axis_offset(root, machine.configuration, most);
+    machine.word_signs = word_signs(root, machine.configuration);
+    machine.rates = axis_rates(root, machine.configuration);
     return machine;
 }
 
+namespace {
+
+// The largest speeds of the axes of a machine.
+AxisRates rates_of(const MachineDescription& description,
+                   const MachineConfiguration& configuration)
+{
+    AxisRates rates{.feed_mm_per_min = description.limits.max_feed_mm_per_min};
+    for (const AxisRate& rate : description.rates)
+        if (rate.axis >= 'x')
+            rates.linear_mm_per_min[static_cast<std::size_t>(rate.axis - 'x')] =
+                rate.per_min;
+        else
+            rates.rotary_rad_per_min[place_of(configuration, rate.axis)] = rate.per_min;
+    return rates;
+}
+
+}  // namespace
+
 // The file has positions of the axes. The kinematic model has turns of the tool against
 // the part, so ranges of axes that carry the part are mirrored. Directions repeat after a
-// full rotation, so that wider ranges are reduced to one.
+// full rotation, so that wider ranges are reduced to one. A range of at least a full
+// rotation is kept beside, because a model without it has no limits.
 Machine moving_machine(const MachineDescription& description)
 {
     Machine machine{.configuration = configuration_from_word(description.configuration),
@@ -225,6 +307,9 @@ Machine moving_machine(const MachineDescription& description)
                     .table_offset = description.table_offset_mm.value_or(Vec3::Zero()),
                     .axis_offset = description.axis_offset_mm.value_or(Vec3::Zero())};
     machine.rotary = widest_limits(machine.configuration);
+    machine.rates = rates_of(description, machine.configuration);
+    for (const WordSign& sign : description.word_signs)
+        machine.word_signs[place_of(machine.configuration, sign.axis)] = sign.sign;
     for (const AxisTravel& travel : description.travels) {
         if (travel.axis >= 'x') {
             machine.linear[static_cast<std::size_t>(travel.axis - 'x')] = {travel.from,
@@ -238,7 +323,8 @@ Machine moving_machine(const MachineDescription& description)
                                            RotaryRange{travel.from, travel.to});
         const RotaryRange used = within_one_rotation(place, turns);
         turns_of(machine.rotary, machine.configuration, place) = used;
-        if (used != turns)
+        const bool is_full = turns.to - turns.from >= 2 * std::numbers::pi;
+        if (used != turns || is_full)
             machine.wide_positions[place] = RotaryRange{travel.from, travel.to};
     }
     return machine;

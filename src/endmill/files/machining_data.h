@@ -39,6 +39,24 @@ struct AxisTravel {
     friend bool operator==(const AxisTravel&, const AxisTravel&) = default;
 };
 
+/// The sign of a rotary axis in programs: the word is the position times the sign.
+struct WordSign {
+    char axis;  ///< 'a', 'b' or 'c'
+    int sign;   ///< 1 or -1
+
+    /// Member by member.
+    friend bool operator==(const WordSign&, const WordSign&) = default;
+};
+
+/// Largest speed of one machine axis.
+struct AxisRate {
+    char axis;       ///< 'x', 'y', 'z', 'a', 'b' or 'c'
+    double per_min;  ///< mm/min for a linear axis, rad/min for a rotary one; above 0
+
+    /// Member by member.
+    friend bool operator==(const AxisRate&, const AxisRate&) = default;
+};
+
 /// A machine as its file describes it. A value that the file does not state is empty.
 struct MachineDescription {
     std::string name;                          ///< from the file, or the file's stem
@@ -49,18 +67,21 @@ struct MachineDescription {
     std::optional<double> pivot_mm = {};       ///< as `Machine::pivot`
     std::optional<Vec3> table_offset_mm = {};  ///< as `Machine::table_offset`
     std::optional<Vec3> axis_offset_mm = {};   ///< as `Machine::axis_offset`
+    std::vector<WordSign> word_signs = {};     ///< of rotary axes, in the order a b c
+    std::vector<AxisRate> rates = {};          ///< of the axes, in the order x y z a b c
 };
 
 /// Reads a file of format "endmill-machine/1". Every key is optional: `name`, `source`,
 /// `configuration`, `limits` {`x_mm`, ..., `c_deg`: [min, max]}, `pivot_mm`,
-/// `table_offset_mm`, `axis_offset_mm`, `spindle` {`max_rpm`, `max_power_w`, `max_torque_n_m`},
-/// `max_feed_mm_per_min`, `acceleration_m_per_s2`.
+/// `table_offset_mm`, `axis_offset_mm`, `word_sign` {`a`, `b`, `c`: 1 or -1}, `max_rate`
+/// {`x_mm_per_min`, ..., `c_deg_per_min`}, `spindle` {`max_rpm`, `max_power_w`,
+/// `max_torque_n_m`}, `max_feed_mm_per_min`, `acceleration_m_per_s2`.
 /// \throws FormatError as `JsonDocument` and, with the JSON pointer, for an unknown key.
 ///         E_MACHINE for an invalid configuration; for limits of an axis that the
 ///         configuration lacks, limits that are not a rising pair, and rotary limits
 ///         that do not contain 0; for an axis offset unless two rotary axes are on one
-///         side of the bed; for a value out of its range. E_FORMAT for another format.
-///         Also as `read_file`.
+///         side of the bed; for a sign or a rate of an axis that the configuration lacks;
+///         for a value out of its range. E_FORMAT for another format. Also as `read_file`.
 MachineDescription read_machine(const std::filesystem::path& path,
                                 const ReadLimits& limits = {});
 
@@ -71,7 +92,7 @@ MachineDescription parse_machine(std::string_view content,
                                  const ReadLimits& limits = {});
 
 /// The kinematic model of the machine. A missing pivot or offset is 0; an axis without
-/// limits is unlimited. The rotary limits are set for a valid five-axis
+/// limits is unlimited, a missing sign is 1. The rotary limits are set for a valid five-axis
 /// configuration only.
 /// \throws DomainError if `description.configuration` is invalid.
 Machine moving_machine(const MachineDescription& description);

@@ -134,7 +134,7 @@ Program parse_program(std::string_view content, const std::filesystem::path& pat
     const GcodeReadOptions gcode = gcode_reading(options);
     switch (path_format(content, path)) {
         case PathFormat::Csv:
-            return parse_tool_path(content, file, options.limits);
+            return parse_tool_path(content, file, options.limits, options.machine);
         case PathFormat::Canonical:
             return parse_canonical(content, file, gcode);
         case PathFormat::Apt:

@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include <Eigen/Core>
+
 #include "endmill/cutter/cutter.h"
 #include "endmill/files/mesh_file.h"
 #include "endmill/files/read_file.h"
@@ -41,6 +43,9 @@ struct PathReadOptions {
     GcodeReadOptions gcode = {};  ///< for machine programs
     /// Whether APT CL data may name several cutters (`AptReadOptions`).
     bool several_cutters = false;
+    /// The machine that interpolates a CSV path, without positions; none: the path is
+    /// linear. Programs have theirs in `gcode`.
+    std::optional<MachineMotion> machine = {};
 };
 
 /// The format of a file. The content determines the format if it is unambiguous.
@@ -84,13 +89,14 @@ std::size_t line_of_row(std::string_view text, std::size_t row);
 /// The tool path as a CSV file, one line for each point, with the columns pass, point,
 /// move, tip_x_mm … tip_z_mm, axis_x … axis_z, tool (if any point has one), patch (if the
 /// path covers several), u, v, contact_x_mm … contact_z_mm, normal_x … normal_z,
-/// feed_mm_per_min and spindle_rpm (each if any point has one). A number is the shortest
+/// feed_mm_per_min and spindle_rpm (each if any point has one), x_mm, y_mm, z_mm, r1_deg and
+/// r2_deg (if a machine interpolates the path). A number is the shortest
 /// text that reads back to the same double; an unknown value is an empty cell. The bytes
 /// do not depend on the number of threads.
 /// \throws DomainError if a number is not finite.
 std::string tool_path_csv(const ToolPath& path);
 
-/// The same with a last column `limit`, which states what limits the feed of each move.
+/// The same with a column `limit` behind spindle_rpm, which states what limits the feed of each move.
 /// \param limits one word for each point, without commas and quotes; empty if there is
 ///         none.
 /// \throws DomainError as the other overload, and unless there is one word for each
@@ -156,6 +162,8 @@ struct PathSummary {
     /// The same of a machine program that was written with the path.
     std::optional<std::string> program_sha256 = {};
     std::optional<PartReference> protected_part = {};  ///< that the path must not enter
+    /// The machine that interpolates the path or runs the program, without positions.
+    std::optional<MachineMotion> machine = {};
 
     /// The smallest of the three tolerances; nothing if none is known.
     std::optional<double> tolerance_mm() const;
@@ -198,5 +206,18 @@ SummaryMatch summary_match(const PathSummary& summary, std::string_view content)
 ///         for an invalid cutter word, a number that is not positive, or a wrong type.
 std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_path,
                                              const ReadLimits& limits = {});
+
+/// The pose of a part on a machine, as `endmill setup` finds it.
+struct SetupPose {
+    Eigen::Matrix3d
+        part_to_machine;  ///< rotation; rows: the machine's X, Y, Z in the part
+    Vec3 clamp;           ///< mm, where the part's origin is clamped
+};
+
+/// Reads the keys `part_to_machine` and `clamp_mm` of a summary.json of `setup`.
+/// \throws FormatError, LimitError as `read_file` and `JsonDocument`; FormatError E_JSON
+///         if the pose is missing, or if it is no rotation.
+SetupPose read_setup_pose(const std::filesystem::path& path,
+                          const ReadLimits& limits = {});
 
 }  // namespace endmill

@@ -116,6 +116,83 @@ std::optional<PartReference> part(const JsonValue& root, const std::string& key,
     return part;
 }
 
+// Three numbers of an array.
+Vec3 vector_in(const JsonValue& value)
+{
+    if (value.size() != 3)
+        throw value.complaint(value.shown(), "[x, y, z]");
+    Vec3 vector;
+    for (std::size_t k = 0; k < 3; ++k)
+        vector[static_cast<Eigen::Index>(k)] = value.item(k).number();
+    return vector;
+}
+
+Vec3 vector_or_zero(const JsonValue& object, std::string_view key)
+{
+    const std::optional<JsonValue> value = known_member(object, key);
+    return value ? vector_in(*value) : Vec3{0, 0, 0};
+}
+
+double number_or_zero(const JsonValue& object, std::string_view key)
+{
+    const std::optional<JsonValue> value = known_member(object, key);
+    return value ? value->number() : 0;
+}
+
+// A rotation of three rows.
+Eigen::Matrix3d rotation_in(const JsonValue& value)
+{
+    constexpr double rounding = 1e-6;
+    if (value.size() != 3)
+        throw value.complaint(value.shown(), "three rows of a rotation");
+    Eigen::Matrix3d rotation;
+    for (std::size_t k = 0; k < 3; ++k)
+        rotation.row(static_cast<Eigen::Index>(k)) = vector_in(value.item(k)).transpose();
+    const Eigen::Matrix3d off =
+        rotation * rotation.transpose() - Eigen::Matrix3d::Identity();
+    if (!(off.cwiseAbs().maxCoeff() <= rounding && rotation.determinant() > 0))
+        throw value.complaint("three rows that are no rotation",
+                              "unit vectors that are perpendicular and right-handed");
+    return rotation;
+}
+
+// The machine of a path or a program. A summary of `feed` has the name of a file under the
+// same key.
+std::optional<MachineMotion> machine(const JsonValue& root)
+{
+    const auto word = text(root, "interpolation");
+    const auto interpolation = word ? interpolation_from_name(*word) : std::nullopt;
+    if (!interpolation || *interpolation == Interpolation::Linear)
+        return std::nullopt;
+    const std::optional<JsonValue> value = known_member(root, "machine");
+    if (!value)
+        throw root.complaint("no key machine",
+                             "the machine of a path whose interpolation is " + *word);
+    MachineMotion motion{.interpolation = *interpolation, .setup = {}, .positions = {}};
+    Machine& of = motion.setup.machine;
+    const JsonValue configuration = value->member("configuration");
+    if (const auto fault = configuration_fault(configuration.text()))
+        throw configuration.complaint(configuration.shown() + ": " + *fault,
+                                      "a word such as W/caxyBz/T");
+    of.configuration = configuration_from_word(configuration.text());
+    of.rotary = widest_limits(of.configuration);
+    of.pivot = number_or_zero(*value, "pivot_mm");
+    of.table_offset = vector_or_zero(*value, "table_offset_mm");
+    of.axis_offset = vector_or_zero(*value, "axis_offset_mm");
+    motion.setup.tool_length = number_or_zero(*value, "tool_length_mm");
+    motion.setup.clamp = vector_or_zero(*value, "clamp_mm");
+    if (const auto rotation = known_member(*value, "part_to_machine"))
+        motion.setup.part_to_machine = rotation_in(*rotation);
+    if (const auto signs = known_member(*value, "word_sign"))
+        for (std::size_t k = 0; k < of.configuration.rotary.size(); ++k) {
+            const std::string letter(1, of.configuration.rotary[k].letter);
+            const double sign = number_or_zero(*signs, letter);
+            if (sign != 0)
+                of.word_signs[k] = sign < 0 ? -1 : 1;
+        }
+    return motion;
+}
+
 std::optional<InaccessibleStock> inaccessible(const JsonValue& root)
 {
     if (!known_member(root, "inaccessible"))
@@ -158,7 +235,19 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
                        row_count(root),
                        text(root, "toolpath_sha256"),
                        text(root, "program_sha256"),
-                       part(root, "protected", tool_path.parent_path())};
+                       part(root, "protected", tool_path.parent_path()),
+                       machine(root)};
+}
+
+SetupPose read_setup_pose(const std::filesystem::path& path, const ReadLimits& limits)
+{
+    const JsonDocument document{read_file(path, limits), shown_path(path), limits};
+    const JsonValue root = document.root();
+    const std::optional<JsonValue> rotation = known_member(root, "part_to_machine");
+    if (!rotation)
+        throw root.complaint("no pose of the part (part_to_machine)",
+                             "the summary.json of a setup that was found");
+    return {rotation_in(*rotation), vector_or_zero(root, "clamp_mm")};
 }
 
 struct ContentSha256::State {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/detail/joined_rows.h"
@@ -63,12 +64,16 @@ struct OptionalColumns {
     bool feed = false;
     bool speed = false;
     bool limit = false;
+    bool positions = false;  // of a machine
 };
 
 // The optional columns that the path needs.
 OptionalColumns optional_columns(const ToolPath& path)
 {
     OptionalColumns columns;
+    columns.positions = path.machine.has_value();
+    require(!path.machine || path.machine->positions.size() == path.points.size(),
+            "tool_path_csv: need positions of the machine for every point");
     for (const PathPoint& point : path.points) {
         columns.tool |= point.conditions.tool.has_value();
         columns.patch |= point.patch != 0;
@@ -123,6 +128,8 @@ public:
             text += ',';
             text += limit;
         }
+        if (columns_.positions)
+            append(text, path.machine->positions[i]);
         text += '\n';
     }
 
@@ -132,6 +139,14 @@ private:
     {
         for (int c = 0; c < 3; ++c)
             numbers_[column + c].append(text, vector[c]);
+    }
+
+    // Appends the positions of the machine.
+    void append(std::string& text, const AxisPositions& at)
+    {
+        append(text, at.xyz, 16);
+        for (std::size_t k = 0; k < at.rotary.size(); ++k)
+            numbers_[19 + k].append(text, Angle::radians(at.rotary[k]).written_degrees());
     }
 
     // Appends a number, or an empty cell if it is unknown.
@@ -145,7 +160,7 @@ private:
     }
 
     OptionalColumns columns_;
-    std::array<NumberColumn, 16> numbers_;
+    std::array<NumberColumn, 21> numbers_;
 };
 
 // The first line of the file.
@@ -158,6 +173,7 @@ std::string header(const OptionalColumns& columns)
     line += columns.feed ? ",feed_mm_per_min" : "";
     line += columns.speed ? ",spindle_rpm" : "";
     line += columns.limit ? ",limit" : "";
+    line += columns.positions ? ",x_mm,y_mm,z_mm,r1_deg,r2_deg" : "";
     line += '\n';
     return line;
 }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/machine/kinematics.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <optional>
 
@@ -12,8 +14,6 @@
 
 namespace endmill {
 namespace {
-
-using Matrix = Eigen::Matrix3d;
 
 constexpr double pi = std::numbers::pi;
 
@@ -60,34 +60,170 @@ double wrapped(double angle)
     return angle < -pi ? angle + 2 * pi : angle;
 }
 
-// Rotations of part and tool against the bed.
-struct Turns {
-    Matrix part = Matrix::Identity();
-    Matrix tool = Matrix::Identity();
+// A vector that depends on the parameter of a motion, with its first two derivatives.
+struct Jet {
+    Vec3 value;
+    Vec3 first = Vec3::Zero();
+    Vec3 second = Vec3::Zero();
 };
 
-Turns turns_at(const MachineConfiguration& configuration,
-               const RotaryPositions& positions)
+Jet moved(Jet jet, const Vec3& by)
 {
-    Turns turns;
-    for (std::size_t k = 0; k < configuration.rotary.size(); ++k) {
-        const RotaryAxis& axis = configuration.rotary[k];
-        const Vec3 line = Vec3::Unit(axis.letter - 'a');
-        const Matrix turn = Eigen::AngleAxisd{positions[k], line}.toRotationMatrix();
-        // The axis nearest to the bed carries the others, so its turn comes first.
-        if (axis.side == MachineSide::Table)
-            turns.part = turn * turns.part;
-        else
-            turns.tool = turns.tool * turn;
-    }
-    return turns;
+    jet.value += by;
+    return jet;
 }
 
-// Displacement of the tip by the turns of the tool.
-Vec3 tip_shift(const Machine& machine, const Turns& turns, double tool_length)
-{
-    return (machine.pivot + tool_length) * (turns.tool.col(2) - Vec3::UnitZ());
-}
+// A rotation about the line through the origin along an axis of the frame.
+class AxisTurn {
+public:
+    AxisTurn(char letter, double angle)
+        : axis_{letter - 'a'},
+          cos_{std::cos(angle)},
+          sin_{std::sin(angle)}
+    {
+    }
+
+    Vec3 operator()(const Vec3& v) const { return turned(v, sin_); }
+    Vec3 inverse(const Vec3& v) const { return turned(v, -sin_); }
+
+    // With w = R x, w' = rate e x w + R x', and so on, for an angle with a constant rate.
+    Jet operator()(const Jet& x, double rate) const { return turned(x, sin_, rate); }
+    Jet inverse(const Jet& x, double rate) const { return turned(x, -sin_, -rate); }
+
+private:
+    Vec3 turned(const Vec3& v, double sine) const
+    {
+        const int j = (axis_ + 1) % 3;
+        const int k = (axis_ + 2) % 3;
+        Vec3 w = v;
+        w[j] = cos_ * v[j] - sine * v[k];
+        w[k] = sine * v[j] + cos_ * v[k];
+        return w;
+    }
+
+    Jet turned(const Jet& x, double sine, double rate) const
+    {
+        const Vec3 value = turned(x.value, sine);
+        const Vec3 first = turned(x.first, sine);
+        const Vec3 turning = rate * Vec3::Unit(axis_).cross(value);
+        return {value, first + turning,
+                turned(x.second, sine) + 2 * rate * Vec3::Unit(axis_).cross(first) +
+                    rate * Vec3::Unit(axis_).cross(turning)};
+    }
+
+    int axis_;
+    double cos_;
+    double sin_;
+};
+
+// The rotary axes of a machine at given positions, as two chains: from the part to the bed,
+// and from the tool to the bed. An axis that the machine lacks is left out.
+class AxisChains {
+public:
+    AxisChains(const Machine& machine, const RotaryPositions& positions,
+               double tool_length)
+        : table_offset_{machine.table_offset},
+          axis_offset_{machine.axis_offset},
+          arm_{machine.pivot + tool_length}
+    {
+        for (std::size_t k = 0; k < machine.configuration.rotary.size(); ++k) {
+            const RotaryAxis& axis = machine.configuration.rotary[k];
+            (axis.side == MachineSide::Table ? part_ : tool_)
+                .add(k, AxisTurn{axis.letter, positions[k]});
+        }
+    }
+
+    // P: the point of the part against the bed. A second axis is `axis_offset` from the
+    // first one.
+    Vec3 carried(const Vec3& point) const
+    {
+        Vec3 at = point - table_offset_;
+        if (part_.count > 0)
+            at = (*part_.turns[0])(at);
+        if (part_.count > 1)
+            at = (*part_.turns[1])(at - axis_offset_) + axis_offset_;
+        return at + table_offset_;
+    }
+
+    // The inverse of `carried`.
+    Jet in_part(const Jet& bed, const RotaryPositions& rates) const
+    {
+        Jet at = moved(bed, -table_offset_);
+        if (part_.count > 1)
+            at = moved(
+                part_.turns[1]->inverse(moved(at, -axis_offset_), rates[part_.axes[1]]),
+                axis_offset_);
+        if (part_.count > 0)
+            at = part_.turns[0]->inverse(at, rates[part_.axes[0]]);
+        return moved(at, table_offset_);
+    }
+
+    Vec3 in_part(const Vec3& bed) const
+    {
+        Vec3 at = bed - table_offset_;
+        if (part_.count > 1)
+            at = part_.turns[1]->inverse(at - axis_offset_) + axis_offset_;
+        if (part_.count > 0)
+            at = part_.turns[0]->inverse(at);
+        return at + table_offset_;
+    }
+
+    // D: displacement of the tip by the turns of the tool.
+    Jet tip_shift(const RotaryPositions& rates) const
+    {
+        const Vec3 arm = arm_ * Vec3::UnitZ();
+        if (tool_.count == 0)
+            return {Vec3::Zero()};
+        const std::size_t last = tool_.count - 1;
+        Jet at = (*tool_.turns[last])(Jet{-arm}, rates[tool_.axes[last]]);
+        if (tool_.count > 1)
+            at = moved((*tool_.turns[0])(moved(at, axis_offset_), rates[tool_.axes[0]]),
+                       -axis_offset_);
+        return moved(at, arm);
+    }
+
+    Vec3 tip_shift() const
+    {
+        const Vec3 arm = arm_ * Vec3::UnitZ();
+        if (tool_.count == 0)
+            return Vec3::Zero();
+        Vec3 at = (*tool_.turns[tool_.count - 1])(Vec3{-arm});
+        if (tool_.count > 1)
+            at = (*tool_.turns[0])(at + axis_offset_) - axis_offset_;
+        return at + arm;
+    }
+
+    // The tool axis as the part sees it.
+    Vec3 axis_in_part() const
+    {
+        Vec3 axis = Vec3::UnitZ();
+        for (std::size_t k = tool_.count; k-- > 0;)
+            axis = (*tool_.turns[k])(axis);
+        for (std::size_t k = part_.count; k-- > 0;)
+            axis = part_.turns[k]->inverse(axis);
+        return axis;
+    }
+
+private:
+    // Axes of one side, from the part towards the tool.
+    struct Chain {
+        void add(std::size_t axis, const AxisTurn& turn)
+        {
+            axes[count] = axis;
+            turns[count++] = turn;
+        }
+
+        std::array<std::optional<AxisTurn>, 2> turns = {};
+        std::array<std::size_t, 2> axes = {};  // among the rotary axes of the machine
+        std::size_t count = 0;
+    };
+
+    Vec3 table_offset_;
+    Vec3 axis_offset_;
+    double arm_;
+    Chain part_;
+    Chain tool_;
+};
 
 // The solution with these turns, shifted by whole turns into the limits where that is
 // possible.
@@ -163,41 +299,38 @@ double distance_from_singular(const RotaryFrame& frame, const Vec3& direction)
                                             : std::hypot(v.first, v.along);
 }
 
+RotaryRange position_range(const Machine& machine, std::size_t axis)
+{
+    if (const auto& wide = machine.wide_positions[axis])
+        return *wide;
+    const RotaryRange& turns = turns_of(machine.rotary, machine.configuration, axis);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    if (turns.to - turns.from >= 2 * pi - turn_tolerance)
+        return {-infinity, infinity};
+    return mirrored(machine.configuration.rotary[axis].side, turns);
+}
+
 AxisPositions axis_positions(const Machine& machine, const RotaryPositions& rotary,
                              const Vec3& point, double tool_length)
 {
-    const Turns turns = turns_at(machine.configuration, rotary);
-    const Vec3& o = machine.table_offset;
-    return {rotary,
-            o + turns.part * (point - o) + tip_shift(machine, turns, tool_length)};
+    const AxisChains chains{machine, rotary, tool_length};
+    return {rotary, chains.carried(point) - chains.tip_shift()};
 }
 
 CutterLocation tool_location(const Machine& machine, const AxisPositions& positions,
                              double tool_length)
 {
-    const Turns turns = turns_at(machine.configuration, positions.rotary);
-    const Vec3& o = machine.table_offset;
-    const Vec3 turned = positions.xyz - o - tip_shift(machine, turns, tool_length);
-    return {.tip = o + turns.part.transpose() * turned,
-            .axis = turns.part.transpose() * turns.tool.col(2)};
+    const AxisChains chains{machine, positions.rotary, tool_length};
+    return {.tip = chains.in_part(Vec3{positions.xyz + chains.tip_shift()}),
+            .axis = chains.axis_in_part()};
 }
 
 bool is_within_travel(const Machine& machine, const AxisPositions& positions)
 {
-    const MachineConfiguration& configuration = machine.configuration;
-    for (std::size_t k = 0; k < configuration.rotary.size(); ++k) {
-        if (const auto& wide = machine.wide_positions[k]) {
-            if (!(wide->from - turn_tolerance <= positions.rotary[k] &&
-                  positions.rotary[k] <= wide->to + turn_tolerance))
-                return false;
-            continue;
-        }
-        const RotaryRange& range = turns_of(machine.rotary, configuration, k);
-        const double turn = mirrored(configuration.rotary[k].side, positions.rotary[k]);
-        const bool is_round =
-            range.to - range.from >= 2 * std::numbers::pi - turn_tolerance;
-        if (!is_round &&
-            !(range.from - turn_tolerance <= turn && turn <= range.to + turn_tolerance))
+    for (std::size_t k = 0; k < machine.configuration.rotary.size(); ++k) {
+        const RotaryRange range = position_range(machine, k);
+        if (!(range.from - turn_tolerance <= positions.rotary[k] &&
+              positions.rotary[k] <= range.to + turn_tolerance))
             return false;
     }
     return is_within(machine.linear, positions.xyz);
@@ -222,6 +355,90 @@ std::vector<RotarySolution> rotary_solutions(const Machine& machine,
     if (!is_on_arc || (machine.configuration.rotary.empty() && !is_pole))
         return {};
     return {solution(machine, {angles.phi, 0})};
+}
+
+Vec3 clamped_point(const PartOnMachine& setup, const Vec3& point)
+{
+    return setup.part_to_machine * point + setup.clamp;
+}
+
+AxisPositions axis_positions(const PartOnMachine& setup, const RotaryPositions& rotary,
+                             const Vec3& tip)
+{
+    return axis_positions(setup.machine, rotary, clamped_point(setup, tip),
+                          setup.tool_length);
+}
+
+CutterLocation tool_location(const PartOnMachine& setup, const AxisPositions& positions)
+{
+    const CutterLocation seen =
+        tool_location(setup.machine, positions, setup.tool_length);
+    return {.tip = setup.part_to_machine.transpose() * (seen.tip - setup.clamp),
+            .axis = setup.part_to_machine.transpose() * seen.axis};
+}
+
+Vec3 tip_over_bed(const PartOnMachine& setup, const AxisPositions& positions)
+{
+    return positions.xyz +
+           AxisChains{setup.machine, positions.rotary, setup.tool_length}.tip_shift();
+}
+
+std::vector<RotarySolution> rotary_solutions(const PartOnMachine& setup,
+                                             const Vec3& direction)
+{
+    return rotary_solutions(setup.machine, setup.part_to_machine * direction);
+}
+
+TipMotion tip_motion(const PartOnMachine& setup, const AxisPositions& at,
+                     const AxisPositions& rates)
+{
+    const AxisChains chains{setup.machine, at.rotary, setup.tool_length};
+    Jet bed = moved(chains.tip_shift(rates.rotary), at.xyz);
+    bed.first += rates.xyz;
+    const Jet tip = chains.in_part(bed, rates.rotary);
+    const Eigen::Matrix3d to_part = setup.part_to_machine.transpose();
+    return {.tip = to_part * (tip.value - setup.clamp),
+            .velocity = to_part * tip.first,
+            .acceleration = to_part * tip.second};
+}
+
+std::string_view interpolation_name(Interpolation interpolation)
+{
+    switch (interpolation) {
+        case Interpolation::Linear:
+            return "linear";
+        case Interpolation::Tcp:
+            return "tcp";
+        case Interpolation::Joint:
+            return "joint";
+    }
+    return {};
+}
+
+std::optional<Interpolation> interpolation_from_name(std::string_view name)
+{
+    for (const Interpolation interpolation :
+         {Interpolation::Linear, Interpolation::Tcp, Interpolation::Joint})
+        if (interpolation_name(interpolation) == name)
+            return interpolation;
+    return std::nullopt;
+}
+
+double angle_between(const Vec3& first, const Vec3& second)
+{
+    return 2 * std::atan2((first - second).norm(), (first + second).norm());
+}
+
+Vec3 axis_on_arc(const Vec3& from, const Vec3& to, double u)
+{
+    const double angle = angle_between(from, to);
+    const double sine = std::sin(angle);
+    // Below this angle the chord and the arc differ by less than rounding.
+    constexpr double least_angle = 1e-8;
+    if (angle < least_angle)
+        return ((1 - u) * from + u * to).normalized();
+    return ((std::sin((1 - u) * angle) / sine) * from + (std::sin(u * angle) / sine) * to)
+        .normalized();
 }
 
 }  // namespace endmill

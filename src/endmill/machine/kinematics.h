@@ -2,8 +2,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "endmill/core/vec.h"
 #include "endmill/cutter/cutter.h"
@@ -13,10 +17,12 @@
 /// \file
 /// Forward and inverse kinematics of machines with three to five axes.
 ///
-/// Two layers: `RotaryFrame` and `RotaryAngles` relate tool directions to the two turns
+/// Three layers: `RotaryFrame` and `RotaryAngles` relate tool directions to the two turns
 /// phi and theta, in any coordinate frame. `Machine` and `AxisPositions` add offsets,
-/// sides and travel, and give the positions of all axes.
-/// Source: docs/methods/five-axis-setup.md, section 2.
+/// sides and travel, and give the positions of all axes. `PartOnMachine` adds the tool and
+/// the part, and relates poses of the tool in the part to positions.
+/// Source: docs/methods/five-axis-setup.md, section 2; docs/methods/five-axis-paths.md,
+/// section 1.
 
 namespace endmill {
 
@@ -66,6 +72,21 @@ RotaryAngles other_rotary_angles(RotaryFamily family, const RotaryAngles& angles
 /// \param direction unit.
 double distance_from_singular(const RotaryFrame& frame, const Vec3& direction);
 
+/// Positions of the rotary axes, from the part to the tool, in rad. A position is the
+/// right-hand rotation of the body that the axis carries. It is 0 for an axis that the
+/// machine lacks.
+using RotaryPositions = std::array<double, 2>;
+
+/// Largest speeds of the axes. A missing speed is not limited.
+struct AxisRates {
+    std::array<std::optional<double>, 3> linear_mm_per_min = {};   ///< of X, Y, Z alone
+    std::array<std::optional<double>, 2> rotary_rad_per_min = {};  ///< of R1 and R2
+    std::optional<double> feed_mm_per_min = {};  ///< of X, Y and Z together
+
+    /// Compares all speeds exactly.
+    friend bool operator==(const AxisRates&, const AxisRates&) = default;
+};
+
 /// The geometry and travel of a machine.
 struct Machine {
     MachineConfiguration configuration = {};  ///< axes, and the side of each
@@ -75,22 +96,33 @@ struct Machine {
     RotaryLimits rotary = {};    ///< limits as turns of the tool against the part
     LinearLimits linear = {};    ///< travel of X, Y, Z
     /// mm, with all axes at zero: from the line of R1 to that of R2, which are on one side
-    /// of the bed. No function uses it yet: positions hold for lines that meet.
+    /// of the bed; else zero. On the part's side `table_offset` is on the line of R1, on
+    /// the tool's side `pivot` counts from the line of R2.
     Vec3 axis_offset{0, 0, 0};
-    /// rad, limits of the positions of an axis that turns by more than `rotary` states,
-    /// from the part to the tool. Nothing: the limits in `rotary` hold.
+    /// rad, limits of the positions of an axis of at least one full rotation, from the part
+    /// to the tool. Nothing: the limits in `rotary` hold, and a range of a full rotation
+    /// there does not limit the axis.
     std::array<std::optional<RotaryRange>, 2> wide_positions = {};
+    /// The word of a rotary axis in a program is its position times this sign: 1 or -1.
+    RotaryPositions word_signs{1, 1};
+    AxisRates rates = {};  ///< largest speeds
 };
 
-/// Positions of the rotary axes, from the part to the tool, in rad. A position is the
-/// right-hand rotation of the body that the axis carries. It is 0 for an axis that the
-/// machine lacks.
-using RotaryPositions = std::array<double, 2>;
+/// The positions that a rotary axis can take.
+/// \param machine valid. \param axis index from the part to the tool. \pre the machine has
+///        this axis.
+/// \return rad; both ends are infinite for an axis that is not limited.
+RotaryRange position_range(const Machine& machine, std::size_t axis);
 
 /// Positions of all axes of a machine.
 struct AxisPositions {
     RotaryPositions rotary{0, 0};  ///< rad
-    Vec3 xyz{0, 0, 0};             ///< mm, position of the tip against the bed
+    /// mm, position of the tool against the bed: that of the tip if all rotary axes of the
+    /// tool's side are at zero.
+    Vec3 xyz{0, 0, 0};
+
+    /// Compares all positions exactly.
+    friend bool operator==(const AxisPositions&, const AxisPositions&) = default;
 };
 
 /// Inverse kinematics: the positions of all axes when the tip is at a point of the part.
@@ -132,5 +164,79 @@ struct RotarySolution {
 ///         finite.
 std::vector<RotarySolution> rotary_solutions(const Machine& machine,
                                              const Vec3& direction);
+
+/// A machine with a tool and a clamped part.
+///
+/// A point p of the part is at p' = M p + s in the directions of the machine, with all
+/// rotary axes at zero.
+struct PartOnMachine {
+    Machine machine = {};    ///< kinematics and travel
+    double tool_length = 0;  ///< mm, from the spindle nose to the tip
+    /// M, the rotation of the part. Its rows are X, Y and Z of the machine in the part.
+    Eigen::Matrix3d part_to_machine = Eigen::Matrix3d::Identity();
+    Vec3 clamp{0, 0, 0};  ///< s, mm: where the origin of the part is clamped
+};
+
+/// p' = M p + s, and for directions M v.
+Vec3 clamped_point(const PartOnMachine& setup, const Vec3& point);
+
+/// The positions of all axes when the tip is at a point of the part.
+/// \param rotary positions of the rotary axes, rad.
+/// \param tip mm, in the frame of the part.
+/// Error below 1e-14 times the largest length involved.
+AxisPositions axis_positions(const PartOnMachine& setup, const RotaryPositions& rotary,
+                             const Vec3& tip);
+
+/// The pose of the tool in the frame of the part.
+/// Error of the tip below 1e-14 times the largest length involved, of the axis below 1e-14.
+CutterLocation tool_location(const PartOnMachine& setup, const AxisPositions& positions);
+
+/// The tip against the bed, in the directions of the machine: `positions.xyz`, moved by the
+/// turns of the tool.
+Vec3 tip_over_bed(const PartOnMachine& setup, const AxisPositions& positions);
+
+/// All ways to turn the tool into a direction of the part, as `rotary_solutions` of a
+/// machine. \param direction in the frame of the part.
+std::vector<RotarySolution> rotary_solutions(const PartOnMachine& setup,
+                                             const Vec3& direction);
+
+/// The tip in the part while all axes move, and its derivatives with respect to the
+/// parameter of the motion.
+struct TipMotion {
+    Vec3 tip;           ///< mm
+    Vec3 velocity;      ///< mm
+    Vec3 acceleration;  ///< mm
+};
+
+/// The motion of the tip at one position of axes that move evenly.
+/// \param at the positions. \param rates their derivatives, rad and mm; the second
+///        derivatives are zero.
+/// Source: docs/methods/five-axis-paths.md, section 3.
+TipMotion tip_motion(const PartOnMachine& setup, const AxisPositions& at,
+                     const AxisPositions& rates);
+
+/// How the tool moves from one pose to the next.
+/// Source: docs/methods/five-axis-paths.md, section 2.
+enum class Interpolation {
+    Linear,  ///< in the part: the tip on a straight line, the axis on a great arc, evenly
+    Tcp,     ///< the tip on a straight line in the part, rotary positions evenly
+    Joint,   ///< X, Y, Z and rotary positions of the machine evenly
+};
+
+/// The name of an interpolation in files: "linear", "tcp" or "joint".
+std::string_view interpolation_name(Interpolation interpolation);
+
+/// The interpolation with this name.
+/// \return nothing if there is none.
+std::optional<Interpolation> interpolation_from_name(std::string_view name);
+
+/// The axis at parameter u, from 0 to 1, of the great arc between two unit vectors, evenly:
+/// [sin((1 - u) a) from + sin(u a) to] / sin a with the angle a between them.
+/// Error below 1e-14 / sin a.
+/// \pre the vectors are not opposite.
+Vec3 axis_on_arc(const Vec3& from, const Vec3& to, double u);
+
+/// The angle between two unit vectors in rad, accurate at all angles.
+double angle_between(const Vec3& first, const Vec3& second);
 
 }  // namespace endmill

@@ -8,6 +8,7 @@
 
 #include "endmill/core/vec.h"
 #include "endmill/cutter/cutter.h"
+#include "endmill/machine/kinematics.h"
 
 namespace endmill {
 
@@ -76,10 +77,26 @@ struct PathPoint {
     }
 };
 
-/// A tool path: points in the order in which the cutter reaches them. Between points the
-/// tip moves on a straight line.
+/// The machine that moves along a path, and its positions.
+struct MachineMotion {
+    Interpolation interpolation = Interpolation::Joint;  ///< Tcp or Joint
+    PartOnMachine setup = {};                            ///< with the tool of the path
+    /// One for each point of the path, unwrapped: the rotary axes turn from one position to
+    /// the next without adding or leaving out full rotations.
+    std::vector<AxisPositions> positions = {};
+};
+
+/// A tool path: points in the order in which the cutter reaches them. Without a machine
+/// the tool moves by Interpolation::Linear, which with a constant axis is a straight line.
 struct ToolPath {
-    std::vector<PathPoint> points;  ///< in order
+    std::vector<PathPoint> points;              ///< in order
+    std::optional<MachineMotion> machine = {};  ///< the machine that interpolates
+
+    /// How the tool moves from point to point.
+    Interpolation interpolation() const
+    {
+        return machine ? machine->interpolation : Interpolation::Linear;
+    }
 };
 
 /// A box along the coordinate axes that holds all tips of a path.

@@ -231,8 +231,6 @@ private:
             location.tip[c] = coordinate(parts[static_cast<std::size_t>(c)]);
         if (parts.size() == 6)
             location.axis = axis(parts.subspan(3));
-        if (has_multax_ && location.axis != Vec3::UnitZ())
-            refuse("the axis 0,0,1 after MULTAX: tilted axes are not read yet");
         add_point(location);
     }
 
@@ -389,7 +387,7 @@ private:
         has_units_ = true;
     }
 
-    // MULTAX announces axes in GOTO. OFF ends it.
+    // MULTAX announces axes in GOTO, OFF ends that; a GOTO shows by itself whether it has one.
     void read_multax(const Statement& statement)
     {
         const auto parts = arguments(statement);
@@ -399,7 +397,6 @@ private:
                                : statement.rest.empty();
         if (!is_on && !is_off)
             refuse("MULTAX, MULTAX/ON or MULTAX/OFF");
-        has_multax_ = is_on;
     }
 
     // Completes the program at the end of the file.
@@ -437,7 +434,6 @@ private:
     bool is_rapid_ = false;
     bool is_finished_ = false;
     bool has_units_ = false;
-    bool has_multax_ = false;
 };
 
 }  // namespace

@@ -20,6 +20,7 @@
 #include "endmill/post/detail/program_builder.h"
 #include "endmill/post/detail/program_frame.h"
 #include "endmill/post/detail/reference_moves.h"
+#include "endmill/post/detail/rotary_words.h"
 #include "endmill/post/detail/text_lines.h"
 
 // Every line of canonical output is one command with arguments, already resolved by the
@@ -146,12 +147,41 @@ private:
         return argument ? *argument : std::string_view{};
     }
 
-    // The remaining arguments of a move are the rotary axes, which must be 0.
+    // The remaining arguments of an offset are those of rotary axes, which must be 0.
     void expect_no_rotation()
     {
         while (!without_indent(arguments_).empty())
             if (number() != 0)
-                throw lines_.complaint("a turned rotary axis", "a three-axis program");
+                throw lines_.complaint("an offset of a rotary axis",
+                                       "rotary words without offsets");
+    }
+
+    // The remaining arguments of a move are A, B and C in degrees, then U, V and W, which
+    // must be 0.
+    void take_rotation()
+    {
+        for (const char letter : std::string_view{"ABCUVW"}) {
+            if (without_indent(arguments_).empty())
+                break;
+            const double degrees = number();
+            if (rotary_.has_axis(letter))
+                rotary_.set(letter, degrees);
+            else if (degrees != 0)
+                refuse_rotation(letter);
+        }
+        if (rotary_.is_read())
+            builder_.turn_to(rotary_.positions());
+    }
+
+    [[noreturn]] void refuse_rotation(char letter) const
+    {
+        if (!rotary_.is_read())
+            throw lines_.complaint(
+                "a turned rotary axis",
+                "the machine of the program (--machine and --frame), or "
+                "no turns");
+        throw lines_.complaint(std::string{"a turned axis "} + letter,
+                               "turns of " + rotary_.letters());
     }
 
     void straight_traverse() { go_straight(std::nullopt); }
@@ -163,7 +193,7 @@ private:
         const double x = length();
         const double y = length();
         const double z = length();
-        expect_no_rotation();
+        take_rotation();
         const FarAxes far = far_axes({x, y, z});
         if (feed) {
             check_cut(far);
@@ -264,7 +294,7 @@ private:
         const double rotation = number();
         arc.end[axes.normal] = length();
         arc.centre[axes.normal] = arc.end[axes.normal];
-        expect_no_rotation();
+        take_rotation();
         arc.end = in_path(arc.end);
         arc.centre = in_path(arc.centre);
         if (plane_ != ArcPlane::Xy && frame_.rotation_degrees != first_.rotation_degrees)
@@ -304,7 +334,7 @@ private:
         if (!(feed_mm_per_min_ > 0))
             throw lines_.complaint("a move at feed before any feed rate",
                                    "SET_FEED_RATE above 0");
-        return {feed_mm_per_min_, FeedRateMode::PerMinute};
+        return {feed_mm_per_min_, FeedRateMode::PerMinute, mm_per_unit_};
     }
 
     void note_precision()
@@ -466,6 +496,7 @@ private:
     GcodeReadOptions options_;
     ProgramBuilder builder_;
     ReferenceMoves references_{builder_, lines_};
+    RotaryWords rotary_{options_.rotary};
     TappedHole hole_;
     std::string_view name_;         // of the command in the current line
     std::string_view arguments_;    // of the current line, not yet read

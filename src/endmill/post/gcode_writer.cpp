@@ -9,9 +9,9 @@
 #include "endmill/core/text.h"
 #include "endmill/post/detail/arc_fitting.h"
 #include "endmill/post/detail/block_writer.h"
-#include "endmill/post/detail/comment_text.h"
 #include "endmill/post/detail/move_conditions.h"
 #include "endmill/post/detail/plain_number.h"
+#include "endmill/post/detail/program_heading.h"
 #include "endmill/post/detail/ramp_entry.h"
 #include "endmill/post/detail/rapid_approach.h"
 
@@ -26,26 +26,6 @@ namespace {
 
 // Memory reserved per point. A block that moves all three axes has about this length.
 constexpr std::size_t likely_bytes_per_point = 34;
-// Largest relative change of half the tolerance by rounding it for P.
-constexpr double negligible_share = 0.01;
-constexpr int dwell_decimals = 3;  // of seconds
-constexpr double milliseconds_per_s = 1000;
-
-int decimals_of(const GcodeOptions& options)
-{
-    const Control& control = options.control;
-    return options.decimals.value_or(
-        options.unit == ProgramUnit::Inch ? control.decimals_inch : control.decimals_mm);
-}
-
-BlockFormat block_format(const GcodeOptions& options)
-{
-    const Control& control = options.control;
-    return {decimals_of(options),          options.line_numbers,
-            millimetres_per(options.unit), control.speed_decimals,
-            control.always_point,          control.crlf ? "\r\n" : "\n",
-            control.largest_line_number,   control.longest_line};
-}
 
 // The lowest height with the default clearance above all moves at feed and not below a
 // rapid of the path. Rapids need no clearance, because the path already uses their
@@ -87,19 +67,8 @@ std::string path_control_of_tolerance(const GcodeOptions& options)
 {
     if (!options.tolerance)
         return "G64";
-    const double half = *options.tolerance / 2 / millimetres_per(options.unit);
-    require(half >= 0, "gcode: need a tolerance from 0");
-    if (half == 0)
-        return "G61";  // a rounded corner would leave the path to the forbidden side
-    std::string text;
-    // A small tolerance needs more decimals than coordinates.
-    for (int decimals = decimals_of(options); decimals <= most_decimals; ++decimals) {
-        text = "G64 P";
-        const double rounded = append_trimmed(text, half, decimals);
-        if (std::abs(rounded - half) <= negligible_share * half)
-            return text;
-    }
-    return "G61";  // too small for nine decimals: the control must not round corners
+    require(*options.tolerance >= 0, "gcode: need a tolerance from 0");
+    return blending_block(options, *options.tolerance / 2);
 }
 
 // The block of the path control; empty if the control has none.
@@ -114,62 +83,6 @@ std::string path_control(const GcodeOptions& options)
             break;
     }
     return path_control_of_tolerance(options);
-}
-
-// The comment at the start, in the form of the control and cut to the line that begins
-// with `heading`; empty if the control has none.
-std::string comment(const GcodeOptions& options, const std::string& heading)
-{
-    const Control& control = options.control;
-    if (!options.comments || control.comments == CommentStyle::None)
-        return "";
-    std::string text = opening_comment(options.name, options.cutter);
-    if (control.capital_comments)
-        std::ranges::transform(text, text.begin(), [](char letter) {
-            return 'a' <= letter && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A')
-                                                  : letter;
-        });
-    const bool in_parentheses = control.comments == CommentStyle::Parentheses;
-    constexpr std::size_t frame = 3;  // a blank and ( )
-    if (control.longest_line)
-        text.resize(
-            std::min(text.size(), *control.longest_line - heading.size() - frame));
-    return in_parentheses ? '(' + text + ')' : ';' + text;
-}
-
-// "O0001", or empty.
-std::string program_number(const Control& control)
-{
-    constexpr std::size_t digits = 4;
-    if (!control.program_number)
-        return "";
-    const std::string number = std::to_string(*control.program_number);
-    return 'O' + std::string(digits - std::min(digits, number.size()), '0') + number;
-}
-
-// The block that waits, G4 P.
-std::string dwell(const GcodeOptions& options)
-{
-    std::string text = "G4 P";
-    if (options.control.dwell == DwellUnit::Milliseconds)
-        append_trimmed(text, options.dwell_s * milliseconds_per_s, 0);
-    else
-        append_trimmed(text, options.dwell_s, dwell_decimals);
-    return text;
-}
-
-// The word that turns the coolant on; nothing for no coolant.
-std::optional<std::string> coolant_word(const GcodeOptions& options)
-{
-    if (options.coolant == Coolant::Off)
-        return std::nullopt;
-    const bool is_flood = options.coolant == Coolant::Flood;
-    const auto& word = is_flood ? options.control.flood : options.control.mist;
-    if (!word)
-        throw DomainError{"gcode: the control " + options.control.name + " has no " +
-                          (is_flood ? "flood" : "mist") +
-                          " coolant; expected another coolant, or a control with it"};
-    return word;
 }
 
 std::string shown(const Vec3& vector)
@@ -263,9 +176,10 @@ public:
     // \param first the place over which the tool starts.
     WrittenProgram write(const Vec3& first)
     {
-        start();
+        write_start(blocks_, options_, path_control(options_));
         add_moves(first);
-        finish();
+        retract();
+        write_end(blocks_, options_);
         program_.decimals = decimals_of(options_);
         program_.lines = blocks_.lines();
         program_.max_rounding_error_mm = blocks_.max_rounding_error_mm();
@@ -280,38 +194,6 @@ public:
     }
 
 private:
-    void start()
-    {
-        const Control& control = options_.control;
-        if (control.percent)
-            blocks_.add_line("%");
-        std::string heading = program_number(control);
-        const std::string text = comment(options_, heading);
-        if (!heading.empty() && !text.empty())
-            heading += ' ';
-        if (heading += text; !heading.empty())
-            blocks_.add_line(heading);
-        std::string first = options_.unit == ProgramUnit::Inch ? "G20" : "G21";
-        if (!control.start.empty())
-            first += ' ' + control.start.front();
-        blocks_.add_block(first);
-        for (std::size_t k = 1; k < control.start.size(); ++k)
-            blocks_.add_block(control.start[k]);
-        if (const std::string block = path_control(options_); !block.empty())
-            blocks_.add_block(block);
-    }
-
-    void finish()
-    {
-        retract();
-        if (coolant_)
-            blocks_.add_block(options_.control.coolant_off);
-        for (const std::string& block : options_.control.end)
-            blocks_.add_block(block);
-        if (options_.control.percent)
-            blocks_.add_line("%");
-    }
-
     void add_moves(const Vec3& first)
     {
         for (std::size_t i = 0; i < path_.points.size(); ++i) {

@@ -33,6 +33,8 @@ void require_sound(const GcodeReadOptions& options)
     require(std::isfinite(options.programmed_point_height_mm) &&
                 options.programmed_point_height_mm >= 0,
             "GcodeReadOptions: need 0 <= height of the programmed point");
+    require(!options.rotary || options.rotary->frame != Interpolation::Linear,
+            "GcodeReadOptions: need the frame Joint or Tcp");
     require(options.most_points <= std::numeric_limits<int>::max(),
             "GcodeReadOptions: need at most 2^31 - 1 points");
 }

@@ -6,6 +6,7 @@
 /// options for reading, and a program that was written.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -31,6 +32,23 @@ struct Program {
     std::optional<std::size_t> tapping_from = {};
 };
 
+/// How the number of a rotary word leads to a position.
+enum class RotaryWrap {
+    Unwrapped,  ///< the number is the position: -700 differs from 20
+    Shortest,   ///< the position nearest to the one before; half a rotation is positive
+    /// The sign is the sense of the turn, and the number without it the position within a
+    /// rotation, below 360: LinuxCNC's wrapped rotary axes.
+    Signed,
+};
+
+/// The machine whose program is read, for its rotary words.
+struct RotaryReading {
+    PartOnMachine setup = {};                    ///< machine, tool and clamped part
+    Interpolation frame = Interpolation::Joint;  ///< of X, Y and Z: Joint or Tcp
+    std::array<RotaryWrap, 2> wraps = {};        ///< of R1 and R2
+    double cutter_radius = 0;  ///< mm, for the feed of moves that turn the tool
+};
+
 /// Options for reading a G-code program or canonical output, and limits of what is
 /// accepted.
 struct GcodeReadOptions {
@@ -45,6 +63,8 @@ struct GcodeReadOptions {
     /// mm, canonical output: a coordinate of larger magnitude stands for a position that
     /// only the machine knows (`interpreter_parameters`).
     double machine_position_mm = std::numeric_limits<double>::infinity();
+    /// The machine of a program with rotary words; without it they must be 0.
+    std::optional<RotaryReading> rotary = {};
 };
 
 /// Number of path points that fit into `memory_gib` GiB while a program is read.
@@ -54,7 +74,7 @@ std::size_t points_within(double memory_gib);
 /// Checks reading options.
 /// \throws DomainError unless the arc tolerance and the extent are positive, the height
 ///         of the programmed point is at least 0, all are finite, and the number of
-///         points fits an int.
+///         points fits an int; for a frame other than Joint or Tcp.
 void require_sound(const GcodeReadOptions& options);
 
 /// Length of punched tape for one character, in m: tape has ten characters per inch.

@@ -4,14 +4,17 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/mesh/mesh_checks.h"
 
 // The gaps between neighbouring planes are filled independently of each other. A gap is
 // divided where the scallop height does not hold, and its parts are examined at those samples
@@ -82,12 +85,56 @@ struct ContactJump {
     DropContact high;
 };
 
+// The border of a mesh.
+class MeshBorder {
+public:
+    MeshBorder() = default;  // none
+
+    explicit MeshBorder(const TriangleMesh& mesh)
+    {
+        for (const BoundaryLoop& loop : boundary_loops(mesh)) {
+            const std::vector<std::int32_t>& points = loop.points;
+            points_.insert(points_.end(), points.begin(), points.end());
+            for (std::size_t k = 0; k < points.size(); ++k)
+                edges_.push_back(std::minmax(points[k], points[(k + 1) % points.size()]));
+        }
+        std::ranges::sort(points_);
+        std::ranges::sort(edges_);
+    }
+
+    // Whether a contact lies on an edge or at a corner of its triangle that belong to the
+    // border.
+    bool contains(const TriangleMesh& mesh, const DropContact& contact) const
+    {
+        const auto& triangle = mesh.triangles()[contact.triangle];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int32_t one = triangle[k];
+            const std::int32_t other = triangle[(k + 1) % 3];
+            const Vec3& from = mesh.points()[one];
+            const Vec3 along = mesh.points()[other] - from;
+            const Vec3 way = contact.point - from;
+            if (way.norm() <= border_rounding && std::ranges::binary_search(points_, one))
+                return true;
+            if (way.cross(along).norm() <= border_rounding * along.norm() &&
+                std::ranges::binary_search(edges_, std::pair<std::int32_t, std::int32_t>{
+                                                       std::minmax(one, other)}))
+                return true;
+        }
+        return false;
+    }
+
+private:
+    std::vector<std::int32_t> points_;                          // ascending
+    std::vector<std::pair<std::int32_t, std::int32_t>> edges_;  // ascending
+};
+
 class GapFilling {
 public:
-    GapFilling(const DropCutter& drop_cutter, const DriveFrame& frame,
-               const Interval& along, const PassLimit& limit,
+    GapFilling(const DropCutter& drop_cutter, const MeshBorder& border,
+               const DriveFrame& frame, const Interval& along, const PassLimit& limit,
                std::atomic<std::size_t>& count)
         : drop_cutter_{drop_cutter},
+          border_{border},
           frame_{frame},
           limit_{limit},
           cutter_{drop_cutter.cutter().radius() - limit.allowance,
@@ -220,11 +267,14 @@ private:
         Samples open;
         std::vector<double> corners;
         for (const std::size_t k : samples)
-            if (examined.contacts[k] ? (is_wide && is_beside_wall(examined, k)) ||
-                                           are_apart(before, behind, k) ||
-                                           !is_covered(before, behind, examined, k)
-                                     : (before && leaves_wall(*before, k)) ||
-                                           (behind && leaves_wall(*behind, k)))
+            if (rolls_off(examined, k)) {
+                if (!is_border_covered(before, behind, *examined.contacts[k], k))
+                    open.push_back(k);
+            } else if (examined.contacts[k] ? (is_wide && is_beside_wall(examined, k)) ||
+                                                  are_apart(before, behind, k) ||
+                                                  !is_covered(before, behind, examined, k)
+                                            : (before && leaves_wall(*before, k)) ||
+                                                  (behind && leaves_wall(*behind, k)))
                 open.push_back(k);
             else if (const auto corner = open_corner(before, behind, examined, k)) {
                 open.push_back(k);
@@ -395,13 +445,61 @@ private:
         return (k > 0 && is_wall(k - 1, k)) || (k + 1 < samples_ && is_wall(k, k + 1));
     }
 
+    // Whether the cutter touches the border of level ground, around which it rolls off the
+    // mesh.
+    bool rolls_off(const SampledPass& pass, std::size_t k) const
+    {
+        const auto& contact = pass.contacts[k];
+        return contact && border_.contains(drop_cutter_.mesh(), *contact) &&
+               upper_normal(*contact).z() >= same_normal &&
+               contact_normal(frame_.point(s_of(k), pass.position, contact->tip_z),
+                              contact->point)
+                       .z() < same_normal;
+    }
+
+    // The unit normal of the touched triangle, upwards.
+    Vec3 upper_normal(const DropContact& contact) const
+    {
+        const auto [a, b, c] = drop_cutter_.mesh().corners(contact.triangle);
+        const Vec3 normal = (b - a).cross(c - a).normalized();
+        return normal.z() < 0 ? Vec3{-normal} : normal;
+    }
+
+    // Whether the point at the scallop height above a contact on the border, along the normal
+    // of the mesh, is cut by a pass beside it. The cutter may do so between two samples.
+    bool is_border_covered(const SampledPass* before, const SampledPass* behind,
+                           const DropContact& contact, std::size_t k) const
+    {
+        const Vec3 above = above_part({contact.point, upper_normal(contact)});
+        const auto is_cut_by = [&](const SampledPass* pass) {
+            return pass && (is_cut(above, *pass, k) || is_cut_between(above, *pass));
+        };
+        return is_cut_by(before) || is_cut_by(behind);
+    }
+
+    // Whether the cutter contains `point` where it passes beside it, between two samples.
+    bool is_cut_between(const Vec3& point, const SampledPass& pass) const
+    {
+        const double place = (frame_.along(point) - along_.low) / step_;
+        if (!(place >= 0 && place < static_cast<double>(samples_ - 1)))
+            return false;
+        const auto k = static_cast<std::size_t>(place);
+        if (!pass.contacts[k] || !pass.contacts[k + 1])
+            return false;
+        const double share = place - static_cast<double>(k);
+        const double tip_z =
+            std::lerp(pass.contacts[k]->tip_z, pass.contacts[k + 1]->tip_z, share);
+        return contains(frame_.point(frame_.along(point), pass.position, tip_z), point);
+    }
+
     // Whether the cutter's places on both sides are farther apart than on level ground, or on
     // a slope, where a flat bottom does not touch: a wall or a steep slope may lie between
     // them.
     bool are_apart(const SampledPass* before, const SampledPass* behind,
                    std::size_t k) const
     {
-        if (!before || !behind || !before->contacts[k] || !behind->contacts[k])
+        if (!before || !behind || !before->contacts[k] || !behind->contacts[k] ||
+            rolls_off(*before, k) || rolls_off(*behind, k))
             return false;
         const double rise =
             std::abs(behind->contacts[k]->tip_z - before->contacts[k]->tip_z);
@@ -459,11 +557,16 @@ private:
         const auto& contact = pass.contacts[k];
         if (!contact)
             return false;
-        const Vec2 axis = frame_.point(s_of(k), pass.position, 0).head<2>();
-        const double distance = (point.head<2>() - axis).norm();
+        return contains(frame_.point(s_of(k), pass.position, contact->tip_z), point);
+    }
+
+    // Whether the cutter without the allowance contains a point, with its tip dropped to `tip`.
+    bool contains(const Vec3& tip, const Vec3& point) const
+    {
+        const double distance = (point - tip).head<2>().norm();
         // the reference point of both cutters is the same
-        const double tip_z = contact->tip_z + drop_cutter_.cutter().corner_radius() -
-                             cutter_.corner_radius();
+        const double tip_z =
+            tip.z() + drop_cutter_.cutter().corner_radius() - cutter_.corner_radius();
         return distance <= cutter_.radius() &&
                point.z() >= tip_z + cutter_.profile(distance);
     }
@@ -485,6 +588,7 @@ private:
     }
 
     const DropCutter& drop_cutter_;
+    const MeshBorder& border_;
     const DriveFrame& frame_;
     PassLimit limit_;
     Cutter cutter_;  // without the allowance
@@ -527,11 +631,13 @@ std::vector<AddedPass> added_passes(const DropCutter& drop_cutter,
     const Interval across = extent_across(drop_cutter.mesh(), planes.frame);
     const double beyond = limit.beyond_borders ? drop_cutter.cutter().radius() : 0;
     const Interval examined{along.low - beyond, along.high + beyond};
+    const MeshBorder border =
+        limit.beyond_borders ? MeshBorder{drop_cutter.mesh()} : MeshBorder{};
     std::atomic<std::size_t> count = 0;
     std::vector<std::vector<AddedPass>> added(positions.size() + 1);
     parallel_for(added.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            GapFilling gap{drop_cutter, planes.frame, examined, limit, count};
+            GapFilling gap{drop_cutter, border, planes.frame, examined, limit, count};
             const bool is_first = k == 0;
             const bool is_last = k == positions.size();
             const SampledPass one = gap.whole(positions[is_first ? 0 : k - 1]);

@@ -7,6 +7,7 @@
 
 #include "endmill/core/detail/large_pages.h"
 #include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/detail/round_ticks.h"
 
@@ -71,13 +72,16 @@ using Values = std::vector<double>;
 // the other.
 void evaluate(const ChartLine& line, Values& values)
 {
-    values.clear();
     reserve_in_large_pages(values, line.values.size());
-    for (std::size_t i = 0; i < line.values.size(); ++i) {
-        const std::optional<double> value = line.values[i];
-        require(!value || std::isfinite(*value), "stacked_chart: a number is not finite");
-        values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
-    }
+    values.resize(line.values.size());
+    parallel_for(values.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::optional<double> value = line.values[i];
+            require(!value || std::isfinite(*value),
+                    "stacked_chart: a number is not finite");
+            values[i] = value.value_or(std::numeric_limits<double>::quiet_NaN());
+        }
+    });
 }
 
 // The ticks of a panel: they cover all its values, or 0 to 1 if it has none.
@@ -292,9 +296,11 @@ void check(std::span<const double> places, std::span<const ChartPanel> panels,
     for (const ChartStrip& strip : strips) {
         require(strip.cause.size() == places.size(),
                 "stacked_chart: need one cause for each place");
-        for (std::size_t i = 0; i < places.size(); ++i)
-            require(strip.cause[i] < strip.causes.size(),
-                    "stacked_chart: need a known cause");
+        parallel_for(places.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                require(strip.cause[i] < strip.causes.size(),
+                        "stacked_chart: need a known cause");
+        });
     }
     require(!panels.empty(), "stacked_chart: need a panel");
     for (std::size_t i = 0; i < places.size(); ++i)

@@ -15,10 +15,11 @@ constexpr std::array<std::string_view, path_column_count> names{
     "pass",     "point",           "move",         "tip_x_mm",     "tip_y_mm", "tip_z_mm",
     "axis_x",   "axis_y",          "axis_z",       "tool",         "patch",    "u",
     "v",        "contact_x_mm",    "contact_y_mm", "contact_z_mm", "normal_x", "normal_y",
-    "normal_z", "feed_mm_per_min", "spindle_rpm",  "limit"};
+    "normal_z", "feed_mm_per_min", "spindle_rpm",  "limit",        "x_mm",     "y_mm",
+    "z_mm",     "r1_deg",          "r2_deg"};
 
-// Units at the end of the names of lengths, feeds and speeds.
-constexpr std::array<std::string_view, 3> units{"_mm", "_mm_per_min", "_rpm"};
+// Units at the end of the names of lengths, feeds, speeds and angles.
+constexpr std::array<std::string_view, 4> units{"_mm", "_mm_per_min", "_rpm", "_deg"};
 
 // Neighbouring columns that form a vector or a pair.
 struct Vector {
@@ -29,8 +30,10 @@ struct Vector {
 using enum PathColumn;
 
 // Columns that a file has all or none of.
-constexpr std::array vectors{Vector{TipX, 3}, Vector{AxisX, 3}, Vector{U, 2},
-                             Vector{ContactX, 3}, Vector{NormalX, 3}};
+constexpr std::array vectors{Vector{TipX, 3},       Vector{AxisX, 3},
+                             Vector{U, 2},          Vector{ContactX, 3},
+                             Vector{NormalX, 3},    Vector{AxisPositionX, 3},
+                             Vector{FirstRotary, 2}};
 
 // A name in quotes, for messages.
 std::string quoted(std::string_view name)
@@ -80,7 +83,7 @@ bool is_coordinate(std::string_view name)
     if (name.empty())
         throw lines.complaint("E_CSV", "a column without a name", "a name for each");
     for (const std::string_view known : names)
-        if (is_without_unit(name, known))
+        if (is_without_unit(name, known) && !is_coordinate(name))
             throw lines.complaint("E_CSV", "column " + quoted(name) + " without its unit",
                                   quoted(known));
     if (is_coordinate(name))
@@ -125,6 +128,11 @@ std::string_view column_name(PathColumn column)
 bool PathColumns::has_contacts() const
 {
     return has(U) && has(ContactX) && has(NormalX);
+}
+
+bool PathColumns::has_positions() const
+{
+    return has(AxisPositionX) && has(FirstRotary);
 }
 
 bool PathColumns::add(PathColumn column)

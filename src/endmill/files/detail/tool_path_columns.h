@@ -34,9 +34,14 @@ enum class PathColumn : std::size_t {
     Feed,
     Speed,
     Limit,
+    AxisPositionX,
+    AxisPositionY,
+    AxisPositionZ,
+    FirstRotary,
+    SecondRotary,
 };
 
-inline constexpr std::size_t path_column_count = 22;  ///< number of PathColumn values
+inline constexpr std::size_t path_column_count = 27;  ///< number of PathColumn values
 
 /// The name of a column in a file.
 std::string_view column_name(PathColumn column);
@@ -55,7 +60,8 @@ public:
 
     /// Whether the file has the column.
     bool has(PathColumn column) const { return place(column) != missing; }
-    bool has_contacts() const;  ///< whether it has u, v, contact and normal
+    bool has_contacts() const;   ///< whether it has u, v, contact and normal
+    bool has_positions() const;  ///< whether it has all positions of a machine
 
     /// Position of the column in the file, from 0. \pre has(column)
     std::size_t place(PathColumn column) const

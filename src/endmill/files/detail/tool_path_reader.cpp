@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "endmill/core/angle.h"
 #include "endmill/core/detail/large_pages.h"
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
@@ -32,6 +33,8 @@ namespace {
 using enum PathColumn;
 
 constexpr std::size_t longest_echo = 40;
+// mm and rad, largest difference of a pose and that of the positions beside it.
+constexpr double largest_pose_error = 1e-6;
 
 // Reads the rows of one run of lines, without copying cells.
 class PathRowReader {
@@ -67,6 +70,39 @@ public:
                 point.known_contact = *normal;
         point.conditions = {positive(Feed), positive(Speed), whole_number(Tool)};
         return point;
+    }
+
+    // The positions of the machine in the current row, which must be those of `location`.
+    AxisPositions positions(const CutterLocation& location,
+                            const MachineMotion& machine) const
+    {
+        const std::optional<Vec3> xyz = place(AxisPositionX);
+        if (!xyz)
+            refuse(AxisPositionX, "a number: " + interpolated(machine));
+        AxisPositions at{.xyz = *xyz};
+        for (int k = 0; k < 2; ++k) {
+            const PathColumn column = following(FirstRotary, k);
+            const std::optional<double> degrees = number(column);
+            if (!degrees)
+                refuse(column, "a number: " + interpolated(machine));
+            at.rotary[static_cast<std::size_t>(k)] = Angle::degrees(*degrees).radians();
+        }
+        const CutterLocation pose = tool_location(machine.setup, at);
+        const double off = std::max((pose.tip - location.tip).norm(),
+                                    angle_between(pose.axis, location.axis));
+        if (!(off <= largest_pose_error))
+            throw lines_.complaint("E_CSV",
+                                   "the positions of the machine are " + to_text(off) +
+                                       " mm or rad off the tip and the axis",
+                                   "at most " + to_text(largest_pose_error));
+        return at;
+    }
+
+    // For messages: why positions are needed.
+    static std::string interpolated(const MachineMotion& machine)
+    {
+        return "the interpolation of the path is " +
+               std::string{interpolation_name(machine.interpolation)};
     }
 
 private:
@@ -235,13 +271,18 @@ private:
 class PathCsvReader {
 public:
     PathCsvReader(std::string_view text, const std::string& file,
-                  const ReadLimits& limits)
+                  const ReadLimits& limits, const std::optional<MachineMotion>& machine)
         : file_{file},
           limits_{limits},
           header_{text, file}
     {
         header_.next();  // an empty text has no columns
         columns_ = path_columns(header_);
+        program_.path.machine = machine;
+        if (machine && !columns_.has_positions())
+            throw header_.complaint(
+                "E_CSV", "no columns x_mm, y_mm, z_mm, r1_deg and r2_deg",
+                "positions of the machine: " + PathRowReader::interpolated(*machine));
     }
 
     // Reads the whole file.
@@ -269,14 +310,21 @@ private:
             throw LimitError{file_ + ": more than 2147483647 points"};
         reserve_in_large_pages(program_.path.points, rows);
         program_.path.points.resize(rows);
+        if (program_.path.machine)
+            program_.path.machine->positions.resize(rows);
     }
 
     // Reads a run.
     void read(const CsvRun& run)
     {
         PathRowReader reader{run, columns_, file_, limits_, header_.line()};
-        for (std::size_t i = run.first_line; reader.next(); ++i)
+        std::optional<MachineMotion>& machine = program_.path.machine;
+        for (std::size_t i = run.first_line; reader.next(); ++i) {
             program_.path.points[i] = reader.point(i);
+            if (machine)
+                machine->positions[i] =
+                    reader.positions(program_.path.points[i].location, *machine);
+        }
     }
 
     // States what was assumed and what was ignored.
@@ -287,6 +335,10 @@ private:
             remarks.emplace_back("no column move: every move is assumed to be a cut");
         if (!columns_.has(AxisX))
             remarks.emplace_back("no column axis: it is assumed to be +z");
+        if (!program_.path.machine && columns_.has(FirstRotary))
+            remarks.emplace_back(
+                "positions of a machine are ignored: the summary names no machine that "
+                "interpolates the path");
         if (!columns_.has_contacts() && (columns_.has(U) || columns_.has(ContactX)))
             remarks.emplace_back(
                 columns_.has(NormalX)
@@ -317,9 +369,10 @@ bool is_tool_path_csv(std::string_view text)
 }
 
 Program parse_tool_path(std::string_view text, const std::string& file,
-                        const ReadLimits& limits)
+                        const ReadLimits& limits,
+                        const std::optional<MachineMotion>& machine)
 {
-    return PathCsvReader{text, file, limits}.read_all();
+    return PathCsvReader{text, file, limits, machine}.read_all();
 }
 
 Program read_tool_path(const std::filesystem::path& path, const ReadLimits& limits)

@@ -63,6 +63,54 @@ bool BlockWriter::add_move(Motion motion, const Vec3& tip, std::optional<double>
     return true;
 }
 
+bool BlockWriter::add_machine_move(Motion motion, const Vec3& xyz,
+                                   std::span<const RotaryWord> rotary,
+                                   std::optional<double> feed)
+{
+    begin_block();
+    add_motion(motion);
+    const std::size_t axes_begin = text_.size();
+    Vec3 rounded;
+    for (int c = 0; c < 3; ++c)
+        rounded[c] = add_axis("XYZ"[c], xyz[c], tip_[c]);
+    for (const RotaryWord& word : rotary)
+        add_angle(word, false);
+    if (text_.size() == axes_begin) {
+        text_.resize(line_begin_);
+        return false;
+    }
+    motion_ = motion;
+    tip_ = rounded;
+    if (feed && feed_meaning_ == BlockFeed::InverseTime)
+        add_inverse_time(*feed);
+    else
+        add_feed(feed);
+    add_speed();
+    end_block();
+    return true;
+}
+
+void BlockWriter::add_rotary_rapid(std::span<const RotaryWord> rotary)
+{
+    if (rotary.empty())
+        return;
+    begin_block();
+    add_motion(Motion::Rapid);
+    motion_ = Motion::Rapid;
+    for (const RotaryWord& word : rotary)
+        add_angle(word, true);
+    end_block();
+}
+
+void BlockWriter::set_feed_meaning(BlockFeed meaning)
+{
+    if (meaning == feed_meaning_)
+        return;
+    feed_meaning_ = meaning;
+    feed_ = unknown;
+    add_block(meaning == BlockFeed::InverseTime ? "G93" : "G94");
+}
+
 void BlockWriter::add_arc(const Arc& arc, std::optional<double> radius,
                           std::optional<double> feed)
 {
@@ -188,6 +236,31 @@ double BlockWriter::add_axis(char letter, double mm, double in_force)
     if (rounded == in_force)
         text_.resize(begin);
     return rounded;
+}
+
+// Appends the word of a rotary axis, unless its rounded number is in force.
+void BlockWriter::add_angle(const RotaryWord& word, bool is_needed)
+{
+    double& in_force = angles_[static_cast<std::size_t>(word.letter - 'A')];
+    const std::size_t begin = text_.size();
+    add_word({&word.letter, 1});
+    const double rounded = append_fixed(text_, word.degrees, format_.angle_decimals);
+    if (format_.angle_decimals == 0)
+        add_point_sign();
+    if (!is_needed && rounded == in_force)
+        text_.resize(begin);
+    in_force = rounded;
+}
+
+void BlockWriter::add_inverse_time(double per_min)
+{
+    constexpr int significant_digits = 6;
+    add_word("F");
+    const std::size_t begin = text_.size();
+    if (!(append_rounded_down(text_, per_min, significant_digits) > 0))
+        throw DomainError{"a move takes too long: its inverse time F rounds to 0"};
+    if (text_.find('.', begin) == std::string::npos)
+        add_point_sign();
 }
 
 // Appends F, unless its rounded number is in force.

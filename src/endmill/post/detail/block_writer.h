@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -32,6 +34,19 @@ struct BlockFormat {
     std::string_view line_end = "\n";              ///< LF or CR LF
     int largest_line_number = 99999;               ///< at least 1
     std::optional<std::size_t> longest_line = {};  ///< characters without the line end
+    int angle_decimals = 5;  ///< digits after the point of rotary words, 0 to 9
+};
+
+/// A word of a rotary axis.
+struct RotaryWord {
+    char letter;     ///< 'A', 'B' or 'C'
+    double degrees;  ///< its number
+};
+
+/// Meaning of the feed of a block.
+enum class BlockFeed {
+    PerMinute,   ///< G94: mm/min
+    InverseTime  ///< G93: 1/min, in every block
 };
 
 /// Writes the blocks of a program. G0 to G3, the plane, X, Y, Z, F and S are written only
@@ -55,6 +70,22 @@ public:
     /// \param feed mm/min.
     /// \return false if no rounded coordinate changes; then nothing is written.
     bool add_move(Motion motion, const Vec3& tip, std::optional<double> feed);
+
+    /// Adds a straight move of X, Y, Z and rotary axes.
+    /// \param xyz end of the move, mm.
+    /// \param rotary words of the rotary axes at the end.
+    /// \param feed mm/min, or 1/min in a block of inverse time, which is rounded down to
+    ///        six significant digits.
+    /// \return false if no rounded word changes; then nothing is written.
+    bool add_machine_move(Motion motion, const Vec3& xyz,
+                          std::span<const RotaryWord> rotary, std::optional<double> feed);
+
+    /// Adds a rapid of the rotary axes alone, which are written even if they are in force.
+    void add_rotary_rapid(std::span<const RotaryWord> rotary);
+
+    /// Sets the meaning of the next feeds, by a block of its own where it changes. The first
+    /// blocks of a program have feeds per minute.
+    void set_feed_meaning(BlockFeed meaning);
 
     /// Adds an arc from the tip in force.
     /// \param arc end, centre, plane and sense; its start is the tip in force.
@@ -97,7 +128,9 @@ private:
     void add_motion(Motion motion);
     double add_number(char letter, double mm);
     double add_axis(char letter, double mm, double in_force);
+    void add_angle(const RotaryWord& word, bool is_needed);
     void add_feed(std::optional<double> feed);
+    void add_inverse_time(double per_min);
     void add_speed();
     void add_point_sign();
 
@@ -108,7 +141,9 @@ private:
     std::size_t line_begin_ = 0;  // position in text_
     std::optional<Motion> motion_;
     std::optional<ArcPlane> plane_;
-    Vec3 tip_ = Vec3::Constant(unknown);  // in units of the program
+    Vec3 tip_ = Vec3::Constant(unknown);                       // in units of the program
+    std::array<double, 3> angles_{unknown, unknown, unknown};  // of A, B, C, degrees
+    BlockFeed feed_meaning_ = BlockFeed::PerMinute;
     double feed_ = unknown;
     double speed_ = unknown;
     double wanted_speed_ = unknown;

@@ -27,14 +27,15 @@ std::string comment_text(std::string_view text)
     return clean;
 }
 
-std::string opening_comment(std::string_view name, const std::optional<Cutter>& cutter)
+std::string opening_comment(std::string_view name, const std::optional<Cutter>& cutter,
+                            std::string_view coordinates)
 {
     std::string text = "endmill: ";
     if (const std::string clean = comment_text(name); !clean.empty())
         text += clean + ", ";
     if (cutter)
         text += "cutter " + cutter_word(*cutter) + ", ";
-    return text + "tips";
+    return text += coordinates;
 }
 
 }  // namespace endmill

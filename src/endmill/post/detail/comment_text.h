@@ -14,9 +14,10 @@ namespace endmill {
 /// statement or the tape), and control characters. A letter outside ASCII becomes `?`.
 std::string comment_text(std::string_view text);
 
-/// The comment at the start of a program: "endmill: NAME, cutter ball:15, tips". It
-/// begins with a fixed word, so that no name can turn it into a comment that a control
+/// The comment at the start of a program: "endmill: NAME, cutter ball:15, tips". The last
+/// part states what the coordinates are. It begins with a fixed word, so that no name can turn it into a comment that a control
 /// obeys, such as "MSG, ...".
-std::string opening_comment(std::string_view name, const std::optional<Cutter>& cutter);
+std::string opening_comment(std::string_view name, const std::optional<Cutter>& cutter,
+                            std::string_view coordinates = "tips");
 
 }  // namespace endmill

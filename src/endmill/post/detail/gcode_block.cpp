@@ -240,7 +240,8 @@ private:
         for (const std::string_view name : {"TRAORI", "TCPM"})
             if (letters.find(name) != std::string::npos)
                 throw lines_.complaint("tool-centre-point code " + quoted(name),
-                                       "a three-axis program");
+                                       "positions of the axes, or tips with rotary "
+                                       "words (--frame part)");
     }
 
     const TextLines& lines_;

@@ -18,6 +18,7 @@
 #include "endmill/post/detail/parsed_lines.h"
 #include "endmill/post/detail/program_builder.h"
 #include "endmill/post/detail/reference_moves.h"
+#include "endmill/post/detail/rotary_words.h"
 #include "endmill/post/detail/text_lines.h"
 
 // Interpreter of a subset of RS-274. Several threads parse the lines ahead (ParsedLines), and
@@ -213,6 +214,7 @@ private:
             remarks_.note_m_codes(block, lines_);
         }
         check_words(block, modes_, lines_);
+        rotary_.check(block, lines_);
         if (!modes_.unit)
             remarks_.note_unstated_lengths(block);
         set_feed(block);
@@ -248,7 +250,7 @@ private:
 
     bool is_motion(const GcodeBlock& block) const
     {
-        if (!block.has_any("XYZ"))
+        if (!block.has_any("XYZ") && !rotary_.moves(block))
             return is_arc(block, modes_);
         if (modes_.motion == GcodeMotion::None)
             throw lines_.complaint("axis word without a motion mode",
@@ -268,7 +270,8 @@ private:
         if (value < 0)
             throw lines_.complaint("a feed F" + brief(value), "F > 0");
         const bool is_rate = modes_.feed == FeedRateMode::PerMinute;
-        feed_ = MoveFeed{is_rate ? value * modes_.mm_per_unit() : value, modes_.feed};
+        feed_ = MoveFeed{is_rate ? value * modes_.mm_per_unit() : value, modes_.feed,
+                         modes_.mm_per_unit()};
     }
 
     void set_spindle_and_tool(const GcodeBlock& block)
@@ -330,6 +333,9 @@ private:
         const Vec3 start = position_;
         for (int axis = 0; axis < 3; ++axis)
             move_axis(block, axis);
+        turn_axes(block);
+        if (is_known() && !builder_.has_position())
+            note_unstated_axes();
         const bool along_arc = is_arc(block, modes_);
         const ArcReader arcs{block, modes_, lines_, options_.max_extent_mm};
         if (along_arc)
@@ -344,6 +350,35 @@ private:
             builder_.go_along(arc_.emplace(arcs.arc(start, position_)), *feed_);
         else
             builder_.go_to(position_, is_rapid ? std::nullopt : feed_);
+    }
+
+    void turn_axes(const GcodeBlock& block)
+    {
+        if (!rotary_.moves(block))
+            return;
+        if (references_.is_away())
+            throw lines_.complaint(
+                "a turn of a rotary axis after the reference move of line " +
+                    std::to_string(references_.line()),
+                "a rapid to X, Y and Z before it");
+        rotary_.apply(block, modes_.distance);
+        builder_.turn_to(rotary_.positions());
+    }
+
+    // Rotary words have no use beside codes that do not turn the axes to them.
+    void refuse_turn(const GcodeBlock& block, const std::string& what) const
+    {
+        if (rotary_.moves(block))
+            throw lines_.complaint("a rotary word beside " + what,
+                                   "the word in a block with G0 to G3");
+    }
+
+    // The position of a rotary axis before its first word is a matter of the machine.
+    void note_unstated_axes()
+    {
+        if (const std::string letters = rotary_.unstated_letters(); !letters.empty())
+            builder_.remark("no position of " + letters +
+                            " before the path begins: it is taken as 0");
     }
 
     void require_feed() const
@@ -452,6 +487,7 @@ private:
     // words all axes move.
     void go_to_reference(const GcodeBlock& block, ReferenceMove reference)
     {
+        refuse_turn(block, "G28, G30 or G53");
         const bool has_axes = block.has_any("XYZABC");
         if (reference == ReferenceMove::MachineCoordinates)
             check_machine_coordinates(has_axes);
@@ -511,6 +547,7 @@ private:
 
     void run_cycle(const GcodeBlock& block)
     {
+        refuse_turn(block, "a canned cycle");
         require_feed();
         if (feed_->mode == FeedRateMode::InverseTime)
             throw lines_.complaint("a canned cycle under G93", "G94");
@@ -578,6 +615,7 @@ private:
     GcodeModes modes_;
     CannedCycles cycles_;
     ReferenceMoves references_{builder_, lines_};
+    RotaryWords rotary_{options_.rotary};
     GcodeRemarks remarks_;
     std::optional<MoveFeed> feed_;
     Vec3 position_ = Vec3::Zero();  // of the programmed point, mm

@@ -27,7 +27,8 @@ struct Refusal {
 
 constexpr std::string_view moves_written_out =
     "moves written out: --interpreter linuxcnc expands them";
-constexpr std::string_view only_three_axes = "a three-axis program";
+constexpr std::string_view only_axes =
+    "positions of the axes, or tips with rotary words (--frame part)";
 constexpr std::string_view one_frame = "coordinates in one coordinate system of the part";
 constexpr std::string_view offset_applied =
     "coordinates in one coordinate system of the part: --interpreter linuxcnc applies "
@@ -43,10 +44,11 @@ constexpr std::array refused_g_codes{
     Refusal{380, 385, "probing", "a program that cuts"},
     Refusal{410, 411, "cutter compensation", tip_path},
     Refusal{420, 421, "cutter compensation", tip_path},
-    Refusal{434, 435, "tool-centre-point code", only_three_axes},
+    Refusal{434, 435, "tool-centre-point code", only_axes},
     Refusal{510, 511, "scaling or mirroring", one_frame},
     Refusal{520, 523, "coordinate offset", offset_applied},
-    Refusal{680, 683, "rotation", one_frame},
+    Refusal{531, 531, "turn into a tilted plane", one_frame},
+    Refusal{680, 683, "rotation or tilted plane", one_frame},
     Refusal{760, 760, "canned cycle", "G73, G74, G81 to G86, G88 or G89"},
     Refusal{870, 870, "back boring, which cuts from below",
             "G73, G74, G81 to G86, G88 or G89"},
@@ -54,7 +56,7 @@ constexpr std::array refused_g_codes{
     Refusal{920, 920, "coordinate offset", offset_applied},
     Refusal{923, 923, "coordinate offset", offset_applied},
     Refusal{950, 950, "feed per revolution", "G93 or G94"},
-    Refusal{2340, 2340, "tool-centre-point code", only_three_axes},
+    Refusal{2340, 2340, "tool-centre-point code", only_axes},
 };
 
 // Accepted without effect, in order: the codes cancel polar coordinates, diameters of a
@@ -71,7 +73,7 @@ constexpr std::array refused_m_codes{
     Refusal{47, 47, "repetition of the program", moves_written_out},
     Refusal{70, 73, "saved modal state", moves_written_out},
     Refusal{96, 99, "branch or subprogram", moves_written_out},
-    Refusal{128, 128, "tool-centre-point code", only_three_axes},
+    Refusal{128, 128, "tool-centre-point code", only_axes},
     Refusal{198, 199, "subprogram", moves_written_out},
     Refusal{200, 999, "unknown code", "M0 to M199"},
 };
@@ -282,11 +284,6 @@ unsigned m_group(int code)
 
 void check_axis_words(const GcodeBlock& block, const TextLines& lines)
 {
-    for (const char letter : {'A', 'B', 'C'})
-        if (block.has(letter) && block.value(letter) != 0)
-            throw lines.complaint(
-                letter + brief(block.value(letter)),
-                letter + std::string{"0: turning axes are not read yet"});
     for (const int code : block.g.all())
         if (is_idle_g_code(code) && std::ranges::binary_search(lonely_g_codes, code) &&
             block.has_any("XYZ"))

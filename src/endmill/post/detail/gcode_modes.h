@@ -114,7 +114,7 @@ bool is_arc(const GcodeBlock& block, const GcodeModes& modes);
 bool is_cycle(const GcodeBlock& block, const GcodeModes& modes);
 
 /// Checks that every word of `block` has a use in it. A word without a use is refused,
-/// because another control may give it one. Rotary axis words must be 0.
+/// because another control may give it one. RotaryWords checks the words A, B and C.
 /// \param block the block.
 /// \param modes with the codes of the block in force.
 /// \param lines for error messages.

@@ -130,6 +130,20 @@ double append_trimmed(std::string& text, double value, int decimals)
     return written.value;
 }
 
+double append_rounded_down(std::string& text, double value, int significant_digits)
+{
+    require(std::isfinite(value) && value >= 0,
+            "append_rounded_down: need a number from 0");
+    if (value == 0)
+        return append_trimmed(text, 0, 0);
+    const int exponent = static_cast<int>(std::floor(std::log10(value)));
+    const int decimals = std::min(significant_digits - 1 - exponent, most_decimals);
+    const double scale = std::pow(10.0, std::abs(decimals));
+    if (decimals >= 0)
+        return append_trimmed(text, std::floor(value * scale) / scale, decimals);
+    return append_trimmed(text, std::floor(value / scale) * scale, 0);
+}
+
 void append_exact(std::string& text, double value)
 {
     require(std::isfinite(value), "plain number: a number must be finite");

@@ -20,6 +20,12 @@ double append_fixed(std::string& text, double value, int decimals);
 /// "0.25".
 double append_trimmed(std::string& text, double value, int decimals);
 
+/// Appends `value` rounded towards zero to so many significant digits, without zeros at the
+/// end of the fraction and with at most `most_decimals` decimals.
+/// \return the number as written: at most `value`, except for the last bit of a double.
+/// \throws DomainError unless `value` is finite and at least 0.
+double append_rounded_down(std::string& text, double value, int significant_digits);
+
 /// Appends the shortest plain decimal that reads back to the same double.
 /// \throws DomainError unless `value` is finite.
 void append_exact(std::string& text, double value);

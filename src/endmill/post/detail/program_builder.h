@@ -18,6 +18,9 @@ namespace endmill {
 struct MoveFeed {
     double value = 0;  ///< above 0; mm/min, or 1/min for inverse time
     FeedRateMode mode = FeedRateMode::PerMinute;  ///< meaning of the value
+    /// mm per unit of length: a move of rotary axes alone has degrees per minute instead of
+    /// units per minute.
+    double mm_per_unit = 1;
 };
 
 /// How the spindle turns, seen along the tool from the spindle.
@@ -43,6 +46,9 @@ enum class KeptPoints {
 ///   cut belong to the pass of that cut.
 /// - *Tools*: the tool of a move is the one changed to last. In a program without tool
 ///   changes it is the one selected last.
+/// - *Rotary axes*: with `GcodeReadOptions::rotary` a point has the pose of the tool, and
+///   the path the positions of the machine. A move at feed along a resting axis is a Plunge
+///   or a Retract. Its feed is that of the tip in the part.
 /// - *Spindle*: the speed of a move is the one set last, whether or not the program has a
 ///   start command. After a stop there is none until the next start.
 class ProgramBuilder {
@@ -89,6 +95,9 @@ public:
     /// Releases all points but the last one; they still count. \pre KeptPoints::Last
     void forget_points();
 
+    /// Sets the positions of the rotary axes (rad) at the end of the next move.
+    void turn_to(const RotaryPositions& rotary) { rotary_target_ = rotary; }
+
     /// Adds a straight move to `target` (mm). A move without a feed is a rapid.
     /// \throws FormatError E_RANGE if a coordinate or the feed is out of range.
     /// \throws LimitError if the path has too many points.
@@ -123,6 +132,11 @@ private:
     };
 
     void append(Move move, const Vec3& point);
+    void append(Move move, const Vec3& point, const RotaryPositions& rotary);
+    CutterLocation location_of(const Vec3& point, const RotaryPositions& rotary) const;
+    Move kind_of_feed(const Vec3& target) const;
+    double way_of_feed(std::size_t point) const;
+    double minutes_of(const MoveFeed& feed, std::size_t first_point) const;
     void set_feed(const MoveFeed& feed, std::size_t first_point);
     void fill_selected_tools();
     void close_last_pass();
@@ -133,7 +147,11 @@ private:
     std::size_t forgotten_ = 0;
     std::vector<std::string> remarks_;
     std::vector<ToolChoice> selections_;
-    Vec3 position_ = Vec3::Zero();  // of the programmed point, mm
+    Vec3 position_ = Vec3::Zero();                   // of the programmed point, mm
+    RotaryPositions rotary_{0, 0};                   // rad, at the last point
+    RotaryPositions rotary_target_{0, 0};            // rad, at the end of the next move
+    std::optional<PartOnMachine> programmed_setup_;  // with the programmed point as tip
+    std::vector<Vec3> programmed_;  // mm, of all points, if rotary axes are read
     double highest_mm_ = -std::numeric_limits<double>::infinity();
     double highest_cut_mm_ = -std::numeric_limits<double>::infinity();
     std::optional<double> speed_rpm_;

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "endmill/core/angle.h"
+#include "endmill/cutter/cutter.h"
+#include "endmill/machine/kinematics.h"
+#include "endmill/path/tool_path.h"
+
+/// \file
+/// A tool path as motions of a machine with rotary axes: which of the two solutions and how
+/// many full rotations the axes take, and the pieces into which moves are divided so that
+/// the machine stays within the tolerance.
+
+namespace endmill {
+
+/// What happens close to a singular direction, where the first rotary axis has no effect.
+enum class SingularRule {
+    Exact,    ///< nothing changes; the axis may turn far on a short way
+    Turn,     ///< axes within the singular cone become the singular direction
+    Retract,  ///< the same, and the first axis turns there with the tool off the part
+};
+
+/// How a path is moved onto a machine.
+struct MachinePathOptions {
+    /// Joint: the control moves X, Y, Z and the rotary axes evenly. Tcp: it keeps the tip on
+    /// a straight line.
+    Interpolation frame = Interpolation::Joint;
+    /// mm, above 0: largest deviation of tip and reference point from the path, and of the
+    /// axis at a distance of the cutter's radius.
+    double tolerance = 0.005;
+    Cutter cutter = Cutter::ball(5);              ///< for the tolerance of the axis
+    SingularRule singular = SingularRule::Exact;  ///< near singular directions
+    Angle singular_cone =
+        Angle::degrees(0.1);  ///< half angle, at least 0, below 10 degrees
+    /// mm, above 0: distance beyond the sphere around the path to which the tool retracts
+    /// where no other motion of the rotary axes leads on. None: it never does.
+    std::optional<double> retract = {};
+    /// mm, heights in the part from which the rotary axes may turn between two rapids with
+    /// the tip at rest; none: nowhere.
+    std::optional<double> free_height = {};
+    /// mm/min, feed of rapids that turn an axis. None: they stay rapids.
+    std::optional<double> rapid_feed = {};
+};
+
+/// What moving a path onto a machine did, and what follows.
+struct MachinePathReport {
+    std::size_t pieces = 0;           ///< moves of the machine
+    std::size_t retracts = 0;         ///< retracts to reorient the tool
+    std::size_t branch_changes = 0;   ///< changes between the two solutions
+    std::size_t singular_points = 0;  ///< points whose axis became a singular direction
+    double rotary_travel = 0;         ///< rad, all turns of both axes
+    double max_tip_error_mm = 0;      ///< bound, from the path to tip and reference point
+    double max_axis_error = 0;        ///< rad, bound
+    double max_tip_feed_mm_per_min = 0;  ///< bound of the speed of the tip in the part
+    double rate_limited_min = 0;  ///< min, of pieces that take longer because of a rate
+    double time_min = 0;          ///< min, of all moves at feed
+};
+
+/// A tool path as the motions of a machine.
+struct MachinePath {
+    /// Ends of the motions, with the machine and its positions. A feed is that of the tip
+    /// in the part, as the machine moves.
+    ToolPath path;
+    /// min, time of the motion to each point; infinite for a rapid and for a move without a
+    /// feed.
+    std::vector<double> minutes;
+    std::vector<std::size_t>
+        rows;                  ///< for each point, the index in the path that was given
+    MachinePathReport report;  ///< of all motions
+};
+
+/// The poses of a path with linear motion between them: the path itself, or for a path that
+/// a machine interpolates, poses so close that linear motion deviates from the machine's by
+/// at most `tolerance` at the tip and at the rim of the cutter.
+/// \param tolerance mm, above 0.
+/// \throws DomainError for a tolerance that is not above 0.
+ToolPath linear_path(const ToolPath& path, const Cutter& cutter, double tolerance);
+
+/// Moves a path onto a machine.
+///
+/// The tool moves along `path` by its own interpolation (linear between poses). The
+/// solution and the full rotations of the rotary axes are those of `search_branches`: the
+/// fewest retracts, then the least travel. Each move is halved until the machine's motion
+/// stays within the tolerance by proved bounds. New points are exactly on the path.
+///
+/// At a singular direction the first axis turns to where the path goes on, with tip and
+/// axis at rest in the part. With a retract height it may also turn after the tool has
+/// left the part along its axis to a sphere around the path, on which it goes round.
+///
+/// A move takes max(way of the tip, radius times turn of the axis) / feed, and longer where
+/// an axis would exceed its rate.
+///
+/// \param path unit axes; neighbours less than 179.9 degrees apart. At least one point.
+/// \param setup machine with two rotary axes that tilt the tool, or fewer.
+/// \throws DomainError for a path without points, an axis that is not a unit vector, a
+///         number that is not finite, or options out of their domain.
+/// \throws GeometryError with the point: for a machine whose axes do not tilt the tool, for
+///         opposite axes of neighbours, an axis out of reach, no way without a retract, and
+///         positions beyond the travel of X, Y or Z.
+/// Source: docs/methods/five-axis-paths.md, sections 3 to 5.
+MachinePath machine_path(const ToolPath& path, const PartOnMachine& setup,
+                         const MachinePathOptions& options = {});
+
+}  // namespace endmill
