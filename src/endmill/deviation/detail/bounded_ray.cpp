@@ -176,11 +176,13 @@ HalfSpace half_space_of(const ToolPiece& piece, const Vec3& normal)
     const CuttingBody& body = piece.body;
     const double R = body.cutter().radius();
     const bool is_endless = std::isinf(body.length());
+    const double sag = 2 * motion.axis_sag();
     Vec3 w = normal;
     const auto projected = [&] {
         bool is_done = true;
         for (const ToolFrame* frame : {&motion.from(), &motion.to()})
-            if (const double along = w.dot(frame->axes.col(2)); along < -level_sine) {
+            if (const double along = w.dot(frame->axes.col(2)) - sag;
+                along < -level_sine) {
                 w -= along * frame->axes.col(2);
                 is_done = false;
             }
@@ -200,7 +202,7 @@ HalfSpace half_space_of(const ToolPiece& piece, const Vec3& normal)
     // The lowest place of the cutter lies at most this far from the tip.
     const double far =
         std::hypot(R, is_endless ? body.cutter().corner_radius() : body.length());
-    half.least = least - motion.largest_axis_bend(far) / 8 - rounding;
+    half.least = least - motion.largest_tool_bend(far) / 8 - rounding;
     return half;
 }
 
