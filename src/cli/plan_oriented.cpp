@@ -56,8 +56,9 @@ DirectedPath chosen_path(const PlanTask& task, ProgressLine& progress)
         parameters = {direction == PlanDirection::U ? Parameter::U : Parameter::V};
     std::optional<DirectedPath> best;
     for (const Parameter along : parameters) {
-        progress.begin(fmt::format("planning and judging along {}",
-                                   along == Parameter::U ? "u" : "v"));
+        progress.begin(
+            fmt::format("planning along {}", along == Parameter::U ? "u" : "v"),
+            along == parameters.back() ? 0 : 1);
         OrientedOptions options = oriented_options(task.options, along);
         options.progress = progress.shower();
         DirectedPath path{

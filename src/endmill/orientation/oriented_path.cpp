@@ -55,6 +55,8 @@ constexpr double lower_height = 0.8;
 constexpr double closer_rows = 0.5;
 // Distance of the first rays of a judgement, as a share of the cutter's radius.
 constexpr double ray_share = 0.2;
+// Share of planning in the work of a trial.
+constexpr double planning_share = 0.3;
 
 void require_sound(std::span<const Surface> surfaces, const Cutter& cutter,
                    const OrientedOptions& options)
@@ -438,6 +440,8 @@ JudgedOrientedPath plan_judged_oriented(std::span<const Surface> surfaces,
 {
     const Part part{std::vector<Surface>(surfaces.begin(), surfaces.end())};
     OrientedOptions aimed = options;
+    if (options.progress)
+        aimed.progress = [&](double share) { options.progress(planning_share * share); };
     for (int trial = 1;; ++trial) {
         OrientedPath plan = plan_oriented(surfaces, cutter, aimed);
         VerificationTask task{.path = &plan.path,
@@ -445,6 +449,10 @@ JudgedOrientedPath plan_judged_oriented(std::span<const Surface> surfaces,
                               .stock = default_block(&part, plan.path, cutter)};
         task.judged = JudgedPart{
             .part = &part, .limits = {options.inner_tolerance, options.scallop_height}};
+        if (options.progress)
+            task.judged->progress = [&](double share) {
+                options.progress(std::lerp(planning_share, 1.0, share));
+            };
         task.resolution = ray_share * cutter.radius();
         task.engine = RemovalEngine::FiveAxis;
         Verification verification = verify_path(task);

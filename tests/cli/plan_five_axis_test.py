@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""endmill plan --axis-mode: paths with a leaning tool, the chain to verify and post, and refused options."""
+import csv
+import math
+import unittest
+
+from program import ROOT, ProgramTest, endmill, plane
+
+MACHINES = ROOT / "datasets/machines"
+TOOL = ROOT / "datasets/tools/ball-10-shrink-fit.json"
+LIMITS = ["--scallop", "0.1", "--inner-tolerance", "0.02"]
+
+
+def cap(radius=40, half_width=12, steps=9):
+    """A height grid over a spherical cap, convex."""
+    at = [half_width * (2 * k / (steps - 1) - 1) for k in range(steps)]
+    z = [[math.sqrt(radius ** 2 - x * x - y * y) - radius for x in at] for y in at]
+    return {"format": "endmill-surface/1", "name": "cap", "source": "a test", "type": "height-grid", "x": at, "y": at,
+            "z": z}
+
+
+class PlanFiveAxis(ProgramTest):
+    def plan(self, part, cutter, *options):
+        return self.summary("plan", part, "--cutter", cutter, *LIMITS, *options, "-o", "out", "--force")
+
+    def test_lead_on_a_plane_is_that_of_every_row(self):
+        facts = self.plan(self.file(plane(size=(30, 20))), "flat:10", "--axis-mode", "fixed", "--lead-deg", "10")
+        self.assertEqual((facts["verdict"], facts["lead_range_deg"]), ("clean", [10, 10]))
+        # the closed form of the strip of an inclined circle
+        strip = 2 * math.sqrt(2 * 0.1 * 5 / math.sin(math.radians(10)))
+        self.assertAlmostEqual(facts["narrowest_strip_mm"], strip, places=9)
+        with (self.folder / "out/toolpath.csv").open() as file:
+            for row in csv.DictReader(file):
+                self.assertAlmostEqual(float(row["axis_z"]), math.cos(math.radians(10)), places=12)
+
+    def test_wider_strips_make_a_shorter_path_than_a_ball(self):
+        part = self.file(cap())
+        ball = self.plan(part, "ball:10", "--axis-mode", "lead")
+        bull = self.plan(part, "bull:10:1", "--axis-mode", "lead", "--lead-deg", "3")
+        self.assertEqual((ball["verdict"], bull["verdict"]), ("clean", "clean"))
+        self.assertLess(bull["cut_contact_mm"], 0.8 * ball["cut_contact_mm"])
+
+    def test_chain_ends_clean_and_as_code_for_two_kinds_of_machines(self):
+        self.plan(self.file(cap()), "ball:10", "--axis-mode", "lead", "--lead-deg", "10")
+        path = self.folder / "out/toolpath.csv"
+        seen = self.summary("verify", path, "--resolution", "0.5", "-o", "seen")
+        self.assertEqual((seen["verdict"], seen["engine"]), ("clean", "five-axis"))
+        for machine in ("ca-table-table", "cb-head-head"):
+            facts = self.summary("post", path, "--machine", MACHINES / f"{machine}.json", "--tool", TOOL, "--feed", "600",
+                                 "-o", machine)
+            self.assertLessEqual(facts["max_tip_error_mm"], 0.01)
+            self.assertTrue(any((self.folder / machine).glob("*.ngc")))
+
+    def test_cutter_that_does_not_fit_is_refused_with_the_place(self):
+        bowl = cap(radius=20, half_width=10)
+        bowl["z"] = [[-z for z in row] for row in bowl["z"]]
+        done = endmill("plan", self.file(bowl), "--cutter", "flat:10", "--axis-mode", "fixed", "--lead-deg", "1", "-o",
+                       "no", cwd=self.folder)
+        self.assert_refused(done, 4, "does not fit at u = ", "the least lead there is")
+        self.assertFalse((self.folder / "no").exists())
+
+    def test_options_of_three_axes_are_refused_by_name(self):
+        part = self.file(plane())
+        for options, word in ((["--strategy", "best"], "--strategy"), (["--bound", "none"], "--bound"),
+                              (["--mode", "paper"], "--mode"), (["--axis", "0,0,1"], "--axis"),
+                              (["--direction", "best"], "--direction"), (["--inner-tolerance", "0"], "--inner-tolerance"),
+                              (["--lead-deg", "90"], "--lead-deg")):
+            with self.subTest(word=word):
+                done = endmill("plan", part, "--cutter", "ball:10", "--axis-mode", "lead", *options, "-o", "no",
+                               cwd=self.folder)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(word, done.stderr)
+        done = endmill("plan", part, "--lead-deg", "10", "-o", "no", cwd=self.folder)
+        self.assert_refused(done, 2, "--lead-deg", "--axis-mode")
+        done = endmill("plan", part, "--axis-mode", "lead", "-o", "no", cwd=self.folder)
+        self.assert_refused(done, 2, "--cutter")
+
+    def test_mesh_is_refused(self):
+        done = endmill("plan", self.file("OFF\n3 1 0\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2\n", "m.off"), "--cutter", "ball:4",
+                       "--axis-mode", "lead", "-o", "no", cwd=self.folder)
+        self.assert_refused(done, 2, "found a mesh", "--axis-mode")
+
+
+if __name__ == "__main__":
+    unittest.main()
