@@ -15,6 +15,7 @@
 #include "cli/console.h"
 #include "cli/mesh_remarks.h"
 #include "cli/plan_files.h"
+#include "cli/plan_oriented.h"
 #include "cli/plan_strategy.h"
 #include "cli/plan_text.h"
 #include "cli/shown_numbers.h"
@@ -179,6 +180,21 @@ PlanContext surface_context(const PartFile& file, PlanOptions& options,
             is_several};
 }
 
+// The context of surfaces for a tool whose axis turns.
+PlanContext oriented_context(const PartFile& file, PlanOptions& options,
+                             const SurfaceContinuity& continuity)
+{
+    const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
+    if (!surfaces)
+        throw DomainError{options.part.path +
+                          ": found a mesh; --axis-mode expects a surface file "
+                          "(endmill-surface/1)"};
+    complete(options, 2 * options.cutter->radius(),
+             clear_height(file.part, Vec3::UnitZ()));
+    return {file.name, file.source,     continuity,
+            {},        *options.cutter, surfaces->size() > 1};
+}
+
 ExitCode run_plan(PlanOptions options)
 {
     complete_strategy(options);
@@ -206,7 +222,8 @@ ExitCode run_plan(PlanOptions options)
             return refuse_break(options.part.path, found, options.common);
         warn(options.common, options.part.path + ": " + break_text(found));
     }
-    const PlanContext context = surfaces
+    const PlanContext context = options.axis_mode ? oriented_context(file, options, found)
+                                : surfaces
                                     ? surface_context(file, options, found, least_clear)
                                     : mesh_context(file, options, least_clear);
 
@@ -222,7 +239,8 @@ ExitCode run_plan(PlanOptions options)
         guard ? std::make_shared<const ProtectedPart>(*guard, context.ball(),
                                                       options.motion.inner)
               : nullptr};
-    const PlanResult result = options.strategy == StrategyChoice::Iso
+    const PlanResult result = options.axis_mode ? write_oriented_plan(task, folder)
+                              : options.strategy == StrategyChoice::Iso
                                   ? write_plan(task, folder)
                                   : write_strategy_plan(task, folder);
     folder.publish();

@@ -55,6 +55,9 @@ constexpr std::array strategies{
     Choice<StrategyChoice>{"iso-scallop", StrategyChoice::IsoScallop},
     Choice<StrategyChoice>{"field", StrategyChoice::Field}};
 
+constexpr std::array axis_modes{Choice<AxisMode>{"fixed", AxisMode::Fixed},
+                                Choice<AxisMode>{"lead", AxisMode::Lead}};
+
 constexpr std::array bounds{Choice<PlanBound>{"estimated", PlanBound::Estimated},
                             Choice<PlanBound>{"certified", PlanBound::Certified},
                             Choice<PlanBound>{"none", PlanBound::None}};
@@ -167,6 +170,39 @@ void add_tolerances(CLI::App& command, PlanOptions& options)
 
 namespace {
 
+// Adds an angle of the tool, which is used with --axis-mode only.
+void add_lean(CLI::App& command, const char* name, const char* help, Angle& target)
+{
+    command
+        .add_option_function<std::string>(
+            name,
+            [name, &target](const std::string& word) {
+                target = Angle::degrees(
+                    number_argument(name, word, NumberDomain::from_to(-89, 89)));
+            },
+            help)
+        ->type_name("DEG")
+        ->group("Options of five axes");
+}
+
+void add_axis_mode(CLI::App& command, PlanOptions& options)
+{
+    add_choice<AxisMode>(
+        command, "--axis-mode", options.axis_mode, axis_modes,
+        "plan passes along parameter lines for five axes, with any cutter. The axis "
+        "leans against the normal of the part. fixed: by --lead-deg and --tilt-deg; "
+        "lead: by the least lead at which the cutter does not gouge, plus one degree, "
+        "and at least --lead-deg")
+        ->group("Options of five axes");
+    add_lean(command, "--lead-deg",
+             "lead of the axis: how far it leans forward, in the direction of the feed "
+             "(default 0)",
+             options.inclination.lead);
+    add_lean(command, "--tilt-deg",
+             "tilt of the axis: how far it leans to the left of the feed (default 0)",
+             options.inclination.tilt);
+}
+
 void add_direction_angle(CLI::App& command, PlanOptions& options)
 {
     command
@@ -215,6 +251,7 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
                               "With --strategy planar: best (default), the one with the "
                               "shortest passes");
     add_direction_angle(command, options);
+    add_axis_mode(command, options);
     add_choice<StrategyChoice>(
         command, "--strategy", options.strategy, strategies,
         "how passes are laid. best (default): the shortest of iso-u, iso-v, planar, "
@@ -297,6 +334,25 @@ void refuse_for_strategy(const PlanOptions& options)
                           ": expected a tolerance above 0, or --strategy iso"};
 }
 
+// What a plan for five axes cannot do.
+void refuse_for_five_axes(const PlanOptions& options)
+{
+    constexpr std::array three_axes{
+        "--strategy",    "--mode",          "--bound",           "--protect",
+        "--axis",        "--direction-deg", "--outer-tolerance", "--stop-at-borders",
+        "--count-links", "--distance"};
+    refuse_idle_options(options.common, three_axes, "--axis-mode", "a fixed axis");
+    refuse_idle_options(options.common, paper_options, "--axis-mode", "--mode paper");
+    if (options.direction == PlanDirection::Best)
+        refuse_idle_options(options.common, std::array{"--direction"}, "--axis-mode",
+                            "--direction both, u or v");
+    if (options.requested.inner == 0.0)
+        throw DomainError{
+            "--inner-tolerance 0 with --axis-mode: expected a tolerance above 0"};
+    if (!options.cutter)
+        throw DomainError{"--axis-mode: expected --cutter too"};
+}
+
 bool is_no_ball(const PlanOptions& options)
 {
     return options.cutter && !options.cutter->is_ball();
@@ -352,6 +408,10 @@ bool has_iso_option(const PlanOptions& options)
 
 void complete_strategy(PlanOptions& options)
 {
+    if (options.axis_mode) {
+        options.strategy = StrategyChoice::Iso;
+        return;
+    }
     if (options.common.given.contains("--strategy"))
         return;
     if (has_planar_option(options))
@@ -365,6 +425,10 @@ void complete_strategy(PlanOptions& options)
 void refuse_idle_plan_options(const PlanOptions& options)
 {
     const CommonOptions& common = options.common;
+    if (options.axis_mode)
+        return refuse_for_five_axes(options);
+    refuse_idle_options(common, std::array{"--lead-deg", "--tilt-deg"}, "a fixed axis",
+                        "--axis-mode");
     refuse_zero_tolerances(options);
     refuse_cutter(options);
     if (!options.guard.path.empty() && options.planning.link.axis != Vec3::UnitZ())
@@ -392,6 +456,11 @@ void refuse_idle_plan_options(const PlanOptions& options)
 std::string strategy_word(StrategyChoice strategy)
 {
     return std::string{word_for<StrategyChoice>(strategy, strategies)};
+}
+
+std::string axis_mode_word(AxisMode mode)
+{
+    return std::string{word_for<AxisMode>(mode, axis_modes)};
 }
 
 std::string mode_word(Planner mode)

@@ -8,6 +8,7 @@
 #include "cli/surface_facts.h"
 #include "endmill/core/angle.h"
 #include "endmill/cutter/cutter.h"
+#include "endmill/orientation/oriented_path.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/planned_path.h"
 
@@ -49,6 +50,8 @@ struct PlanOptions {
     /// How passes are laid.
     StrategyChoice strategy = StrategyChoice::Best;
     std::optional<Angle> pass_direction;  ///< of StrategyChoice::Planar; best if empty
+    std::optional<AxisMode> axis_mode;    ///< how the axis turns; a fixed axis if empty
+    Inclination inclination;              ///< of an axis that turns
     PlanBound bound =
         PlanBound::Estimated;  ///< that a path by a strategy is compared with
     TravelKind distance = TravelKind::Contact;
@@ -72,6 +75,8 @@ void refuse_idle_plan_options(const PlanOptions& options);
 
 /// The word for `mode` in summaries.
 std::string mode_word(Planner mode);
+/// The word for `mode` in summaries.
+std::string axis_mode_word(AxisMode mode);
 /// The word for `strategy` in summaries.
 std::string strategy_word(StrategyChoice strategy);
 

@@ -141,15 +141,29 @@ void stand_upright(VerifyInput& input)
         " becomes +z");
 }
 
+// Whether the tool turns against the part. A machine may also turn it about its own axis,
+// which moves the tip on an arc.
+bool is_turning(const ToolPath& path)
+{
+    if (!fixed_axis(path))
+        return true;
+    if (!path.machine)
+        return false;
+    const std::vector<AxisPositions>& positions = path.machine->positions;
+    return std::ranges::any_of(positions, [&](const AxisPositions& at) {
+        return at.rotary != positions.front().rotary;
+    });
+}
+
 // The engine of --engine, or else the one that the path needs. Options that need heights are
 // refused with the other one.
 RemovalEngine engine_of(const VerifyInput& input, const VerifyOptions& options)
 {
-    const bool is_fixed = fixed_axis(input.program.path).has_value();
+    const bool is_fixed = !is_turning(input.program.path);
     const RemovalEngine engine = options.engine.value_or(
         is_fixed ? RemovalEngine::ThreeAxis : RemovalEngine::FiveAxis);
     const std::string why =
-        is_fixed ? "--engine five-axis" : "the tool axis turns along the path";
+        is_fixed ? "--engine five-axis" : "the tool turns along the path";
     if (engine == RemovalEngine::ThreeAxis && !is_fixed)
         throw DomainError{"--engine three-axis: " + why + "; expected five-axis"};
     if (engine == RemovalEngine::ThreeAxis)
@@ -311,7 +325,8 @@ VerifyInput read_verify_input(const VerifyOptions& options)
         !may_be_mesh(options.stock))
         refuse_idle_mesh_options(options.common);
     input.engine = engine_of(input, options);
-    naming(file, [&] { stand_upright(input); });
+    if (input.engine == RemovalEngine::ThreeAxis || !input.program.path.machine)
+        naming(file, [&] { stand_upright(input); });
     input.stock = read_verify_stock(options, input.part ? &input.part->part : nullptr,
                                     input.program.path, widest_cutter(input));
     return input;

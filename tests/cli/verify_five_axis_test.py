@@ -137,11 +137,11 @@ class VerifyFiveAxis(ProgramTest):
         content = passes(range(5))
         path = self.file(content, "p.csv")
         part = ("--part", self.file(plane()), "--cutter", "ball:10")
-        for options, words in ((("--engagement",), ("--engagement: the tool axis turns", "three axes only")),
-                               (("--engine", "three-axis"), ("--engine three-axis", "the tool axis turns",
+        for options, words in ((("--engagement",), ("--engagement: the tool turns", "three axes only")),
+                               (("--engine", "three-axis"), ("--engine three-axis", "the tool turns",
                                                               "expected five-axis")),
-                               (("--write-stock",), ("--write-stock", "the tool axis turns")),
-                               (("--write-mesh",), ("--write-mesh", "the tool axis turns"))):
+                               (("--write-stock",), ("--write-stock", "the tool turns")),
+                               (("--write-mesh",), ("--write-mesh", "the tool turns"))):
             done = endmill("verify", path, *part, *options, cwd=self.folder)
             self.assertEqual(done.returncode, 2, done.stderr)
             for word in words:

@@ -9,6 +9,7 @@
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/verification/detail/closed_form_parts.h"
+#include "endmill/verification/verification.h"
 #include "turning_paths.h"
 
 namespace endmill {
@@ -87,6 +88,54 @@ TEST(TurningVerification, AgreesWithThreeAxesIfTheAxisIsConstant)
                         2e-3 * three.removal.total);
         EXPECT_EQ(three.contacts.rapid_cuts.count, five.contacts.rapid_cuts.count);
     }
+}
+
+// A flat cutter on a head leans by 25 degrees while the table turns in steps of 20 degrees:
+// its disc leaves a cone. With straight tips between the points it would not.
+TEST(TurningVerification, TableTurnsAConeExactlyInCoarseSteps)
+{
+    const Cutter flat = Cutter::flat(5);
+    const double lean = rad(25);
+    ToolPath path;
+    MachineMotion motion;
+    motion.interpolation = Interpolation::Joint;
+    motion.setup.machine.configuration = configuration_from_word("W/cBxyzb/T");
+    motion.setup.machine.pivot = 60;
+    motion.setup.tool_length = 40;
+    for (int k = 0; k <= 8; ++k) {
+        const double turn = rad(20) * k;
+        const Vec3 out{std::cos(turn), -std::sin(turn), 0};
+        const RotaryPositions rotary{turn, lean};
+        motion.positions.push_back(axis_positions(motion.setup, rotary, 30 * out));
+        const CutterLocation here = tool_location(motion.setup, motion.positions.back());
+        EXPECT_LE((here.tip - 30 * out).norm(), 1e-12);
+        EXPECT_NEAR(here.axis.dot(out), std::sin(lean), 1e-12);
+        test::add(path, k == 0 ? Move::Rapid : Move::Cut, here);
+    }
+    path.machine = motion;
+    Nurbs cone{{2, {}}, {1, {0, 0, 1, 1}}, {}, {}};
+    const test::UnitArc arc = test::unit_arc(-1.5, -0.5);
+    cone.u.knots = arc.knots;
+    for (const double away : {-4.9, 4.9})
+        for (std::size_t i = 0; i < arc.points.size(); ++i) {
+            const double radius = 30 + away * std::cos(lean);
+            cone.control_points.emplace_back(radius * arc.points[i].x(),
+                                             radius * arc.points[i].y(),
+                                             -away * std::sin(lean));
+            cone.weights.push_back(arc.weights[i]);
+        }
+    const Part part = std::vector<Surface>{nurbs_surface(cone)};
+    VerificationTask task = task_of(path, flat, &part, RemovalEngine::FiveAxis);
+    task.resolution = 0.5;
+    task.judged->limits = {0.002, 0.002};
+    const Verification exact = verify_path(task);
+    EXPECT_EQ(exact.verdict, Verdict::Clean);
+    EXPECT_LT(exact.on_part->deviation.max_gouge_mm, 1e-3);
+    path.machine->interpolation = Interpolation::Tcp;
+    const Verification straight = verify_path(task);
+    EXPECT_EQ(straight.verdict, Verdict::Gouged);
+    // The chords of the tip are 30 (1 - cos 10) = 0.456 nearer to the axis.
+    EXPECT_GT(straight.on_part->deviation.max_gouge_mm, 0.1);
 }
 
 TEST(TurningVerification, RapidThroughTheStockGouges)

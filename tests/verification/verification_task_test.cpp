@@ -15,7 +15,8 @@ TEST(VerificationTask, ChartsOfFiveAxesFaceOneOfTheToolAxes)
         {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}},
         {Triangle{0, 1, 2}, Triangle{0, 1, 3}, Triangle{0, 2, 3}, Triangle{1, 2, 3}}};
     ToolPath path = tip_path({{0, 0, 0}, {1, 0, 0}});
-    VerificationTask task{.path = &path, .cutter = Cutter::ball(1), .stock = Block{}};
+    VerificationTask task{
+        .path = &path, .cutter = Cutter::ball(1), .stock = Block{{0, 0, 0}, {1, 1, 1}}};
     task.judged = JudgedPart{.part = &part};
     const auto with_axis = [&](const Vec3& axis, RemovalEngine engine) {
         path.points[1].location.axis = axis;

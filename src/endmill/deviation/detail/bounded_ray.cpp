@@ -132,7 +132,27 @@ PieceDistance distance_from(const ToolPiece& piece, const Vec3& place, double en
     const double error = motion.chord_error(place) + rounding;
     const CuttingBody::Least least = piece.body.least_on_segment(
         motion.from().seen(place), motion.to().seen(place), enough + error);
-    return {least.lower - error, least.at, least.gradient};
+    return {least.lower - error, least.at, least.gradient,
+            motion.turn() * (1 + motion.turn() / 4)};
+}
+
+Vec3 seen_from(const ToolPiece& piece, const PieceDistance& distance, const Vec3& v)
+{
+    return (1 - distance.at) * (piece.motion.from().axes.transpose() * v) +
+           distance.at * (piece.motion.to().axes.transpose() * v);
+}
+
+bool may_reach(const ToolPiece& piece, const RayDisc& rays)
+{
+    const double far = rays.reach + rays.length;
+    const PieceDistance nearest = distance_from(piece, rays.centre, far + rays.sag);
+    const double along = nearest.out.dot(seen_from(piece, nearest, rays.normal));
+    const double across =
+        std::sqrt(std::max(0.0, nearest.out.squaredNorm() - along * along));
+    // Directions seen from the tool at other poses differ by the turn.
+    const double slack = 2 * nearest.slack * far + rays.sag + rays.tilt * rays.length;
+    return nearest.lower - across * rays.reach + std::min(0.0, along) * rays.length <=
+           slack;
 }
 
 std::optional<double> thickness_by(const ToolPiece& piece, const PartRay& ray,
@@ -156,11 +176,13 @@ HalfSpace half_space_of(const ToolPiece& piece, const Vec3& normal)
     const CuttingBody& body = piece.body;
     const double R = body.cutter().radius();
     const bool is_endless = std::isinf(body.length());
+    const double sag = 2 * motion.axis_sag();
     Vec3 w = normal;
     const auto projected = [&] {
         bool is_done = true;
         for (const ToolFrame* frame : {&motion.from(), &motion.to()})
-            if (const double along = w.dot(frame->axes.col(2)); along < -level_sine) {
+            if (const double along = w.dot(frame->axes.col(2)) - sag;
+                along < -level_sine) {
                 w -= along * frame->axes.col(2);
                 is_done = false;
             }
@@ -180,7 +202,7 @@ HalfSpace half_space_of(const ToolPiece& piece, const Vec3& normal)
     // The lowest place of the cutter lies at most this far from the tip.
     const double far =
         std::hypot(R, is_endless ? body.cutter().corner_radius() : body.length());
-    half.least = least - motion.largest_axis_bend(far) / 8 - rounding;
+    half.least = least - motion.largest_tool_bend(far) / 8 - rounding;
     return half;
 }
 

@@ -38,12 +38,33 @@ void cut(BoundedRay& bounded, const PartRay& ray, const ToolPiece& piece,
 struct PieceDistance {
     double lower;  ///< mm, lower bound of the signed distance from the swept volume
     double at;     ///< parameter u of the pose that comes nearest
-    Vec3 out;  ///< direction out of the cutter, seen from the tool; at most unit length
+    /// Direction out of the cutter, seen from the tool, of at most unit length. At a place
+    /// that is v away, the distance is at least lower + out . v, less `slack` times |v|.
+    Vec3 out;
+    double slack;  ///< for the turn of the motion
 };
 
 /// Returns the distance of a place from what a piece sweeps.
 /// \param enough mm; above it, any lower bound that exceeds it may be returned.
 PieceDistance distance_from(const ToolPiece& piece, const Vec3& place, double enough);
+
+/// Returns `v`, a vector in the part, as seen from the tool at the pose of a distance.
+Vec3 seen_from(const ToolPiece& piece, const PieceDistance& distance, const Vec3& v);
+
+/// Neighbouring rays: they start within `reach` mm of a place, at most `sag` mm beside the
+/// plane through it, and are at most `length` mm long. Their directions differ from the
+/// plane's normal by at most `tilt`.
+struct RayDisc {
+    Vec3 centre;    ///< mm
+    Vec3 normal;    ///< unit
+    double reach;   ///< mm
+    double length;  ///< mm
+    double sag;     ///< mm
+    double tilt;    ///< length of the difference of unit vectors
+};
+
+/// Whether a piece may remove a place of one of the rays.
+bool may_reach(const ToolPiece& piece, const RayDisc& rays);
 
 /// Returns an upper bound of the thickness that a piece leaves on a ray; at least 0. The
 /// piece is not halved.

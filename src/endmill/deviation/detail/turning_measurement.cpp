@@ -133,8 +133,7 @@ private:
         }
     }
 
-    // Refines the tiles whose bounds exceed the thresholds, which follow from the maxima
-    // of all first rays.
+    // Refines the tiles whose bounds could change the verdict.
     void refine(const Extremes& found)
     {
         const DeviationLimits& limits = measured_.options.limits;
@@ -142,7 +141,8 @@ private:
         const double gouge = std::max(0.0, -found.deepest.left);
         if (gouge > limits.tolerance + verdict_slack)
             return;
-        RefinementThresholds thresholds = refinement_thresholds(rest, gouge, limits);
+        RefinementThresholds thresholds{limits.scallop + verdict_slack,
+                                        -limits.tolerance - verdict_slack};
         if (rest > limits.scallop + verdict_slack)
             thresholds.upper = infinite;
         for_tiles([&](std::size_t i) {

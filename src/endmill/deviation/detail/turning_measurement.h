@@ -26,7 +26,7 @@ struct TurningDeviation {
 /// the least upper bound, so both are certain; the error bounds hold for the other bound
 /// and between the rays. `Deviation::left` has the middle of the bounds.
 ///
-/// Where the bounds could change the verdict or a maximum, the motions are halved and the
+/// Where the bounds could change the verdict, the motions are halved and the
 /// cells are divided. A sweep number in the result is the number of the path point to
 /// which the move leads.
 ///

@@ -9,6 +9,7 @@
 
 #include "endmill/core/tolerance.h"
 #include "endmill/deviation/detail/part_tiles.h"
+#include "endmill/deviation/detail/ray_bounds.h"
 
 // The same steps as `TileMeasure`, with bounded rays. Between the rays
 // - a gouge is bounded where part and corner are smooth by the circle of `hidden_gouge`,
@@ -34,9 +35,14 @@ constexpr double upright_z = 1e-3;
 // Thicknesses below this share of their limit are not limited by an empty ball.
 constexpr double limited_share = 0.5;
 // Limit of the refined cells of a tile.
-constexpr std::size_t most_refined_cells = 20'000;
-// Pieces that matter to a cell come within this many times its reach of the first entry.
-constexpr double near_reaches = 3;
+constexpr std::size_t most_refined_cells = 5000;
+// Rays of a cell lie at most this many times its reach from its middle: the reach comes
+// from the partials at the middle.
+constexpr double disc_margin = 1.1;
+// The thickness is expected to grow by at most these shares of the reach over a cell; where
+// it does not, all pieces are looked at.
+constexpr double least_rise = 0.2;
+constexpr double steepest = 4;
 constexpr std::size_t most_pieces = 6;
 
 double positive(double value)
@@ -116,11 +122,17 @@ void TurningTile::cut_rays()
             centre_, infinite, [&](std::size_t number, double bound) {
                 gap_ = std::min(gap_, bound - radius_);
                 const ToolPiece& piece = measured_.pieces.pieces()[number];
-                const double most = reach();
-                const double nearest = distance_from(piece, centre_, most).lower;
-                for (std::size_t k = 0; k < rays.size(); ++k)
-                    if (nearest - away[k] < positive(rays[k].low))
-                        cut(rays[k], cells_[k].cell.ray, piece, error);
+                const PieceDistance nearest = distance_from(piece, centre_, reach());
+                const Vec3 out = piece.motion.at(nearest.at).axes * nearest.out;
+                for (std::size_t k = 0; k < rays.size(); ++k) {
+                    const PartRay& ray = cells_[k].cell.ray;
+                    const double length = positive(rays[k].low);
+                    const double least = nearest.lower + out.dot(ray.point - centre_) +
+                                         std::min(0.0, out.dot(ray.normal)) * length -
+                                         2 * nearest.slack * (away[k] + length);
+                    if (least <= 0)
+                        cut(rays[k], ray, piece, error);
+                }
                 return reach();
             });
     for (std::size_t k = 0; k < cells_.size(); ++k)
@@ -171,30 +183,58 @@ void TurningTile::limit(BoundedCell& bounded) const
     }
 }
 
-TurningTile::Near TurningTile::near_pieces(const Vec3& centre, double within) const
+// Returns the rays of a cell and its quarters.
+RayDisc TurningTile::disc_of(const BoundedCell& bounded) const
 {
-    auto near = std::make_shared<NearPieces>(NearPieces{centre, within, {}});
-    measured_.pieces.visit_nearest(centre, within, [&](std::size_t number, double) {
-        const ToolPiece& piece = measured_.pieces.pieces()[number];
-        if (distance_from(piece, centre, within).lower <= within)
+    const MeasuredCell& cell = bounded.cell;
+    const double reach = disc_margin * cell.reach;
+    const double bend = reach * cell.curvature.absolute;
+    const double length = positive(bounded.ray.high) +
+                          reach * (least_rise + std::min(bounded.ray.slope, steepest));
+    return {cell.ray.point, cell.ray.normal, reach, length, reach * bend / 2, bend};
+}
+
+// Returns the pieces that may reach rays of the tile and its cells.
+TurningTile::Near TurningTile::near_pieces() const
+{
+    RayDisc rays{centre_, Vec3::Zero(), 0, 0, 0, 0};
+    for (const BoundedCell& bounded : cells_) {
+        const RayDisc of_cell = disc_of(bounded);
+        rays.reach =
+            std::max(rays.reach, (of_cell.centre - centre_).norm() + of_cell.reach);
+        rays.length = std::max(rays.length, of_cell.length);
+        rays.normal += of_cell.normal;
+    }
+    rays.normal = unit_or_up(rays.normal);
+    for (const BoundedCell& bounded : cells_) {
+        const PartRay& ray = bounded.cell.ray;
+        const RayDisc of_cell = disc_of(bounded);
+        const double tilt = (ray.normal - rays.normal).norm() + of_cell.tilt;
+        rays.tilt = std::max(rays.tilt, tilt);
+        rays.sag = std::max(rays.sag, std::abs((ray.point - centre_).dot(rays.normal)) +
+                                          of_cell.reach * tilt);
+    }
+    auto near = std::make_shared<NearPieces>(NearPieces{rays, {}});
+    const double within = rays.reach + rays.length;
+    measured_.pieces.visit_nearest(centre_, within, [&](std::size_t number, double) {
+        if (may_reach(measured_.pieces.pieces()[number], rays))
             near->pieces.push_back(static_cast<std::uint32_t>(number));
         return within;
     });
     return near;
 }
 
-// Returns the pieces of a list that matter to a cell and to its quarters.
+// Returns the pieces of a list that may reach the rays of a cell and its quarters.
 TurningTile::Near TurningTile::nearer(const BoundedCell& bounded,
                                       const NearPieces& of) const
 {
-    const PartRay& ray = bounded.cell.ray;
-    const double wanted = positive(bounded.ray.low) + owner_margin(bounded.cell) +
-                          near_reaches * bounded.cell.reach;
-    const double within = std::min(wanted, of.within - (ray.point - of.centre).norm());
-    auto near = std::make_shared<NearPieces>(NearPieces{ray.point, within, {}});
+    auto near = std::make_shared<NearPieces>(NearPieces{disc_of(bounded), {}});
+    near->rays.length = std::min(near->rays.length, of.rays.length);
+    near->rays.reach =
+        std::min(near->rays.reach,
+                 of.rays.reach - (bounded.cell.ray.point - of.rays.centre).norm());
     for (const std::uint32_t number : of.pieces)
-        if (distance_from(measured_.pieces.pieces()[number], ray.point, within).lower <=
-            within)
+        if (may_reach(measured_.pieces.pieces()[number], near->rays))
             near->pieces.push_back(number);
     return near;
 }
@@ -212,7 +252,7 @@ BoundedCell TurningTile::measured(const PartCell& cell, const PartRay& ray,
     const std::span<const ToolPiece> pieces = measured_.pieces.pieces();
     for (const std::uint32_t number : near.pieces)
         cut(cut_ray, ray, pieces[number], error);
-    if (positive(cut_ray.low) > near.within - (ray.point - near.centre).norm())
+    if (!near.is_for(ray, positive(cut_ray.low)))
         measured_.pieces.visit_nearest(ray.point, positive(cut_ray.low),
                                        [&](std::size_t number, double) {
                                            cut(cut_ray, ray, pieces[number], error);
@@ -333,10 +373,11 @@ double TurningTile::least_left(const BoundedCell& bounded, const NearPieces& nea
     if (!by_planes)
         return bounded.ray.low - hidden_gouge(cell, measured_.corner_radius);
     double least = std::min(bounded.ray.low, 0.0);
-    const double reach = cell.reach * (1 + cell.reach * cell.curvature.absolute / 2);
+    RayDisc points = disc_of(bounded);
+    points.length = 0;
     for (const std::uint32_t number : near.pieces) {
         const ToolPiece& piece = measured_.pieces.pieces()[number];
-        if (distance_from(piece, cell.ray.point, reach).lower <= reach)
+        if (may_reach(piece, points))
             least = std::min(least, least_by_piece(cell, piece));
     }
     return least;
@@ -394,7 +435,7 @@ Extremes TurningTile::extremes() const
         take(found, bounded);
         const bool by_planes = needs_planes(bounded);
         if (by_planes && !near_)
-            near_ = near_pieces(centre_, radius_ + near_reaches * bounded.cell.reach);
+            near_ = near_pieces();
         const double least =
             by_planes
                 ? least_left(bounded, *near_, true)
@@ -432,11 +473,7 @@ void TurningTile::add_leaf(Extremes& found, const Refined& leaf,
 Extremes TurningTile::refined(const RefinementThresholds& thresholds) const
 {
     Extremes found;
-    double margin = 0;
-    for (const BoundedCell& bounded : cells_)
-        margin = std::max(margin, positive(bounded.ray.low) + owner_margin(bounded.cell) +
-                                      near_reaches * bounded.cell.reach);
-    const Near near = near_pieces(centre_, radius_ + margin);
+    const Near near = near_pieces();
     std::vector<Refined> level_cells;
     level_cells.reserve(cells_.size());
     for (const BoundedCell& bounded : cells_) {
@@ -458,15 +495,13 @@ Extremes TurningTile::refined(const RefinementThresholds& thresholds) const
             if (thresholds.are_exceeded(of_cell.back().most, of_cell.back().least))
                 ++exceeding;
         }
-        const RefinementThresholds sharper =
-            sharpened_thresholds(thresholds, found, measured_.options.limits);
         refined_cells += 4 * exceeding;
         const bool is_last =
             level >= measured_.options.max_refine || refined_cells > most_refined_cells;
         std::vector<Refined> next;
         for (std::size_t k = 0; k < level_cells.size(); ++k) {
             const Bounds& bounds = of_cell[k];
-            if (is_last || !sharper.are_exceeded(bounds.most, bounds.least))
+            if (is_last || !thresholds.are_exceeded(bounds.most, bounds.least))
                 add_leaf(found, level_cells[k], bounds);
             else
                 add_quarters(level_cells[k], level + 1, next);

@@ -69,11 +69,17 @@ public:
     Extremes refined(const RefinementThresholds& thresholds) const;
 
 private:
-    // Pieces that come within a distance of a place; all others stay farther away.
+    // All pieces that may reach some rays.
     struct NearPieces {
-        Vec3 centre;                        // mm
-        double within;                      // mm
+        RayDisc rays;
         std::vector<std::uint32_t> pieces;  // numbers
+
+        // Whether a ray of this length is one of them.
+        bool is_for(const PartRay& ray, double length) const
+        {
+            return length <= rays.length &&
+                   (ray.point - rays.centre).norm() <= rays.reach;
+        }
     };
     using Near = std::shared_ptr<const NearPieces>;
 
@@ -94,7 +100,8 @@ private:
     void cut_rays();
     void set_judged(MeasuredCell& cell) const;
     void limit(BoundedCell& bounded) const;
-    Near near_pieces(const Vec3& centre, double within) const;
+    RayDisc disc_of(const BoundedCell& bounded) const;
+    Near near_pieces() const;
     Near nearer(const BoundedCell& bounded, const NearPieces& of) const;
     BoundedCell measured(const PartCell& cell, const PartRay& ray, const NearPieces& near,
                          int level) const;

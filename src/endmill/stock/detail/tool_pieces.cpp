@@ -95,7 +95,7 @@ ToolPieces::Capsule ToolPieces::around(std::size_t piece) const
         const Vec3 from = on_axis(motion.from(), height);
         const Vec3 to = on_axis(motion.to(), height);
         return Sphere{(from + to) / 2, (to - from).norm() / 2 + body.cutter().radius() +
-                                           motion.largest_axis_bend(height) / 8 +
+                                           motion.largest_tool_bend(height) / 8 +
                                            rounding_margin};
     };
     const Sphere at_low = end(low);

@@ -18,6 +18,8 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 // Cells are divided until their reach is at most this share of the slack.
 constexpr double least_reach_share = 0.4;
+// Reach of the cells by which moves with a contact are counted, as a share of the pitch.
+constexpr double contact_reach_share = 0.5;
 // The reach of a cell on a curved patch, from the partials at its middle, may be too small
 // by this share while cells are small against the curvature.
 constexpr double reach_margin = 1.1;
@@ -44,9 +46,10 @@ struct Found {
 
 class ContactSearch {
 public:
-    ContactSearch(const PartCharts& charts, const ToolPieces& bodies)
+    ContactSearch(const PartCharts& charts, const ToolPieces& bodies, double pitch)
         : charts_{charts},
-          bodies_{bodies}
+          bodies_{bodies},
+          contact_reach_{contact_reach_share * pitch}
     {
     }
 
@@ -70,9 +73,10 @@ public:
         const double possible = reach - nearest;
         if (possible <= part_contact_slack)
             return found;
-        // Where a contact is certain, the verdict is too.
-        if (found.deepest > 0 || reach <= least_reach_share * part_contact_slack ||
-            budget == 0) {
+        // Where a contact is certain, the verdict is too; the cells become only as small
+        // as needed to tell which moves have one.
+        if ((found.deepest > 0 && reach <= contact_reach_) ||
+            reach <= least_reach_share * part_contact_slack || budget == 0) {
             found.most = possible;
             return found;
         }
@@ -100,6 +104,7 @@ private:
 
     const PartCharts& charts_;
     const ToolPieces& bodies_;
+    double contact_reach_;  // mm
 };
 
 }  // namespace
@@ -111,7 +116,7 @@ PartCollisions turning_contacts(const PartCharts& charts, const ToolPieces& bodi
     if (bodies.pieces().empty())
         return collisions;
     const std::vector<PartTile> tiles = part_tiles(charts, pitch, most_cells);
-    const ContactSearch search{charts, bodies};
+    const ContactSearch search{charts, bodies, pitch};
     std::vector<Found> found(tiles.size());
     const std::size_t budget = std::max<std::size_t>(1, most_cells / (tiles.size() + 1));
     parallel_for(tiles.size(), [&](std::size_t begin, std::size_t end) {

@@ -63,19 +63,21 @@ void add_pieces(std::vector<ToolPiece>& pieces, const ToolPiece& whole, int halv
         add_pieces(pieces, {half, whole.body, whole.point, 0}, halvings - 1);
 }
 
-// Returns the motion to a point.
-ToolMotion motion_to(const ToolPath& path, std::size_t from, std::size_t to)
+// Returns the motion between two points.
+ToolMotion motion_between(const ToolPath& path, std::size_t from, std::size_t to)
 {
+    if (const auto& machine = path.machine)
+        return {machine->setup, machine->interpolation, machine->positions[from],
+                machine->positions[to]};
     try {
         return {path.points[from].location, path.points[to].location};
     } catch (const DomainError&) {
         const PathPoint& point = path.points[to];
-        throw GeometryError{
-            "the tool axes of pass " + std::to_string(point.pass) + ", point " +
-            std::to_string(point.point) +
-            " and of the point before are opposite, or not unit vectors: "
-            "the turn between them is not defined; expected points between "
-            "them"};
+        throw GeometryError{"the tool axes of pass " + std::to_string(point.pass) +
+                            ", point " + std::to_string(point.point) +
+                            " and of the point before are opposite, or not unit vectors: "
+                            "the turn between them is not defined; expected points "
+                            "between them"};
     }
 }
 
@@ -86,6 +88,8 @@ void require_finite(const ToolPath& path)
         require(tip.allFinite() && tip.cwiseAbs().maxCoeff() <= largest_coordinate,
                 "removal along a path: a tip is not within 1e9 mm");
     }
+    require(!path.machine || path.machine->positions.size() == path.points.size(),
+            "verify_path: need the positions of the machine at every point");
 }
 
 // The motions of all cutters, and of all shanks and holders.
@@ -94,7 +98,8 @@ struct Motions {
     std::vector<ToolPiece> bodies;
 };
 
-Motions motions_of(std::span<const ToolRun> runs)
+// \param path whole, with the machine that interpolates it.
+Motions motions_of(const ToolPath& path, std::span<const ToolRun> runs)
 {
     Motions motions;
     std::int32_t order = 0;
@@ -105,8 +110,9 @@ Motions motions_of(std::span<const ToolRun> runs)
             bodies.push_back(CuttingBody::of_cylinder(cylinder));
         const bool stands = !run.path.points.empty() && cuts_at_start(run.path);
         for (std::size_t k = stands ? 0 : 1; k < run.path.points.size(); ++k) {
-            const auto point = static_cast<std::int32_t>(k + run.offset);
-            const ToolMotion motion = motion_to(run.path, k == 0 ? 0 : k - 1, k);
+            const std::size_t to = k + run.offset;
+            const auto point = static_cast<std::int32_t>(to);
+            const ToolMotion motion = motion_between(path, k == 0 ? to : to - 1, to);
             std::vector<ToolPiece> pieces;
             add_pieces(pieces, {motion, cutter, point, 0}, most_halvings);
             for (ToolPiece& piece : pieces) {
@@ -210,7 +216,7 @@ Verification verify_turning_path(const VerificationTask& task)
     const Block& block = block_of(task);
     require_dexel_memory(block, task.resolution, task.max_memory_gib);
     const ToolRuns tools{{*task.path, task.cutter, task.body, task.changes}};
-    Motions motions = motions_of(tools.list());
+    Motions motions = motions_of(*task.path, tools.list());
     const Sphere region =
         region_of(task, task.judged ? bounding_box(*task.judged->part) : block);
     const ToolPieces cutters{std::move(motions.cutters), region};

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/plan_oriented.h"
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "build_facts.h"
+#include "cli/console.h"
+#include "cli/path_facts.h"
+#include "cli/progress.h"
+#include "cli/shown_numbers.h"
+#include "cli/surface_facts.h"
+#include "endmill/core/text.h"
+#include "endmill/figures/tool_path_svg.h"
+#include "endmill/files/path_file.h"
+#include "endmill/files/vtk.h"
+#include "endmill/orientation/oriented_path.h"
+
+namespace endmill {
+namespace {
+
+// A judged path and the parameter along its passes.
+struct DirectedPath {
+    Parameter along;
+    JudgedOrientedPath judged;
+};
+
+bool is_clean(const DirectedPath& path)
+{
+    return path.judged.verification.verdict == Verdict::Clean;
+}
+
+OrientedOptions oriented_options(const PlanOptions& options, Parameter along)
+{
+    OrientedOptions oriented;
+    oriented.mode = *options.axis_mode;
+    oriented.inclination = options.inclination;
+    oriented.along = along;
+    oriented.scallop_height = options.planning.scallop_height;
+    oriented.inner_tolerance = options.motion.inner;
+    oriented.order = options.planning.link.order;
+    oriented.safe_height = options.planning.link.safe_height;
+    oriented.most_points = options.planning.most_points;
+    return oriented;
+}
+
+// The path along the asked parameter; otherwise the shorter clean one of both.
+DirectedPath chosen_path(const PlanTask& task, ProgressLine& progress)
+{
+    const PlanDirection direction = task.options.direction;
+    std::vector<Parameter> parameters{Parameter::U, Parameter::V};
+    if (direction != PlanDirection::Both)
+        parameters = {direction == PlanDirection::U ? Parameter::U : Parameter::V};
+    std::optional<DirectedPath> best;
+    for (const Parameter along : parameters) {
+        progress.begin(fmt::format("planning and judging along {}",
+                                   along == Parameter::U ? "u" : "v"));
+        OrientedOptions options = oriented_options(task.options, along);
+        options.progress = progress.shower();
+        DirectedPath path{
+            along, plan_judged_oriented(task.surfaces, task.context.cutter, options)};
+        const bool is_better =
+            !best || (is_clean(path) && !is_clean(*best)) ||
+            (is_clean(path) == is_clean(*best) &&
+             path.judged.plan.cut_contact_mm < best->judged.plan.cut_contact_mm);
+        if (is_better)
+            best = std::move(path);
+    }
+    return std::move(*best);
+}
+
+Json summary_of(const PlanTask& task, const DirectedPath& path)
+{
+    const auto& [plan, verification] = path.judged;
+    const PlanOptions& options = task.options;
+    const Deviation& deviation = verification.on_part->deviation;
+    Json summary{{"name", task.context.name},
+                 {"source", task.context.source},
+                 {"endmill", program_version},
+                 {"axis_mode", axis_mode_word(*options.axis_mode)},
+                 {"along", path.along == Parameter::U ? "u" : "v"},
+                 {"cutter", cutter_word(task.context.cutter)},
+                 {"passes", plan.passes},
+                 {"cut_contact_mm", plan.cut_contact_mm},
+                 {"lead_range_deg", Json::array({plan.least_lead.written_degrees(),
+                                                 plan.greatest_lead.written_degrees()})},
+                 {"tilt_deg", options.inclination.tilt.written_degrees()},
+                 {"narrowest_strip_mm", plan.narrowest_strip_mm},
+                 {"scallop_mm", options.planning.scallop_height},
+                 {"inner_tolerance_mm", options.motion.inner},
+                 {"max_gouge_mm", deviation.max_gouge_mm},
+                 {"gouge_bound_mm", finite_or_null(deviation.gouge_bound_mm)},
+                 {"max_left_mm", finite_or_null(deviation.max_scallop_mm)},
+                 {"left_bound_mm", finite_or_null(deviation.scallop_bound_mm)},
+                 {"verdict", verdict_name(verification.verdict)},
+                 {"interpolation", "linear"},
+                 {"safe_height_mm", options.planning.link.safe_height}};
+    add_continuity(summary, task.context.continuity, task.context.several);
+    return summary;
+}
+
+std::string report(const Json& s, const PlanOptions& options)
+{
+    const auto number = [&](const char* key) { return s[key].get<double>(); };
+    return fmt::format(
+        "  along {}       {} passes, {} points; cut {} mm by contacts; lead {:.3g} to "
+        "{:.3g} degrees, tilt {:.3g}; strips of {} mm and more\n"
+        "  judged        {}: gouge {} mm (limit {}), remaining {} mm (limit {})\n",
+        s["along"].get<std::string>(), s["passes"].get<std::size_t>(),
+        s["path"]["points"].get<std::size_t>(), shown(number("cut_contact_mm")),
+        s["lead_range_deg"][0].get<double>(), s["lead_range_deg"][1].get<double>(),
+        number("tilt_deg"), shown(number("narrowest_strip_mm")),
+        s["verdict"].get<std::string>(),
+        shown_against(number("max_gouge_mm"), options.motion.inner),
+        shown_limit(options.motion.inner),
+        s["max_left_mm"].is_null()
+            ? std::string{"unknown"}
+            : shown_against(number("max_left_mm"), options.planning.scallop_height),
+        shown_limit(options.planning.scallop_height));
+}
+
+}  // namespace
+
+PlanResult write_oriented_plan(const PlanTask& task, OutputFolder& folder)
+{
+    replace_earlier_plans(folder);
+    ProgressLine progress{"planning", task.options.common, 1};
+    const DirectedPath path = chosen_path(task, progress);
+    const ToolPath& tool_path = path.judged.plan.path;
+    Json summary = summary_of(task, path);
+    add_path_totals(summary["path"], path_totals(tool_path));
+    summary["path"]["points"] = tool_path.points.size();
+    name_part(summary, task.options.part, folder.path());
+    const std::string table = tool_path_csv(tool_path);
+    identify_path(summary, tool_path.points.size(), content_sha256(table));
+    folder.write("toolpath.csv", table);
+    folder.write("toolpath.vtp", tool_path_vtp(tool_path));
+    FigureOptions figure;
+    figure.title =
+        fmt::format("{}: contact points in cutting order, axis mode {}",
+                    task.context.name, axis_mode_word(*task.options.axis_mode));
+    figure.captions = {fmt::format(
+        "{}, scallop height {:g} mm, {} points", cutter_word(task.context.cutter),
+        task.options.planning.scallop_height, tool_path.points.size())};
+    folder.write("toolpath.svg",
+                 tool_path_svg(tool_path, figure, PathDrawing{&task.part, {}}));
+    folder.write("summary.json", summary.dump(2) + "\n");
+    PlanResult result{summary, report(summary, task.options), 0, {}};
+    result.is_undecided = !is_clean(path);
+    return result;
+}
+
+}  // namespace endmill

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// \file
+/// All public headers of the module `orientation`.
+
+#include "endmill/orientation/inclination.h"
+#include "endmill/orientation/oriented_path.h"
