@@ -169,7 +169,7 @@ ExitCode report_path(const PathOptions& path, const CommonOptions& options)
     if (!table.empty())
         cutter =
             table.size() == 1 ? std::optional{table.front().tool.cutter} : std::nullopt;
-    const Program program = read_program_for(path, cutter, options);
+    const Program program = read_program_for(path, cutter, options, beside.machine);
     for (const std::string& remark : program.remarks)
         warn(options, path.file + ": " + remark);
     PathData known{.format = path_format(read_file(path.file, options.limits), path.file),

@@ -296,7 +296,9 @@ VerifyInput read_verify_input(const VerifyOptions& options)
     const std::optional<Cutter> before = given           ? std::optional{given->cutter}
                                          : table.empty() ? known.cutter
                                                          : std::nullopt;
-    Program program = read_program_for(options.path, before, options.common);
+    PathOptions path = options.path;
+    path.tool_length = given ? given->length : 0;
+    Program program = read_program_for(path, before, options.common, known.machine);
     require_moves(program, file);
     PathTools tools = used_tools(program, options, table, [&] {
         return tool_of(std::move(given), program, known, file);

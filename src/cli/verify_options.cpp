@@ -86,6 +86,7 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
                               "three directions for any "
                               "motion (default: five-axis if the tool axis turns)");
     add_reading_options(command, options.path);
+    add_rotary_options(command, options.path.rotary);
     command.add_flag("--engagement", options.engagement,
                      "write engagement.csv: the engaged region of the cutter in each "
                      "move");

@@ -208,7 +208,10 @@ TEST(RotaryPrograms, OfCanonicalOutputAreTheSame)
         "7 N..... PROGRAM_END()\n";
     GcodeReadOptions options = reading_of(setup, Interpolation::Tcp);
     options.rotary->cutter_radius = 10;
-    const ToolPath path = parse_canonical(text, "f.txt", options).path;
+    const Program program = parse_canonical(text, "f.txt", options);
+    const ToolPath& path = program.path;
+    // Four decimals: 5e-5 mm, and 5e-5 degrees of two angles at 5 mm from the axes.
+    EXPECT_NEAR(program.position_error_mm, 5e-5 + 2 * 5 * test::rad(5e-5), 1e-12);
     ASSERT_EQ(path.points.size(), 3U);
     EXPECT_NEAR(path.points[1].conditions.feed_mm_per_min.value_or(0), 150, 1e-9);
     EXPECT_NEAR(path.points[2].conditions.feed_mm_per_min.value_or(0),

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "endmill/core/angle.h"
 #include "endmill/core/detail/units.h"
 #include "endmill/core/text.h"
 #include "endmill/post/detail/arc.h"
@@ -341,7 +342,23 @@ private:
     {
         if (!is_unit_said_)
             builder_.remark("no USE_LENGTH_UNITS before motion: lengths are taken as mm");
-        error_mm_ = std::max(error_mm_, half_last_decimal * mm_per_unit_);
+        error_mm_ =
+            std::max(error_mm_, half_last_decimal * mm_per_unit_ + turning_error());
+    }
+
+    // mm, by which the rounding of the angles may move the tip: that of each angle times the
+    // distance of the tip from the axes.
+    double turning_error() const
+    {
+        if (!options_.rotary)
+            return 0;
+        const PartOnMachine& setup = options_.rotary->setup;
+        const Machine& machine = setup.machine;
+        const double reach = (position_ - machine.table_offset).norm() +
+                             std::abs(machine.pivot + setup.tool_length) +
+                             2 * machine.axis_offset.norm();
+        return static_cast<double>(machine.configuration.rotary.size()) * reach *
+               Angle::degrees(half_last_decimal).radians();
     }
 
     // The rate is in the unit in force. Under G93 the interpreter prints one rate per

@@ -169,18 +169,24 @@ private:
     }
 
     // X, Y and Z at the safe height on the way along the tool axis from a point; straight
-    // above it where the axis is almost level.
+    // above it where the axis is almost level, or X and Y do not reach so far.
     Vec3 left_along_axis(std::size_t point, double height) const
     {
         const CutterLocation& pose = made_.path.points[point].location;
         const Vec3& from = points_[point].xyz;
         const Vec3 direction =
             in_program(pose.tip + pose.axis, points_[point].rotary) - from;
-        Vec3 at = from;
-        if (direction.z() > least_rise)
-            at += (height - from.z()) / direction.z() * direction;
-        at.z() = height;
-        return at;
+        Vec3 above = from;
+        above.z() = height;
+        if (!(direction.z() > least_rise))
+            return above;
+        Vec3 along = from + (height - from.z()) / direction.z() * direction;
+        along.z() = height;
+        LinearLimits across = motion_.setup.machine.linear;
+        across[2] = {};
+        const bool is_in_reach =
+            motion_.interpolation == Interpolation::Tcp || is_within(across, along);
+        return is_in_reach ? along : above;
     }
 
     std::vector<RotaryWord> words_of(std::size_t point) const

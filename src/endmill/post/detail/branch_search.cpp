@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <utility>
+#include <tuple>
 
 // The poses are the layers of a graph; the states of a layer are a solution and a number of
 // full rotations of each limited axis. A pose at which the axes may turn has two layers, one
@@ -31,7 +30,12 @@ struct Cost {
     std::int64_t changes = 0;
     std::int64_t first = 0;
 
-    auto operator<=>(const Cost&) const = default;
+    // In the order of the members.
+    friend bool operator<(const Cost& a, const Cost& b)
+    {
+        return std::tie(a.retracts, a.travel, a.changes, a.first) <
+               std::tie(b.retracts, b.travel, b.changes, b.first);
+    }
 };
 
 struct State {
@@ -91,11 +95,15 @@ private:
         if (!is_limited(axis))
             return {nearest(at)};
         const RotaryRange& range = ranges_[axis];
-        const double first = std::ceil((range.from - turn_tolerance - at) / full_turn);
-        const double last = std::floor((range.to + turn_tolerance - at) / full_turn);
+        const auto first = static_cast<std::int64_t>(
+            std::ceil((range.from - turn_tolerance - at) / full_turn));
+        const auto last = static_cast<std::int64_t>(
+            std::floor((range.to + turn_tolerance - at) / full_turn));
         std::vector<double> found;
-        for (double k = first; k <= last; ++k)
-            found.push_back(at + k * full_turn);
+        found.reserve(
+            static_cast<std::size_t>(std::max<std::int64_t>(0, last - first + 1)));
+        for (std::int64_t k = first; k <= last; ++k)
+            found.push_back(at + static_cast<double>(k) * full_turn);
         return found;
     }
 
@@ -170,7 +178,7 @@ private:
 
     static void improve(State& to, const Cost& cost, std::size_t from)
     {
-        if (to.cost && *to.cost <= cost)
+        if (to.cost && !(cost < *to.cost))
             return;
         to.cost = cost;
         to.from = from;
@@ -202,44 +210,55 @@ private:
         return is_limited(axis) ? to - from : nearest(to - from);
     }
 
+    // Positions of a blocked pose, and by how much they exceed their limit.
+    struct Excess {
+        BlockedPose at;
+        double excess;  // rad
+    };
+
+    // Keeps positions if they exceed their limits, and by less than those found so far.
+    void consider(const RotaryPositions& at, Excess& closest) const
+    {
+        Excess worst{.at = closest.at, .excess = 0};
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const RotaryRange& range = ranges_[axis];
+            const double over = std::max(range.from - at[axis], at[axis] - range.to);
+            if (over <= worst.excess)
+                continue;
+            const double limit = at[axis] < range.from ? range.from : range.to;
+            worst = {.at = {closest.at.pose, axis, at[axis], limit}, .excess = over};
+        }
+        if (worst.excess > 0 && worst.excess < closest.excess)
+            closest = worst;
+    }
+
     // The positions that exceed a limit the least: those that continue the best ways so
     // far, or where the pose itself is out of reach, those of the pose.
     BlockedPose blocked(std::size_t pose) const
     {
-        BlockedPose closest{pose, 0, 0, 0};
-        double least = std::numeric_limits<double>::infinity();
-        const auto consider = [&](const RotaryPositions& at) {
-            double excess = 0;
-            BlockedPose worst{pose, 0, 0, 0};
-            for (std::size_t axis = 0; axis < 2; ++axis) {
-                const RotaryRange& range = ranges_[axis];
-                const double over = std::max(range.from - at[axis], at[axis] - range.to);
-                if (over <= excess)
-                    continue;
-                excess = over;
-                worst = {pose, axis, at[axis],
-                         at[axis] < range.from ? range.from : range.to};
-            }
-            if (excess > 0 && excess < least) {
-                least = excess;
-                closest = worst;
-            }
-        };
-        if (pose > 0 && !arrivals_[pose].empty()) {
-            for (const State& state : last_layer(pose - 1)) {
-                if (!state.cost || state.branch >= poses_[pose].branches)
-                    continue;
-                const RotaryPositions turn = between(pose, state.branch);
-                consider({state.at[0] + turn[0], state.at[1] + turn[1]});
-            }
-            return closest;
+        Excess closest{.at = {pose, 0, 0, 0},
+                       .excess = std::numeric_limits<double>::infinity()};
+        if (pose == 0 || arrivals_[pose].empty()) {
+            consider_all(poses_[pose], closest);
+            return closest.at;
         }
-        for (std::size_t branch = 0; branch < poses_[pose].branches; ++branch)
+        for (const State& state : last_layer(pose - 1)) {
+            if (!state.cost || state.branch >= poses_[pose].branches)
+                continue;
+            const RotaryPositions turn = between(pose, state.branch);
+            consider({state.at[0] + turn[0], state.at[1] + turn[1]}, closest);
+        }
+        return closest.at;
+    }
+
+    void consider_all(const SearchPose& pose, Excess& closest) const
+    {
+        for (std::size_t branch = 0; branch < pose.branches; ++branch)
             for (const double first : {-full_turn, 0.0, full_turn})
                 for (const double second : {-full_turn, 0.0, full_turn})
-                    consider({nearest(poses_[pose].arrival[branch][0]) + first,
-                              nearest(poses_[pose].arrival[branch][1]) + second});
-        return closest;
+                    consider({nearest(pose.arrival[branch][0]) + first,
+                              nearest(pose.arrival[branch][1]) + second},
+                             closest);
     }
 
     BranchSearch choices() const

@@ -161,6 +161,8 @@ void ProgramBuilder::append(Move move, const Vec3& point, const RotaryPositions&
     }
     const CutterLocation location = location_of(point, rotary);
     if (path_.machine) {
+        for (const double coordinate : location.tip)
+            check_extent(coordinate, options_.max_extent_mm, lines_);
         path_.machine->positions.push_back(
             axis_positions(path_.machine->setup, rotary, location.tip));
         programmed_.push_back(point);
