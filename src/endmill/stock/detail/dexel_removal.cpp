@@ -374,7 +374,9 @@ std::vector<FieldMove> cut_field(DexelStock& stock, int axis, const DexelMotions
                                           i]);
             const std::size_t finished = ++done;
             if (progress)
-                progress((axis + static_cast<double>(finished) / tiles) / 3);
+                progress(
+                    (axis + static_cast<double>(finished) / static_cast<double>(tiles)) /
+                    3);
         }
         const std::scoped_lock lock{adding};
         for (std::size_t k = 0; k < moves.size(); ++k)
@@ -400,11 +402,14 @@ DexelRemoval remove_from_dexels(DexelStock& stock, const DexelMotions& motions,
         for (std::size_t k = 0; k < moves.size(); ++k) {
             DexelMove& move = removal.moves[k];
             move.removed += static_cast<double>(moves[k].removed) * volume / 6;
-            move.deepest = std::max(move.deepest, moves[k].deepest * unit);
-            move.most_deep = std::max(move.most_deep, moves[k].most_deep * unit);
-            move.body_depth = std::max(move.body_depth, moves[k].body * unit);
-            move.most_body_depth =
-                std::max(move.most_body_depth, moves[k].most_body * unit);
+            move.deepest =
+                std::max(move.deepest, static_cast<double>(moves[k].deepest) * unit);
+            move.most_deep =
+                std::max(move.most_deep, static_cast<double>(moves[k].most_deep) * unit);
+            move.body_depth =
+                std::max(move.body_depth, static_cast<double>(moves[k].body) * unit);
+            move.most_body_depth = std::max(
+                move.most_body_depth, static_cast<double>(moves[k].most_body) * unit);
         }
         const DexelVolume after = dexel_volume(stock, axis);
         const double most = before.upper - after.lower;
