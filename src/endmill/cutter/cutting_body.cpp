@@ -2,6 +2,7 @@
 #include "endmill/cutter/cutting_body.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "endmill/core/error.h"
@@ -40,7 +41,7 @@ CuttingBody CuttingBody::of_cylinder(const ToolCylinder& cylinder)
 
 CuttingBody::Distance CuttingBody::distance(const Vec3& place) const
 {
-    const Distance found = endless_distance(place);
+    Distance found = endless_distance(place);
     if (place.z() - length_ > found.value)
         return {place.z() - length_, Vec3::UnitZ()};
     return found;
@@ -146,12 +147,10 @@ CuttingBody::Least CuttingBody::searched(const Vec3& from, const Vec3& to,
         }
         // In turn: where the tangents meet, where the slope would vanish if it were
         // linear, the middle.
-        double next = meet;
-        if (step % 3 == 1)
-            next = -slope_low / (slope_high - slope_low) * width;
-        if (step % 3 == 2 || !(next > 0 && next < width))
-            next = width / 2;
-        const double u = low + next;
+        const double secant = -slope_low / (slope_high - slope_low) * width;
+        const std::array<double, 3> candidates{meet, secant, width / 2};
+        const double next = candidates[static_cast<std::size_t>(step % 3)];
+        const double u = low + (next > 0 && next < width ? next : width / 2);
         const Distance here = distance(from + u * way);
         const double slope = here.gradient.dot(way);
         if (slope == 0)

@@ -86,11 +86,18 @@ std::optional<SurePlace> sure_place(const RayOnMotion& on, double from, double m
     return sure ? std::optional{SurePlace{*sure, there.least}} : std::nullopt;
 }
 
-// Lowers the bounds by a motion, which is halved at most `halvings` times.
-void cut(BoundedRay& bounded, const PartRay& ray, const ToolPiece& piece,
-         const ToolMotion& motion, double sharpness, int halvings)
+// How the bounds of a ray are lowered by a piece.
+struct RayCut {
+    const PartRay& ray;
+    const ToolPiece& piece;
+    double sharpness;  // mm
+};
+
+// Lowers the bounds by a motion of the piece, which is halved at most `halvings` times.
+void cut(BoundedRay& bounded, const RayCut& by, const ToolMotion& motion, int halvings)
 {
-    const RayOnMotion on{ray.point, ray.normal, motion, piece.body};
+    const PartRay& ray = by.ray;
+    const RayOnMotion on{ray.point, ray.normal, motion, by.piece.body};
     const RayOnMotion::Distance at_point = on.distance(0, std::max(0.0, bounded.low));
     std::optional<double> low;
     if (at_point.gap() <= 0) {
@@ -105,17 +112,17 @@ void cut(BoundedRay& bounded, const PartRay& ray, const ToolPiece& piece,
                                               : sure_place(on, *low, bounded.high);
     if (sure && sure->s < bounded.high) {
         bounded.high = sure->s;
-        bounded.piece = &piece;
+        bounded.piece = &by.piece;
         bounded.slope = slope_of_cosine(on.rate(sure->least));
     }
-    const bool is_sharp = bounded.high - *low <= sharpness;
+    const bool is_sharp = bounded.high - *low <= by.sharpness;
     const double error = motion.chord_error(ray.point + *low * ray.normal);
-    if (is_sharp || halvings == 0 || error <= small_error_share * sharpness) {
+    if (is_sharp || halvings == 0 || error <= small_error_share * by.sharpness) {
         bounded.low = *low;
         return;
     }
     for (const ToolMotion& half : motion.halves())
-        cut(bounded, ray, piece, half, sharpness, halvings - 1);
+        cut(bounded, by, half, halvings - 1);
 }
 
 }  // namespace
@@ -123,7 +130,7 @@ void cut(BoundedRay& bounded, const PartRay& ray, const ToolPiece& piece,
 void cut(BoundedRay& bounded, const PartRay& ray, const ToolPiece& piece,
          double sharpness)
 {
-    cut(bounded, ray, piece, piece.motion, sharpness, most_halvings);
+    cut(bounded, RayCut{ray, piece, sharpness}, piece.motion, most_halvings);
 }
 
 PieceDistance distance_from(const ToolPiece& piece, const Vec3& place, double enough)

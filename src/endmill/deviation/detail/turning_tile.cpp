@@ -413,7 +413,7 @@ TurningTile::Bounds TurningTile::bounds(const BoundedCell& bounded,
 
 void TurningTile::take(Extremes& found, const BoundedCell& bounded) const
 {
-    const auto& [cell, ray] = bounded;
+    const MeasuredCell& cell = bounded.cell;
     ++found.rays;
     found.top = std::max(found.top, cell.ray.point.z() + cell.reach);
     found.is_cut = found.is_cut || cell.cut.sweep >= 0;
@@ -421,11 +421,12 @@ void TurningTile::take(Extremes& found, const BoundedCell& bounded) const
         return DeviationPlace{left, cell.ray, cell.cell.chart, cell.cell.centre(),
                               cell.cut.sweep};
     };
-    const double low = cell.is_judged() ? ray.low : std::min(ray.low, 0.0);
+    const double low =
+        cell.is_judged() ? bounded.ray.low : std::min(bounded.ray.low, 0.0);
     if (low > found.highest.left)
         found.highest = place(low);
-    if (ray.high < found.deepest.left)
-        found.deepest = place(ray.high);
+    if (bounded.ray.high < found.deepest.left)
+        found.deepest = place(bounded.ray.high);
 }
 
 Extremes TurningTile::extremes() const

@@ -20,8 +20,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double least_reach_share = 0.4;
 // Reach of the cells by which moves with a contact are counted, as a share of the pitch.
 constexpr double contact_reach_share = 0.5;
-// The reach of a cell on a curved patch, from the partials at its middle, may be too small
-// by this share while cells are small against the curvature.
+// The reach of a cell on a curved patch, from its corners and the partials at its middle, may
+// be too small by this share while cells are small against the curvature.
 constexpr double reach_margin = 1.1;
 
 // What is found on one piece of the part.
@@ -61,7 +61,7 @@ public:
         Found found;
         if (!ray)
             return found;
-        const double reach = reach_margin * cell.reach(*ray);
+        const double reach = reach_of(cell, *ray);
         double nearest = infinite;
         bodies_.visit_nearest(ray->point, reach, [&](std::size_t number, double) {
             const ToolPiece& piece = bodies_.pieces()[number];
@@ -87,6 +87,16 @@ public:
     }
 
 private:
+    // Distance of the farthest place of a cell from its middle.
+    double reach_of(const PartCell& cell, const PartRay& middle) const
+    {
+        double reach = cell.reach(middle);
+        for (std::size_t k = 0; k < static_cast<std::size_t>(cell.corners); ++k)
+            if (const auto corner = charts_.ray(cell.chart, cell.at[k]))
+                reach = std::max(reach, (corner->point - middle.point).norm());
+        return reach_margin * reach;
+    }
+
     static void take_certain(Found& found, const ToolPiece& piece, const Vec3& place,
                              double u)
     {
