@@ -115,7 +115,7 @@ std::optional<PartOnMachine> part_on_machine(const RotaryOptions& rotary,
         .machine = machine_argument(rotary.machine, options.limits).machine,
         .tool_length = tool_length};
     if (!rotary.setup.empty()) {
-        const SetupPose pose = read_setup_pose(rotary.setup, options.limits);
+        const ClampedPart pose = read_clamped_part(rotary.setup, options.limits);
         setup.part_to_machine = pose.part_to_machine;
         setup.clamp = pose.clamp;
     }

@@ -13,7 +13,7 @@ namespace {
 
 // Smaller lengths in mm can neither be measured nor machined.
 constexpr double negligible = 5e-7;
-constexpr int most_decimals = 6;
+constexpr int most_shown_decimals = 6;
 // Significant digits of measured quantities from 1 up, of smaller ones and of times, and
 // of limits and results of formulas.
 constexpr int digits = 4;
@@ -24,7 +24,7 @@ constexpr int exact_digits = 5;
 int decimals_of(double magnitude, int significant_digits)
 {
     const int whole_digits = static_cast<int>(std::floor(std::log10(magnitude))) + 1;
-    return std::min(std::max(significant_digits - whole_digits, 0), most_decimals);
+    return std::min(std::max(significant_digits - whole_digits, 0), most_shown_decimals);
 }
 
 std::string without_trailing_zeros(std::string text)
@@ -114,7 +114,7 @@ std::string shown_bound(double mm)
     if (!std::isfinite(mm) || mm <= 0)
         return shown_result(mm);
     const int decimals =
-        decimals_of(std::max(mm, std::pow(10, -most_decimals)), exact_digits);
+        decimals_of(std::max(mm, std::pow(10, -most_shown_decimals)), exact_digits);
     const double scale = std::pow(10, decimals);
     return with_decimals(std::ceil(mm * (1 - limit_rounding) * scale) / scale, decimals);
 }

@@ -80,11 +80,11 @@ TEST(PathSummary, MayNameTheMachineThatInterpolatesThePath)
     EXPECT_EQ(setup.tool_length, 70);
     EXPECT_EQ(setup.part_to_machine.row(0), (Eigen::RowVector3d{0, 1, 0}));
     EXPECT_EQ(setup.clamp, Vec3(7, 8, 9));
-    const SetupPose pose = [&] {
+    const ClampedPart pose = [&] {
         folder.put("pose.json",
                    R"({"part_to_machine": [[0, 1, 0], [-1, 0, 0], [0, 0, 1]],
                        "clamp_mm": [7, 8, 9], "type": "CA"})");
-        return read_setup_pose(folder.path() / "pose.json");
+        return read_clamped_part(folder.path() / "pose.json");
     }();
     EXPECT_EQ(pose.part_to_machine, setup.part_to_machine);
     EXPECT_EQ(pose.clamp, Vec3(7, 8, 9));

@@ -208,7 +208,7 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
                                              const ReadLimits& limits = {});
 
 /// The pose of a part on a machine, as `endmill setup` finds it.
-struct SetupPose {
+struct ClampedPart {
     Eigen::Matrix3d
         part_to_machine;  ///< rotation; rows: the machine's X, Y, Z in the part
     Vec3 clamp;           ///< mm, where the part's origin is clamped
@@ -217,7 +217,7 @@ struct SetupPose {
 /// Reads the keys `part_to_machine` and `clamp_mm` of a summary.json of `setup`.
 /// \throws FormatError, LimitError as `read_file` and `JsonDocument`; FormatError E_JSON
 ///         if the pose is missing, or if it is no rotation.
-SetupPose read_setup_pose(const std::filesystem::path& path,
-                          const ReadLimits& limits = {});
+ClampedPart read_clamped_part(const std::filesystem::path& path,
+                              const ReadLimits& limits = {});
 
 }  // namespace endmill

@@ -239,7 +239,7 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
                        machine(root)};
 }
 
-SetupPose read_setup_pose(const std::filesystem::path& path, const ReadLimits& limits)
+ClampedPart read_clamped_part(const std::filesystem::path& path, const ReadLimits& limits)
 {
     const JsonDocument document{read_file(path, limits), shown_path(path), limits};
     const JsonValue root = document.root();

@@ -87,14 +87,15 @@ std::optional<SurePlace> sure_place(const RayOnMotion& on, double from, double m
 }
 
 // How the bounds of a ray are lowered by a piece.
-struct RayCut {
+struct BoundedCut {
     const PartRay& ray;
     const ToolPiece& piece;
     double sharpness;  // mm
 };
 
 // Lowers the bounds by a motion of the piece, which is halved at most `halvings` times.
-void cut(BoundedRay& bounded, const RayCut& by, const ToolMotion& motion, int halvings)
+void cut(BoundedRay& bounded, const BoundedCut& by, const ToolMotion& motion,
+         int halvings)
 {
     const PartRay& ray = by.ray;
     const RayOnMotion on{ray.point, ray.normal, motion, by.piece.body};
@@ -130,7 +131,7 @@ void cut(BoundedRay& bounded, const RayCut& by, const ToolMotion& motion, int ha
 void cut(BoundedRay& bounded, const PartRay& ray, const ToolPiece& piece,
          double sharpness)
 {
-    cut(bounded, RayCut{ray, piece, sharpness}, piece.motion, most_halvings);
+    cut(bounded, BoundedCut{ray, piece, sharpness}, piece.motion, most_halvings);
 }
 
 PieceDistance distance_from(const ToolPiece& piece, const Vec3& place, double enough)
