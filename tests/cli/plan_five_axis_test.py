@@ -46,9 +46,9 @@ class PlanFiveAxis(ProgramTest):
         path = self.folder / "out/toolpath.csv"
         seen = self.summary("verify", path, "--resolution", "0.5", "-o", "seen")
         self.assertEqual((seen["verdict"], seen["engine"]), ("clean", "five-axis"))
-        for machine in ("ca-table-table", "cb-head-head"):
+        for machine, clamp in (("ca-table-table", "0,0,0"), ("cb-head-head", "0,0,100")):
             facts = self.summary("post", path, "--machine", MACHINES / f"{machine}.json", "--tool", TOOL, "--feed", "600",
-                                 "-o", machine)
+                                 "--clamp", clamp, "-o", machine)
             self.assertLessEqual(facts["max_tip_error_mm"], 0.01)
             self.assertTrue(any((self.folder / machine).glob("*.ngc")))
 

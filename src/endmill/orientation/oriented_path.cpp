@@ -76,6 +76,7 @@ struct Pose {
     Angle lead = Angle::radians(0);
     double strip_mm = 0;
     double across = 0;  // mm per unit of the parameter across the feed
+    Vec3 feed = Vec3::Zero();
 };
 
 // The poses on one surface.
@@ -139,7 +140,8 @@ public:
                 {control_point(cutter_, contact, ControlPoint::Tip, axis), axis},
                 inclination.lead,
                 *strip,
-                std::abs((is_u ? jet.dv : jet.du).dot(left))};
+                std::abs((is_u ? jet.dv : jet.du).dot(left)),
+                feed};
     }
 
     // Half the part of the strip that counts, as a length of the parameter across, at the
@@ -314,6 +316,16 @@ public:
                 (rows[k].at.contact.point - rows[k - 1].at.contact.point).norm();
         }
         last_ = rows.back();
+        // Beside the pass the rim of a leaning cutter is behind the contact. It runs on until
+        // the rim has left the part over the whole strip.
+        const double half = std::min(last_.strip_mm / 2, cutter_.radius());
+        const double behind =
+            cutter_.radius() -
+            std::sqrt(cutter_.radius() * cutter_.radius() - half * half);
+        if (!cutter_.is_ball() && last_.lead.radians() >= 0) {
+            last_.location.tip += behind * last_.feed;
+            add_point(last_.location, Move::Cut, {});
+        }
         ++result_.passes;
     }
 

@@ -42,7 +42,8 @@ struct OrientedOptions {
 
 /// A path whose axis turns.
 struct OrientedPath {
-    ToolPath path;                            ///< contacts are known at all cuts
+    ToolPath
+        path;  ///< contacts are known at all cuts but those beyond the ends of passes
     std::size_t passes = 0;                   ///< number of passes
     double cut_contact_mm = 0;                ///< length of the cuts by contacts
     Angle least_lead = Angle::radians(0);     ///< of all contacts
@@ -54,7 +55,8 @@ struct OrientedPath {
 /// allow, by the curvatures of part and cutter at the narrowest place. On a pass, rows are
 /// inserted until the cutter between two of them neither gouges the contact by more than half
 /// the inner tolerance nor leaves more there than a twentieth of the scallop height, at most
-/// the inner tolerance. Between passes the tool is lifted along its axis: by a small clearance
+/// the inner tolerance. A leaning cutter that is no ball runs on beyond the end of a pass until
+/// its rim has left the part beside the pass too. Between passes the tool is lifted along its axis: by a small clearance
 /// if the next pass is near, else to the safe height, where it turns.
 ///
 /// Nothing here proves that the path is clean; see plan_judged_oriented.

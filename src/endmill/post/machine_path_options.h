@@ -51,8 +51,10 @@ struct MachinePathReport {
     std::size_t branch_changes = 0;   ///< changes between the two solutions
     std::size_t singular_points = 0;  ///< points whose axis became a singular direction
     double rotary_travel = 0;         ///< rad, all turns of both axes
-    double max_tip_error_mm = 0;      ///< bound, from the path to tip and reference point
-    double max_axis_error = 0;        ///< rad, bound
+    /// Bound, from the path to tip and reference point. Rapids, which may deviate by 0.1 mm,
+    /// do not count.
+    double max_tip_error_mm = 0;
+    double max_axis_error = 0;           ///< rad, bound
     double max_tip_feed_mm_per_min = 0;  ///< bound of the speed of the tip in the part
     double rate_limited_min = 0;  ///< min, of pieces that take longer because of a rate
     double time_min = 0;          ///< min, of all moves at feed

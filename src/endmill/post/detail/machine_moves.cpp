@@ -24,6 +24,11 @@ constexpr double rapid_tolerance = 0.1;
 constexpr double shortest_piece = 1e-12;
 constexpr double never = std::numeric_limits<double>::infinity();
 
+bool is_rapid(const IntendedMove& move)
+{
+    return move.point.move == Move::Rapid;
+}
+
 double even(double from, double to, double u)
 {
     return from + u * (to - from);
@@ -52,9 +57,9 @@ void MachineMoves::begin(const CutterLocation& pose, const RotaryPositions& rota
 
 void MachineMoves::add(const IntendedMove& move)
 {
-    const double tolerance = move.feed_mm_per_min
-                                 ? options_.tolerance
-                                 : std::max(options_.tolerance, rapid_tolerance);
+    const double tolerance = is_rapid(move)
+                                 ? std::max(options_.tolerance, rapid_tolerance)
+                                 : options_.tolerance;
     const auto is_within = [&](const PieceErrors& found) {
         return found.tip <= tolerance &&
                options_.cutter.radius() * found.axis <= tolerance;
@@ -162,8 +167,10 @@ void MachineMoves::add_piece(const IntendedMove& move, const Stop& from, const S
     }
     if (changes) {
         ++report.pieces;
-        report.max_tip_error_mm = std::max(report.max_tip_error_mm, found.tip);
-        report.max_axis_error = std::max(report.max_axis_error, found.axis);
+        if (!is_rapid(move)) {
+            report.max_tip_error_mm = std::max(report.max_tip_error_mm, found.tip);
+            report.max_axis_error = std::max(report.max_axis_error, found.axis);
+        }
     }
     append(point, to, minutes, move.row);
 }
