@@ -127,7 +127,7 @@ TEST(TurningVerification, TableTurnsAConeExactlyInCoarseSteps)
     const Part part = std::vector<Surface>{nurbs_surface(cone)};
     VerificationTask task = task_of(path, flat, &part, RemovalEngine::FiveAxis);
     task.resolution = 0.5;
-    task.judged->limits = {0.01, 0.01};
+    task.judged->limits = {0.002, 0.002};
     const Verification exact = verify_path(task);
     EXPECT_EQ(exact.verdict, Verdict::Clean);
     EXPECT_LT(exact.on_part->deviation.max_gouge_mm, 1e-3);

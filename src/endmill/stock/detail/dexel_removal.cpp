@@ -21,14 +21,6 @@ constexpr int most_halvings = 6;
 // A piece is not halved if its error is below this, in mm: the ray then grazes the cutter.
 constexpr double small_error = 1e-5;
 
-// Depths below the top of a ray, in mm, at which the end of what a motion removes is looked
-// for: each is this many times the one before.
-// The first one depends on the way of the tip.
-constexpr double first_depth = 1e-3;
-constexpr double first_depth_share = 0.5;
-constexpr double depth_factor = 4;
-constexpr int most_depths = 2;
-
 // An interval on a ray, in units.
 using Interval32 = DexelInterval;
 
@@ -123,52 +115,20 @@ std::optional<Range> sure_range(const RayOnMotion& on, const Range& may)
                                                                    : std::nullopt;
 }
 
-// Returns the lower end of what may be removed on a range whose upper end may be, if it is
-// near that end. Most motions remove a thin layer from the end of an interval.
-std::optional<double> entry_below(const RayOnMotion& on, const Range& range)
-{
-    double depth = std::max(first_depth, first_depth_share * on.travel());
-    for (int step = 0; step < most_depths; ++step, depth *= depth_factor) {
-        const double below = range.to - depth;
-        if (!(below > range.from))
-            return std::nullopt;
-        const RayOnMotion::Distance there = on.distance(below);
-        if (there.gap() <= 0)
-            continue;
-        if (on.reversed().first_entry(-below, -range.from, there))
-            return std::nullopt;
-        return on.first_entry(below, range.to, there);
-    }
-    return std::nullopt;
-}
-
-// Returns the lower end of what may be removed on a range; nothing if nothing may be.
-// \param at_from distance at the lower end of the range.
-// \param is_top  whether the upper end may be removed.
-std::optional<double> lower_end(const RayOnMotion& on, const Range& range,
-                                const RayOnMotion::Distance& at_from, bool is_top)
-{
-    if (at_from.gap() <= 0)
-        return range.from;
-    if (is_top)
-        if (const auto near = entry_below(on, range))
-            return near;
-    return on.first_entry(range.from, range.to, at_from);
-}
-
 // Returns what a motion removes on a range of a ray; nothing if it removes nothing.
 std::optional<Removed> removed_on(const RayOnMotion& on, const Range& range)
 {
-    const RayOnMotion back = on.reversed();
-    const RayOnMotion::Distance at_from = on.distance(range.from);
-    const RayOnMotion::Distance at_to = on.distance(range.to);
-    const auto to = lower_end(back, {-range.to, -range.from}, at_to, at_from.gap() <= 0);
-    if (!to)
-        return std::nullopt;
-    const auto from = lower_end(on, {range.from, -*to}, at_from, at_to.gap() <= 0);
+    Range may = range;
+    if (on.distance(range.to).gap() > 0) {
+        const auto to = on.reversed().first_entry(-range.to, -range.from);
+        if (!to)
+            return std::nullopt;
+        may.to = -*to;
+    }
+    const auto from = on.first_entry(range.from, may.to);
     if (!from)
         return std::nullopt;
-    const Range may{*from, -*to};
+    may.from = *from;
     return Removed{may, sure_range(on, may)};
 }
 

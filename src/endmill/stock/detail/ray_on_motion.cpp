@@ -23,8 +23,6 @@ constexpr int most_entry_steps = 40;
 constexpr int most_sure_steps = 12;
 // Least rate at which the distance is assumed to fall towards a removed place.
 constexpr double least_fall = 0.02;
-// A distance of more than this many times the error is far.
-constexpr double far_errors = 8;
 
 }  // namespace
 
@@ -39,19 +37,14 @@ RayOnMotion::RayOnMotion(const Vec3& start, const Vec3& direction,
       along_from_{motion.from().axes.transpose() * direction},
       along_to_{motion.to().axes.transpose() * direction}
 {
-    error_rate_ = motion.turn() * motion.turn() / 8;
-    error_at_start_ = motion.chord_error(start) + rounding;
 }
 
 RayOnMotion::Distance RayOnMotion::distance(double s, double enough) const
 {
-    const double most = error_at_start_ + error_rate_ * std::abs(s);
-    const CuttingBody::Least least = body_->least_on_segment(
-        from_ + s * along_from_, to_ + s * along_to_, enough + most);
-    // Far from the cutter a coarse bound of the error suffices.
-    if (least.lower > far_errors * most)
-        return {least, most};
-    return {least, motion_->chord_error(start_ + s * direction_) + rounding};
+    const double error = motion_->chord_error(start_ + s * direction_) + rounding;
+    return {body_->least_on_segment(from_ + s * along_from_, to_ + s * along_to_,
+                                    enough + error),
+            error};
 }
 
 double RayOnMotion::rate(const CuttingBody::Least& least) const
@@ -68,20 +61,15 @@ double RayOnMotion::at_pose(double s, double u) const
 
 std::optional<double> RayOnMotion::first_entry(double s, double most) const
 {
-    return first_entry(s, most, distance(s, most - s));
-}
-
-std::optional<double> RayOnMotion::first_entry(double s, double most, Distance here) const
-{
     const double slack = motion_->turn() * (1 + motion_->turn() / 4);
     for (int step = 0; step < most_entry_steps; ++step) {
+        const Distance here = distance(s, most - s);
         if (here.gap() <= converged)
             return s;
         const double fall = std::min(1.0, slack - rate(here.least));
         if (!(fall > 0) || !(s + here.gap() / fall < most))
             return std::nullopt;
         s += here.gap() / fall;
-        here = distance(s, most - s);
     }
     return s;
 }

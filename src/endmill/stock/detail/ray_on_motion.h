@@ -22,7 +22,7 @@ public:
     /// A distance F, and bounds that hold for it.
     struct Distance {
         CuttingBody::Least least;  ///< F, with the pose where it is attained
-        double error;              ///< e or, far from the cutter, an upper bound; mm
+        double error;              ///< e, mm
 
         double gap() const { return least.lower - error; }  ///< above 0: not removed
         /// For certain, and by more than a margin in mm.
@@ -54,9 +54,6 @@ public:
     /// \return nothing if it is not below `most`.
     std::optional<double> first_entry(double s, double most) const;
 
-    /// The same with the known distance at s.
-    std::optional<double> first_entry(double s, double most, Distance here) const;
-
     /// Returns the first place found from s up that is removed for certain. Grazing lines
     /// may be missed.
     /// \param distance receives F there.
@@ -68,17 +65,12 @@ public:
     /// Returns the angle by which the direction turns as seen from the tool, at most; rad.
     double turn() const { return motion_->turn(); }
 
-    /// Returns the way of the tip between the ends of the motion, mm.
-    double travel() const { return (motion_->to().tip - motion_->from().tip).norm(); }
-
     /// The line in the opposite direction, from the same start.
     RayOnMotion reversed() const;
 
 private:
     Vec3 start_;
     Vec3 direction_;
-    double error_at_start_;  // upper bound of e at the start, mm
-    double error_rate_;      // upper bound of the change of e per mm
     const ToolMotion* motion_;
     const CuttingBody* body_;
     Vec3 from_;        // start, seen from the tool at u = 0
