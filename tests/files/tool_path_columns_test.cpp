@@ -47,7 +47,7 @@ TEST(PathColumns, AreNamedInTheOrderOfTheFormat)
         all,
         "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,axis_x,axis_y,axis_z,tool,patch,"
         "u,v,contact_x_mm,contact_y_mm,contact_z_mm,normal_x,normal_y,normal_z,"
-        "feed_mm_per_min,spindle_rpm,limit");
+        "feed_mm_per_min,spindle_rpm,limit,x_mm,y_mm,z_mm,r1_deg,r2_deg");
     const PathColumns columns = columns_of(all);
     EXPECT_EQ(columns.count(), path_column_count);
     EXPECT_TRUE(columns.has_contacts());
