@@ -154,11 +154,11 @@ void add_rotary_post_options(CLI::App& command, PostOptions& post)
     add_choice<SingularRule>(
         command, "--singular", options.singular, singular_rules,
         "--machine: near the axis of the first rotary axis keep the path (exact), take "
-        "that direction (turn), or turn there in the air (retract; default exact)");
+        "that direction (turn), or turn there in the air (retract) (default exact)");
     constexpr double widest_cone_deg = 10;
     add_number(command,
                {"--singular-cone-deg", "DEG",
-                "--singular: half angle of the cone that counts as near (default 0.1)",
+                "--singular: half angle of the cone that counts as near",
                 NumberDomain::above_zero_to(widest_cone_deg)},
                options.singular_cone_deg);
 }

@@ -75,6 +75,39 @@ TEST(CuttingBody, DistanceIsConvexAndLipschitz)
         }
 }
 
+TEST(CuttingBody, NothingOutsideANearStretchIsNear)
+{
+    test::Random random{7};
+    int found = 0;
+    for (const CuttingBody& body : bodies())
+        for (int i = 0; i < 2000; ++i) {
+            const Vec3 start = random_place(random);
+            const Vec3 end = random_place(random);
+            // upright and level lines too
+            Vec3 direction = end - start;
+            if (i % 10 == 0)
+                direction = {0, 0, 1};
+            if (i % 10 == 1)
+                direction.z() = 0;
+            const double within = i % 3 == 0 ? 0 : random.uniform(0, 1);
+            const auto near = body.near_stretch(start, direction, within);
+            found += near ? 1 : 0;
+            for (int k = -100; k <= 100; ++k) {
+                const double s = k / 20.0;
+                if (near && near->from <= s && s <= near->to)
+                    continue;
+                ASSERT_GT(body.distance(start + s * direction).value, within);
+            }
+            // The ends of a ball's stretch are as far away as asked.
+            if (near && body.cutter().is_ball() && std::isinf(body.length()) &&
+                within > 0 && near->from > -5) {
+                EXPECT_NEAR(body.distance(start + near->from * direction).value, within,
+                            1e-6);
+            }
+        }
+    EXPECT_GT(found, 4000);
+}
+
 TEST(CuttingBody, LeastOnASegmentIsThatOfDenseSamples)
 {
     test::Random random{3};

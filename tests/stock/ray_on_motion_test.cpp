@@ -92,6 +92,27 @@ TEST(RayOnMotion, NothingIsRemovedBeforeTheFirstEntry)
     EXPECT_GT(found_entries, 200);
 }
 
+TEST(RayOnMotion, NothingIsRemovedOutsideTheNearStretch)
+{
+    test::Random random{4};
+    int found = 0;
+    for (const CuttingBody& body : bodies)
+        for (int i = 0; i < 1000; ++i) {
+            const RandomCase one{random};
+            const RayOnMotion on{one.start, one.direction, one.motion, body};
+            const auto near = on.near_stretch(-6, 14);
+            found += near ? 1 : 0;
+            for (int k = 0; k <= 40; ++k) {
+                const double s = -6 + 0.5 * k;
+                if (!near || s < near->from || s > near->to) {
+                    EXPECT_GT(one.sampled(s, body), 0);
+                }
+                EXPECT_LE(on.distance(s).error, on.error_between(-6, 14));
+            }
+        }
+    EXPECT_GT(found, 500);
+}
+
 TEST(RayOnMotion, ReversedLineHasTheSameDistances)
 {
     test::Random random{3};

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "endmill/core/error.h"
 
@@ -165,6 +166,79 @@ CuttingBody::Least CuttingBody::searched(const Vec3& from, const Vec3& to,
             slope_high = slope;
         }
     }
+}
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+// Share of the coordinates by which a near stretch is longer, for rounding.
+constexpr double rounding_share = 1e-12;
+
+// Returns where a + b s <= 0.
+std::optional<CuttingBody::Stretch> below_zero(double a, double b)
+{
+    if (b == 0)
+        return a <= 0 ? std::optional{CuttingBody::Stretch{-infinite, infinite}}
+                      : std::nullopt;
+    const double root = -a / b;
+    return b > 0 ? CuttingBody::Stretch{-infinite, root}
+                 : CuttingBody::Stretch{root, infinite};
+}
+
+// Returns where a s^2 + 2 b s + c <= 0, for a >= 0 that vanishes only with b.
+std::optional<CuttingBody::Stretch> below_zero(double a, double b, double c)
+{
+    if (!(a > 0))
+        return below_zero(c, 2 * b);
+    const double under_root = b * b - a * c;
+    if (under_root < 0)
+        return std::nullopt;
+    const double root = std::sqrt(under_root);
+    return CuttingBody::Stretch{(-b - root) / a, (-b + root) / a};
+}
+
+std::optional<CuttingBody::Stretch> common(const std::optional<CuttingBody::Stretch>& a,
+                                           const std::optional<CuttingBody::Stretch>& b)
+{
+    if (!a || !b)
+        return std::nullopt;
+    const CuttingBody::Stretch both{std::max(a->from, b->from), std::min(a->to, b->to)};
+    return both.from <= both.to ? std::optional{both} : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<CuttingBody::Stretch> CuttingBody::near_stretch(const Vec3& start,
+                                                              const Vec3& direction,
+                                                              double within) const
+{
+    const double grown = within + rounding_share * (1 + start.cwiseAbs().maxCoeff());
+    const double radius = cutter_.radius() + grown;
+    const double level = direction.x() * direction.x() + direction.y() * direction.y();
+    const double towards = start.x() * direction.x() + start.y() * direction.y();
+    const double outside =
+        start.x() * start.x() + start.y() * start.y() - radius * radius;
+    const auto beside = below_zero(level, towards, outside);
+    if (!beside)
+        return std::nullopt;
+    auto near = beside;
+    if (cutter_.is_ball()) {
+        const double h = start.z() - cutter_.radius();
+        near = common(beside, below_zero(-h, -direction.z()));
+        const auto in_ball = below_zero(level + direction.z() * direction.z(),
+                                        towards + h * direction.z(), outside + h * h);
+        if (!near) {
+            near = in_ball;
+        } else if (in_ball) {
+            near = Stretch{std::min(near->from, in_ball->from),
+                           std::max(near->to, in_ball->to)};
+        }
+    } else {
+        near = common(beside, below_zero(base_ - grown - start.z(), -direction.z()));
+    }
+    if (std::isinf(length_))
+        return near;
+    return common(near, below_zero(start.z() - length_ - grown, direction.z()));
 }
 
 double CuttingBody::support(const Vec3& direction) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "endmill/core/vec.h"
 #include "endmill/cutter/cutter.h"
@@ -67,6 +68,21 @@ public:
     /// \param enough mm; the search ends as soon as no place has a smaller distance.
     Least least_on_segment(const Vec3& from, const Vec3& to,
                            double enough = std::numeric_limits<double>::infinity()) const;
+
+    /// A stretch of a line, by its parameter.
+    struct Stretch {
+        double from;
+        double to;
+    };
+
+    /// Returns a stretch of the line start + s direction outside which every place is farther
+    /// than `within` from the body. For a ball it is the shortest one but for rounding; for
+    /// another cutter that of the cylinder around it.
+    /// \param within mm, not negative. \param direction of any length.
+    /// \return nothing if the whole line is farther. Without an end, the parameter there is
+    ///         infinite.
+    std::optional<Stretch> near_stretch(const Vec3& start, const Vec3& direction,
+                                        double within) const;
 
     /// Returns the least w . y over all places y of the body, for a unit vector w; minus
     /// infinity for an endless cutter if w.z < 0.

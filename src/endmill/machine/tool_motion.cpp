@@ -164,6 +164,19 @@ double ToolMotion::chord_error(const Vec3& point) const
     return machine_ ? error : std::min(error, linear_error(point, reach));
 }
 
+// The bounds without `linear_error` are convex in the place.
+double ToolMotion::chord_error_between(const Vec3& from, const Vec3& to) const
+{
+    if (turn_ == 0)
+        return 0;
+    if (machine_ && machine_->interpolation == Interpolation::Joint)
+        return std::max(joint_bend(from), joint_bend(to)) / 8;
+    const double reach2 =
+        std::max({(from - from_.tip).squaredNorm(), (from - to_.tip).squaredNorm(),
+                  (to - from_.tip).squaredNorm(), (to - to_.tip).squaredNorm()});
+    return turn_ * (turn_ * std::sqrt(reach2) + 2 * travel_) / 8;
+}
+
 // Seen from the tool, y = Q^T (x - t) with Q' = T [k] Q for the unit turn axis k. Hence
 // y'' = Q^T (T^2 k x (k x (x - t)) + 2 T k x t').
 double ToolMotion::linear_error(const Vec3& point, double reach) const

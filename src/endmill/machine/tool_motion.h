@@ -78,6 +78,9 @@ public:
     /// (|y''(1/2)| + max|y'''| / 2) / 8 if that is less.
     double chord_error(const Vec3& point) const;
 
+    /// Returns an upper bound of `chord_error` for all places of the segment between two.
+    double chord_error_between(const Vec3& from, const Vec3& to) const;
+
     /// Returns an upper bound of the second derivative, in the part, of all places of the
     /// tool that lie within `far` mm of the tip.
     double largest_tool_bend(double far) const;

@@ -182,7 +182,6 @@ HalfSpace half_space_of(const ToolPiece& piece, const Vec3& normal)
 {
     const ToolMotion& motion = piece.motion;
     const CuttingBody& body = piece.body;
-    const double R = body.cutter().radius();
     const bool is_endless = std::isinf(body.length());
     const double sag = 2 * motion.axis_sag();
     Vec3 w = normal;
@@ -207,11 +206,18 @@ HalfSpace half_space_of(const ToolPiece& piece, const Vec3& normal)
             seen.z() = 0;
         least = std::min(least, half.normal.dot(frame->tip) + body.support(seen));
     }
-    // The lowest place of the cutter lies at most this far from the tip.
-    const double far =
-        std::hypot(R, is_endless ? body.cutter().corner_radius() : body.length());
-    half.least = least - motion.largest_tool_bend(far) / 8 - rounding;
+    half.least = least - half_space_slack(piece) - rounding;
     return half;
+}
+
+double half_space_slack(const ToolPiece& piece)
+{
+    const CuttingBody& body = piece.body;
+    // The lowest place of the cutter lies at most this far from the tip.
+    const double far = std::hypot(
+        body.cutter().radius(),
+        std::isinf(body.length()) ? body.cutter().corner_radius() : body.length());
+    return piece.motion.largest_tool_bend(far) / 8;
 }
 
 }  // namespace endmill

@@ -82,4 +82,8 @@ std::optional<double> thickness_by(const ToolPiece& piece, const PartRay& ray,
 /// \param normal unit.
 HalfSpace half_space_of(const ToolPiece& piece, const Vec3& normal);
 
+/// Returns the distance in mm by which the turn of a piece moves its half spaces away. A
+/// half of the piece has a quarter of it.
+double half_space_slack(const ToolPiece& piece);
+
 }  // namespace endmill

@@ -343,7 +343,8 @@ std::vector<const ToolPiece*> TurningTile::lowest_pieces(const BoundedCell& boun
 namespace {
 
 // Lower bound, below 0, of the thickness that a piece leaves anywhere on a cell. As in
-// `least_left_by_planes`, three half spaces are tried.
+// `least_left_by_planes`, three half spaces are tried, and one parallel to the cell: beside
+// a sharp rim that touches the part only this one is near.
 double least_by_piece(const MeasuredCell& cell, const ToolPiece& piece)
 {
     const auto by = [&](const Vec3& place) {
@@ -354,20 +355,39 @@ double least_by_piece(const MeasuredCell& cell, const ToolPiece& piece)
                           : -infinite;
     };
     const Vec3& middle = cell.ray.point;
-    const double least = by(middle);
-    if (least == infinite)
-        return least;
-    const Vec3 below = middle - piece.body.cutter().radius() * cell.ray.normal;
-    const double known = std::max(least, by(below));
+    double known = by(middle);
+    if (known == infinite)
+        return known;
+    known = std::max(known, least_by(cell, half_space_of(piece, cell.ray.normal)));
+    known = std::max(known, by(middle - piece.body.cutter().radius() * cell.ray.normal));
     if (!std::isfinite(known))
         return known;
     return std::max(known, by(middle + known * cell.ray.normal));
 }
 
+// The same for a piece that is halved while the bound is below `enough` and the turn may
+// change it by more than `sharpness` mm.
+double least_by_halves(const MeasuredCell& cell, const ToolPiece& piece, double enough,
+                       double sharpness)
+{
+    const double least = least_by_piece(cell, piece);
+    if (least >= enough || !(half_space_slack(piece) > sharpness))
+        return least;
+    double of_halves = infinite;
+    for (const ToolMotion& half : piece.motion.halves()) {
+        of_halves = std::min(
+            of_halves, least_by_halves(cell, {half, piece.body, piece.point, piece.order},
+                                       enough, sharpness));
+        if (of_halves <= least)
+            return least;
+    }
+    return of_halves;
+}
+
 }  // namespace
 
 double TurningTile::least_left(const BoundedCell& bounded, const NearPieces& near,
-                               bool by_planes) const
+                               bool by_planes, double enough, double sharpness) const
 {
     const MeasuredCell& cell = bounded.cell;
     if (!by_planes)
@@ -378,7 +398,7 @@ double TurningTile::least_left(const BoundedCell& bounded, const NearPieces& nea
     for (const std::uint32_t number : near.pieces) {
         const ToolPiece& piece = measured_.pieces.pieces()[number];
         if (may_reach(piece, points))
-            least = std::min(least, least_by_piece(cell, piece));
+            least = std::min(least, least_by_halves(cell, piece, enough, sharpness));
     }
     return least;
 }
@@ -397,9 +417,11 @@ bool TurningTile::has_no_foot(const MeasuredCell& cell, double away) const
 
 TurningTile::Bounds TurningTile::bounds(const BoundedCell& bounded,
                                         const NearPieces& near, bool by_planes,
-                                        const RefinementThresholds& thresholds) const
+                                        const RefinementThresholds& thresholds,
+                                        int level) const
 {
-    Bounds bounds{most_left(bounded), least_left(bounded, near, by_planes)};
+    Bounds bounds{most_left(bounded), least_left(bounded, near, by_planes,
+                                                 thresholds.lower, sharpness(level))};
     if (bounds.most > thresholds.upper) {
         const std::vector<const ToolPiece*> lowest = lowest_pieces(bounded, near);
         bounds.most = std::min(bounds.most, most_left_by_pieces(bounded, lowest));
@@ -439,7 +461,7 @@ Extremes TurningTile::extremes() const
             near_ = near_pieces();
         const double least =
             by_planes
-                ? least_left(bounded, *near_, true)
+                ? least_left(bounded, *near_, true, -infinite, infinite)
                 : bounded.ray.low - hidden_gouge(bounded.cell, measured_.corner_radius);
         found.bound(most_left(bounded), least);
         found.add_area(bounded.value(), bounded.cell.area, measured_.options.limits);
@@ -492,7 +514,8 @@ Extremes TurningTile::refined(const RefinementThresholds& thresholds) const
             if (!one.is_strip)
                 take(found, one.bounded);
             const bool by_planes = one.at_border || needs_planes(one.bounded);
-            of_cell.push_back(bounds(one.bounded, *one.near, by_planes, thresholds));
+            of_cell.push_back(
+                bounds(one.bounded, *one.near, by_planes, thresholds, level));
             if (thresholds.are_exceeded(of_cell.back().most, of_cell.back().least))
                 ++exceeding;
         }

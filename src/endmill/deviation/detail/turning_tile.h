@@ -107,15 +107,15 @@ private:
                          int level) const;
     void take_ray(BoundedCell& bounded, const BoundedRay& ray) const;
     Bounds bounds(const BoundedCell& bounded, const NearPieces& near, bool by_planes,
-                  const RefinementThresholds& thresholds) const;
+                  const RefinementThresholds& thresholds, int level) const;
     bool needs_planes(const BoundedCell& bounded) const;
     double most_left(const BoundedCell& bounded) const;
     double most_left_by_pieces(const BoundedCell& bounded,
                                std::span<const ToolPiece* const> pieces) const;
     std::vector<const ToolPiece*> lowest_pieces(const BoundedCell& bounded,
                                                 const NearPieces& near) const;
-    double least_left(const BoundedCell& bounded, const NearPieces& near,
-                      bool by_planes) const;
+    double least_left(const BoundedCell& bounded, const NearPieces& near, bool by_planes,
+                      double enough, double sharpness) const;
     bool has_no_foot(const MeasuredCell& cell, double away) const;
     void add_quarters(const Refined& of, int level, std::vector<Refined>& next) const;
     void take(Extremes& found, const BoundedCell& bounded) const;

@@ -94,8 +94,7 @@ std::optional<Range> sure_range(const RayOnMotion& on, const Range& may)
         return std::nullopt;
     const Range sure{*from, -*back};
     const double middle = (sure.from + sure.to) / 2;
-    const double error =
-        std::max({at_from.error, at_to.error, on.distance(middle).error});
+    const double error = on.error_between(sure.from, sure.to);
     const auto removes = [&](double s, double u) { return on.at_pose(s, u) <= -error; };
     const bool is_whole =
         removes(sure.from, at_from.least.at) && removes(middle, at_from.least.at) &&
@@ -118,17 +117,16 @@ std::optional<Range> sure_range(const RayOnMotion& on, const Range& may)
 // Returns what a motion removes on a range of a ray; nothing if it removes nothing.
 std::optional<Removed> removed_on(const RayOnMotion& on, const Range& range)
 {
-    Range may = range;
-    if (on.distance(range.to).gap() > 0) {
-        const auto to = on.reversed().first_entry(-range.to, -range.from);
-        if (!to)
-            return std::nullopt;
-        may.to = -*to;
-    }
-    const auto from = on.first_entry(range.from, may.to);
+    const auto near = on.near_stretch(range.from, range.to);
+    if (!near)
+        return std::nullopt;
+    const auto to = on.reversed().first_entry(-near->to, -near->from);
+    if (!to)
+        return std::nullopt;
+    const auto from = on.first_entry(near->from, -*to);
     if (!from)
         return std::nullopt;
-    may.from = *from;
+    const Range may{*from, -*to};
     return Removed{may, sure_range(on, may)};
 }
 
@@ -169,10 +167,6 @@ public:
         const ToolPiece& piece = pieces.pieces()[number];
         for (std::size_t ray = 0; ray < dexels_.size(); ++ray) {
             const std::vector<Interval32>& upper = dexels_[ray].upper;
-            if (upper.empty() ||
-                !pieces.is_near_segment(number, at(ray, upper.front().from * unit_),
-                                        at(ray, upper.back().to * unit_), 0))
-                continue;
             chords_.clear();
             for (const Interval32& one : upper)
                 add_chords(ray, piece, piece.motion, {one.from * unit_, one.to * unit_},

@@ -47,6 +47,12 @@ RayOnMotion::Distance RayOnMotion::distance(double s, double enough) const
             error};
 }
 
+double RayOnMotion::error_between(double from, double to) const
+{
+    return rounding + motion_->chord_error_between(start_ + from * direction_,
+                                                   start_ + to * direction_);
+}
+
 double RayOnMotion::rate(const CuttingBody::Least& least) const
 {
     return least.gradient.dot((1 - least.at) * along_from_ + least.at * along_to_);
@@ -57,6 +63,23 @@ double RayOnMotion::at_pose(double s, double u) const
     return body_
         ->distance((1 - u) * (from_ + s * along_from_) + u * (to_ + s * along_to_))
         .value;
+}
+
+// All poses see a place within half the way between its ends, and the error, of the middle
+// of these ends.
+std::optional<CuttingBody::Stretch> RayOnMotion::near_stretch(double from,
+                                                              double to) const
+{
+    const Vec3 way = to_ - from_;
+    const Vec3 change = along_to_ - along_from_;
+    const double widest2 =
+        std::max((way + from * change).squaredNorm(), (way + to * change).squaredNorm());
+    const auto near =
+        body_->near_stretch((from_ + to_) / 2, (along_from_ + along_to_) / 2,
+                            std::sqrt(widest2) / 2 + error_between(from, to));
+    if (!near || near->to < from || near->from > to)
+        return std::nullopt;
+    return CuttingBody::Stretch{std::max(near->from, from), std::min(near->to, to)};
 }
 
 std::optional<double> RayOnMotion::first_entry(double s, double most) const

@@ -42,12 +42,20 @@ public:
     Distance distance(double s,
                       double enough = std::numeric_limits<double>::infinity()) const;
 
+    /// Returns an upper bound of the error between two places, mm.
+    double error_between(double from, double to) const;
+
     /// Returns the rate at which F changes along the line.
     double rate(const CuttingBody::Least& least) const;
 
     /// Returns the distance from the cutter at s, in the straight approximation of the
     /// pose at u.
     double at_pose(double s, double u) const;
+
+    /// Returns a stretch between two places outside which nothing is removed. It takes one
+    /// chord of the cutter and is about as much too long as the motion is wide.
+    /// \return nothing if the motion removes nothing between them.
+    std::optional<CuttingBody::Stretch> near_stretch(double from, double to) const;
 
     /// Returns a place such that nothing from s up to it is removed, as close as possible
     /// to the first place that may be removed.

@@ -56,13 +56,6 @@ public:
     std::vector<std::uint32_t> near_segment(const Vec3& from, const Vec3& to,
                                             double within) const;
 
-    /// Whether a piece may come within a distance of a segment.
-    bool is_near_segment(std::size_t piece, const Vec3& from, const Vec3& to,
-                         double within) const
-    {
-        return capsules_[piece].is_near(from, to, within);
-    }
-
 private:
     // Capsule around the axes of the pieces, thickened by the radius of the cutters.
     struct Capsule {
