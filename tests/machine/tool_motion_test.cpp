@@ -56,16 +56,19 @@ TEST(ToolMotion, EndsAtTheGivenLocations)
     }
 }
 
-TEST(ToolMotion, ChordErrorOfASegmentBoundsThatOfItsPlaces)
+TEST(ToolMotion, ChordErrorIsConvex)
 {
     test::Random random{5};
     for (int i = 0; i < 1000; ++i) {
         const ToolMotion motion = random_motion(random);
         const Vec3 from = motion.from().tip + random_place(random, 40);
         const Vec3 to = motion.from().tip + random_place(random, 40);
-        const double most = motion.chord_error_between(from, to);
-        for (int k = 0; k <= 10; ++k)
-            EXPECT_LE(motion.chord_error(from + k / 10.0 * (to - from)), most + 1e-15);
+        for (int k = 0; k <= 10; ++k) {
+            const double share = k / 10.0;
+            EXPECT_LE(motion.chord_error((1 - share) * from + share * to),
+                      (1 - share) * motion.chord_error(from) +
+                          share * motion.chord_error(to) + 1e-14);
+        }
     }
 }
 

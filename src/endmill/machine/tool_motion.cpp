@@ -16,6 +16,8 @@ namespace {
 // Least angle in rad that two axes must differ from opposite directions. Nearer to them
 // the arc between them depends on the rounding of the axes.
 constexpr double least_from_opposite = 1e-3;
+// Turn in rad up to which the third derivative is smaller than the second.
+constexpr double largest_refined_turn = 1;
 
 bool is_unit(const Vec3& axis)
 {
@@ -152,6 +154,7 @@ CutterLocation ToolMotion::location(double u) const
     return {frame.tip, frame.axes.col(2)};
 }
 
+// All bounds are convex in the point: sums of norms of what depends on it linearly.
 double ToolMotion::chord_error(const Vec3& point) const
 {
     if (turn_ == 0)
@@ -160,21 +163,9 @@ double ToolMotion::chord_error(const Vec3& point) const
         return joint_bend(point) / 8;
     const double reach = std::sqrt(
         std::max((point - from_.tip).squaredNorm(), (point - to_.tip).squaredNorm()));
-    const double error = turn_ * (turn_ * reach + 2 * travel_) / 8;
-    return machine_ ? error : std::min(error, linear_error(point, reach));
-}
-
-// The bounds without `linear_error` are convex in the place.
-double ToolMotion::chord_error_between(const Vec3& from, const Vec3& to) const
-{
-    if (turn_ == 0)
-        return 0;
-    if (machine_ && machine_->interpolation == Interpolation::Joint)
-        return std::max(joint_bend(from), joint_bend(to)) / 8;
-    const double reach2 =
-        std::max({(from - from_.tip).squaredNorm(), (from - to_.tip).squaredNorm(),
-                  (to - from_.tip).squaredNorm(), (to - to_.tip).squaredNorm()});
-    return turn_ * (turn_ * std::sqrt(reach2) + 2 * travel_) / 8;
+    return machine_ || turn_ > largest_refined_turn
+               ? turn_ * (turn_ * reach + 2 * travel_) / 8
+               : linear_error(point, reach);
 }
 
 // Seen from the tool, y = Q^T (x - t) with Q' = T [k] Q for the unit turn axis k. Hence

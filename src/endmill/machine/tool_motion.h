@@ -74,12 +74,10 @@ public:
     Vec3 seen(const Vec3& point, double u) const { return at(u).seen(point); }
 
     /// Returns an upper bound of the distance in mm between y(u) and the straight line
-    /// from y(0) to y(1) at the same u: max|y''| / 8, for a linear motion also
-    /// (|y''(1/2)| + max|y'''| / 2) / 8 if that is less.
+    /// from y(0) to y(1) at the same u: max|y''| / 8, for a linear motion that turns by at
+    /// most 1 rad (|y''(1/2)| + max|y'''| / 2) / 8. The bound is convex in the point, so
+    /// that on a segment it is largest at an end.
     double chord_error(const Vec3& point) const;
-
-    /// Returns an upper bound of `chord_error` for all places of the segment between two.
-    double chord_error_between(const Vec3& from, const Vec3& to) const;
 
     /// Returns an upper bound of the second derivative, in the part, of all places of the
     /// tool that lie within `far` mm of the tip.

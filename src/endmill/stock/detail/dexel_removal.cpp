@@ -20,6 +20,8 @@ constexpr double chord_sharpness = 2e-3;
 constexpr int most_halvings = 6;
 // A piece is not halved if its error is below this, in mm: the ray then grazes the cutter.
 constexpr double small_error = 1e-5;
+// Accuracy of the distance at the ends of a chord, in mm; about a unit.
+constexpr double chord_accuracy = 1e-6;
 
 // An interval on a ray, in units.
 using Interval32 = DexelInterval;
@@ -94,11 +96,10 @@ std::optional<Range> sure_range(const RayOnMotion& on, const Range& may)
         return std::nullopt;
     const Range sure{*from, -*back};
     const double middle = (sure.from + sure.to) / 2;
-    const double error = on.error_between(sure.from, sure.to);
-    const auto removes = [&](double s, double u) { return on.at_pose(s, u) <= -error; };
-    const bool is_whole =
-        removes(sure.from, at_from.least.at) && removes(middle, at_from.least.at) &&
-        removes(middle, at_to.least.at) && removes(sure.to, at_to.least.at);
+    // Along the ray both the distance from one pose and the error are convex.
+    const double error = std::max(at_from.error, at_to.error);
+    const bool is_whole = on.at_pose(middle, at_from.least.at) <= -error &&
+                          on.at_pose(middle, at_to.least.at) <= -error;
     if (is_whole)
         return sure;
     const double bend = on.turn() * (sure.to - sure.from) *
@@ -117,13 +118,10 @@ std::optional<Range> sure_range(const RayOnMotion& on, const Range& may)
 // Returns what a motion removes on a range of a ray; nothing if it removes nothing.
 std::optional<Removed> removed_on(const RayOnMotion& on, const Range& range)
 {
-    const auto near = on.near_stretch(range.from, range.to);
-    if (!near)
-        return std::nullopt;
-    const auto to = on.reversed().first_entry(-near->to, -near->from);
+    const auto to = on.reversed().first_entry(-range.to, -range.from);
     if (!to)
         return std::nullopt;
-    const auto from = on.first_entry(near->from, -*to);
+    const auto from = on.first_entry(range.from, -*to);
     if (!from)
         return std::nullopt;
     const Range may{*from, -*to};
@@ -162,38 +160,104 @@ public:
 
     // Calls `use(ray, chord)` for all chords of a piece with the material of the rays.
     template <typename Use>
-    void for_chords(const ToolPieces& pieces, std::uint32_t number, const Use& use)
+    void for_chords(const ToolPiece& piece, const Use& use)
     {
-        const ToolPiece& piece = pieces.pieces()[number];
+        const Range material = material_range();
+        if (!(material.from < material.to))
+            return;
+        const RayOnMotion middle{middle_, direction_, piece.motion, piece.body};
+        const auto near = middle.near_stretch(material.from, material.to, radius_);
+        if (!near)
+            return;
+        const double error = middle.largest_error(*near, radius_);
+        const double within = middle.spread(*near, error, radius_);
+        const Vec3 along = middle.middle_direction();
+        const Eigen::Matrix3d to_start = piece.motion.from().axes.transpose();
+        const Eigen::Matrix3d to_end = piece.motion.to().axes.transpose();
         for (std::size_t ray = 0; ray < dexels_.size(); ++ray) {
             const std::vector<Interval32>& upper = dexels_[ray].upper;
-            chords_.clear();
-            for (const Interval32& one : upper)
-                add_chords(ray, piece, piece.motion, {one.from * unit_, one.to * unit_},
-                           most_halvings);
+            if (upper.empty() || upper.front().from * unit_ > near->to ||
+                upper.back().to * unit_ < near->from)
+                continue;
+            const Vec3 movement = starts_[ray] - middle_;
+            const RayOnMotion on =
+                middle.moved(movement, to_start * movement, to_end * movement);
+            const auto reached =
+                piece.body.near_stretch(on.middle_start(), along, within);
+            if (reached)
+                add_chords(ray, piece, on, error,
+                           {std::max(near->from, reached->from),
+                            std::min(near->to, reached->to)});
+            if (chords_.empty())
+                continue;
             for (const Chord& chord : chords_)
                 use(ray, chord);
+            chords_.clear();
+            material_.reset();
         }
     }
 
 private:
     Vec3 at(std::size_t ray, double s) const { return starts_[ray] + s * direction_; }
 
-    void add_chords(std::size_t ray, const ToolPiece& piece, const ToolMotion& motion,
+    // From the lowest to the highest material of all rays.
+    Range material_range()
+    {
+        if (!material_) {
+            material_ = Range{length_, 0};
+            for (const Dexel& dexel : dexels_)
+                if (!dexel.upper.empty())
+                    material_ =
+                        Range{std::min(material_->from, dexel.upper.front().from * unit_),
+                              std::max(material_->to, dexel.upper.back().to * unit_)};
+        }
+        return *material_;
+    }
+
+    // Adds the chords of a piece with the material of a ray.
+    // \param error of all places within `reached`, outside of which nothing is removed.
+    void add_chords(std::size_t ray, const ToolPiece& piece, const RayOnMotion& on,
+                    double error, const Range& reached)
+    {
+        RayOnMotion quick = on;
+        quick.set_error(error, chord_accuracy);
+        for (const Interval32& one : dexels_[ray].upper) {
+            const Range range{one.from * unit_, one.to * unit_};
+            const Range search{std::max(range.from, reached.from),
+                               std::min(range.to, reached.to)};
+            if (!(search.from <= search.to))
+                continue;
+            const auto removed = removed_on(quick, search);
+            if (removed)
+                add_chord(ray, piece, piece.motion, range, *removed, most_halvings);
+        }
+    }
+
+    void add_halves(std::size_t ray, const ToolPiece& piece, const ToolMotion& motion,
                     const Range& range, int halvings)
     {
-        const RayOnMotion on{starts_[ray], direction_, motion, piece.body};
-        const auto removed = removed_on(on, range);
-        if (!removed)
-            return;
-        const auto& [may, sure] = *removed;
+        for (const ToolMotion& half : motion.halves()) {
+            const RayOnMotion on{starts_[ray], direction_, half, piece.body};
+            const auto near = on.near_stretch(range.from, range.to);
+            const auto removed =
+                near ? removed_on(on, {near->from, near->to}) : std::nullopt;
+            if (removed)
+                add_chord(ray, piece, half, range, *removed, halvings);
+        }
+    }
+
+    // Adds what a motion removes on a range of a ray; if its ends are in doubt, what the
+    // halves of the motion remove.
+    void add_chord(std::size_t ray, const ToolPiece& piece, const ToolMotion& motion,
+                   const Range& range, const Removed& removed, int halvings)
+    {
+        const auto& [may, sure] = removed;
         const double doubt =
             sure ? sure->from - may.from + may.to - sure->to : may.to - may.from;
         if (doubt > chord_sharpness && halvings > 0 &&
             std::max(motion.chord_error(at(ray, may.from)),
                      motion.chord_error(at(ray, may.to))) > small_error) {
-            for (const ToolMotion& half : motion.halves())
-                add_chords(ray, piece, half, range, halvings - 1);
+            add_halves(ray, piece, motion, range, halvings - 1);
             return;
         }
         const auto down = [&](double s) {
@@ -226,6 +290,7 @@ private:
     std::vector<Chord> chords_;
     Vec3 middle_;
     double radius_;
+    std::optional<Range> material_ = {};  // of all rays, if it is known
 };
 
 // What the moves do on the rays of one field, in units.
@@ -277,7 +342,7 @@ void cut_tile(DexelTile& tile, const DexelMotions& motions, std::vector<FieldMov
         if (!is_cutter) {
             FieldMove& move =
                 moves[static_cast<std::size_t>(motions.bodies.pieces()[number].point)];
-            tile.for_chords(motions.bodies, number,
+            tile.for_chords(motions.bodies.pieces()[number],
                             [&](std::size_t ray, const Chord& chord) {
                                 const Dexel& dexel = tile.dexels()[ray];
                                 move.add({0, 0, 0, length_within(dexel.lower, chord.sure),
@@ -287,7 +352,7 @@ void cut_tile(DexelTile& tile, const DexelMotions& motions, std::vector<FieldMov
         }
         FieldMove& move =
             moves[static_cast<std::size_t>(motions.cutters.pieces()[number].point)];
-        tile.for_chords(motions.cutters, number,
+        tile.for_chords(motions.cutters.pieces()[number],
                         [&](std::size_t ray, const Chord& chord) {
                             Dexel& dexel = tile.dexels()[ray];
                             FieldMove done;

@@ -15,8 +15,6 @@ namespace {
 
 // Rounding error of a distance in mm, for coordinates up to some metres.
 constexpr double rounding = 1e-10;
-// A search along a line ends when the distance is at most this, in mm.
-constexpr double converged = 1e-8;
 // Steps of a search. Where the line grazes the cutter they become slow; the bounds reached
 // so far hold.
 constexpr int most_entry_steps = 40;
@@ -41,16 +39,22 @@ RayOnMotion::RayOnMotion(const Vec3& start, const Vec3& direction,
 
 RayOnMotion::Distance RayOnMotion::distance(double s, double enough) const
 {
-    const double error = motion_->chord_error(start_ + s * direction_) + rounding;
+    const double error = this->error(s);
     return {body_->least_on_segment(from_ + s * along_from_, to_ + s * along_to_,
                                     enough + error),
             error};
 }
 
-double RayOnMotion::error_between(double from, double to) const
+double RayOnMotion::error(double s) const
 {
-    return rounding + motion_->chord_error_between(start_ + from * direction_,
-                                                   start_ + to * direction_);
+    return known_error_ ? *known_error_
+                        : motion_->chord_error(start_ + s * direction_) + rounding;
+}
+
+double RayOnMotion::largest_error(const CuttingBody::Stretch& on, double beside) const
+{
+    const double turn = motion_->turn();
+    return std::max(error(on.from), error(on.to)) + turn * turn * (1 + turn) / 4 * beside;
 }
 
 double RayOnMotion::rate(const CuttingBody::Least& least) const
@@ -67,19 +71,35 @@ double RayOnMotion::at_pose(double s, double u) const
 
 // All poses see a place within half the way between its ends, and the error, of the middle
 // of these ends.
-std::optional<CuttingBody::Stretch> RayOnMotion::near_stretch(double from,
-                                                              double to) const
+double RayOnMotion::spread(const CuttingBody::Stretch& on, double error,
+                           double beside) const
 {
     const Vec3 way = to_ - from_;
     const Vec3 change = along_to_ - along_from_;
-    const double widest2 =
-        std::max((way + from * change).squaredNorm(), (way + to * change).squaredNorm());
-    const auto near =
-        body_->near_stretch((from_ + to_) / 2, (along_from_ + along_to_) / 2,
-                            std::sqrt(widest2) / 2 + error_between(from, to));
+    const double widest2 = std::max((way + on.from * change).squaredNorm(),
+                                    (way + on.to * change).squaredNorm());
+    return (std::sqrt(widest2) + motion_->turn() * beside) / 2 + error;
+}
+
+std::optional<CuttingBody::Stretch> RayOnMotion::near_stretch(double from, double to,
+                                                              double beside) const
+{
+    const CuttingBody::Stretch whole{from, to};
+    const double within = spread(whole, largest_error(whole, beside), beside) + beside;
+    const auto near = body_->near_stretch(middle_start(), middle_direction(), within);
     if (!near || near->to < from || near->from > to)
         return std::nullopt;
     return CuttingBody::Stretch{std::max(near->from, from), std::min(near->to, to)};
+}
+
+RayOnMotion RayOnMotion::moved(const Vec3& movement, const Vec3& seen_from_start,
+                               const Vec3& seen_from_end) const
+{
+    RayOnMotion other = *this;
+    other.start_ += movement;
+    other.from_ += seen_from_start;
+    other.to_ += seen_from_end;
+    return other;
 }
 
 std::optional<double> RayOnMotion::first_entry(double s, double most) const
@@ -87,7 +107,7 @@ std::optional<double> RayOnMotion::first_entry(double s, double most) const
     const double slack = motion_->turn() * (1 + motion_->turn() / 4);
     for (int step = 0; step < most_entry_steps; ++step) {
         const Distance here = distance(s, most - s);
-        if (here.gap() <= converged)
+        if (here.gap() <= accuracy_)
             return s;
         const double fall = std::min(1.0, slack - rate(here.least));
         if (!(fall > 0) || !(s + here.gap() / fall < most))
@@ -105,7 +125,7 @@ std::optional<double> RayOnMotion::sure_entry(double s, double most, Distance& d
         if (distance.is_removed(margin))
             return s;
         const double fall = std::max(-rate(distance.least), least_fall);
-        s += (distance.least.value + distance.error + margin + converged) / fall;
+        s += (distance.least.value + distance.error + margin + accuracy_) / fall;
     }
     return std::nullopt;
 }

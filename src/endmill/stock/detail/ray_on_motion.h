@@ -42,8 +42,20 @@ public:
     Distance distance(double s,
                       double enough = std::numeric_limits<double>::infinity()) const;
 
-    /// Returns an upper bound of the error between two places, mm.
-    double error_between(double from, double to) const;
+    /// Returns the error e at s, mm. It is convex in s.
+    double error(double s) const;
+
+    /// The error at both ends of a stretch, and all between, with the largest change of it
+    /// `beside` mm away from the line.
+    double largest_error(const CuttingBody::Stretch& on, double beside) const;
+
+    /// Uses an upper bound of the error instead, for all places that are asked for.
+    /// \param accuracy mm, of the distance at which a search ends.
+    void set_error(double error, double accuracy)
+    {
+        known_error_ = error;
+        accuracy_ = accuracy;
+    }
 
     /// Returns the rate at which F changes along the line.
     double rate(const CuttingBody::Least& least) const;
@@ -54,8 +66,27 @@ public:
 
     /// Returns a stretch between two places outside which nothing is removed. It takes one
     /// chord of the cutter and is about as much too long as the motion is wide.
+    /// \param beside mm; the same holds for parallel lines that start beside this one,
+    ///               across it.
     /// \return nothing if the motion removes nothing between them.
-    std::optional<CuttingBody::Stretch> near_stretch(double from, double to) const;
+    std::optional<CuttingBody::Stretch> near_stretch(double from, double to,
+                                                     double beside = 0) const;
+
+    /// Returns how far, at most, a place of the stretch is from the middle of its ends as
+    /// seen from the tool, at any pose; mm. \param error largest error on the stretch.
+    /// \param beside as above.
+    double spread(const CuttingBody::Stretch& on, double error, double beside) const;
+
+    /// Returns the parallel line whose start is moved, across the direction.
+    /// \param seen_from_start the movement as seen from the tool at u = 0.
+    /// \param seen_from_end the same at u = 1.
+    RayOnMotion moved(const Vec3& movement, const Vec3& seen_from_start,
+                      const Vec3& seen_from_end) const;
+
+    /// Start and direction of the line, as seen from the tool: the middle of both ends of
+    /// the motion.
+    Vec3 middle_start() const { return (from_ + to_) / 2; }
+    Vec3 middle_direction() const { return (along_from_ + along_to_) / 2; }  ///< as start
 
     /// Returns a place such that nothing from s up to it is removed, as close as possible
     /// to the first place that may be removed.
@@ -77,6 +108,8 @@ public:
     RayOnMotion reversed() const;
 
 private:
+    static constexpr double finest_accuracy = 1e-8;  // mm
+
     Vec3 start_;
     Vec3 direction_;
     const ToolMotion* motion_;
@@ -85,6 +118,8 @@ private:
     Vec3 to_;          // the same at u = 1
     Vec3 along_from_;  // direction, seen from the tool at u = 0
     Vec3 along_to_;
+    std::optional<double> known_error_ = {};
+    double accuracy_ = finest_accuracy;
 };
 
 }  // namespace endmill
