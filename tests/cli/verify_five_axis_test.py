@@ -44,7 +44,7 @@ class VerifyFiveAxis(ProgramTest):
     def verify(self, content, *options, cutter="ball:10", status=0, out="out"):
         path = self.file(content, "p.csv")
         done = endmill("verify", path, "--part", self.file(plane()), "--cutter", cutter, "--resolution", "0.5",
-                       "--scallop", "0.05", "--tolerance", "0.02", *options, "-o", out, "--force", "--json",
+                       "--scallop", "0.05", "--tolerance", "0.01", *options, "-o", out, "--force", "--json",
                        cwd=self.folder)
         self.assertEqual(done.returncode, status, done.stderr + done.stdout)
         facts = json.loads(done.stdout)

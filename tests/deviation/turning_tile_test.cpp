@@ -13,8 +13,9 @@ namespace {
 
 // A tile of a plane below passes of a ball whose lead changes.
 struct PlaneTile {
-    PlaneTile(const Cutter& cutter, double apart)
-        : path{test::plane_passes(cutter, {.apart = apart, .lead = {0.1, 0.5}})},
+    PlaneTile(const Cutter& cutter, double apart, int points = 41)
+        : path{test::plane_passes(
+              cutter, {.apart = apart, .lead = {0.1, 0.5}, .points = points})},
           pieces{pieces_of(path, CuttingBody{cutter}), {{0, 0, 0}, 100}},
           charts{part_charts(part)},
           distance{charts, 0.01},
@@ -84,6 +85,19 @@ TEST(TurningTile, BoundsContainFinerRays)
             EXPECT_LE(fine.upper, coarse.upper + 1e-9);
             EXPECT_GT(fine.rays, coarse.rays);
         }
+    }
+}
+
+// A ball with an even feed of its centre only touches the plane, however coarse its moves.
+// Halved pieces show it at the border of the part too, where half spaces are used.
+TEST(TurningTile, RefinedBoundsOfAGougeAreCloseWhereABallTouchesThePlane)
+{
+    PlaneTile plane{Cutter::ball(5), 2, 3};
+    plane.options.limits = {0.001, 0.05};
+    for (const PartTile& tile : plane.tiles) {
+        const TurningTile measure{plane.measured, tile};
+        const Extremes found = measure.refined({1e9, -0.002});
+        EXPECT_GE(found.lower, -0.002);
     }
 }
 
