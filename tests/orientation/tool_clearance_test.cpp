@@ -100,6 +100,46 @@ TEST(ToolClearance, OfSurfacesIsWithinTheChordTolerance)
     EXPECT_FALSE(is_clear(k * 25 / 2 - 1e-3));
 }
 
+// By the front of a contact the answer is the same as without it, for all axes.
+TEST(ToolClearance, FrontsGiveTheSameAnswers)
+{
+    for (const double k : {-0.03, 0.04, 0.15}) {
+        const auto surfaces = bowl(k);
+        const std::vector<double> sides{1};
+        const ToolClearance clearance{surfaces, sides, 0.005};
+        int clear = 0;
+        int tests = 0;
+        for (const double u : {0.0, 0.2, 0.5, 0.9}) {
+            const SurfaceTangents at = surfaces.front().tangents(u, 0.4);
+            const CutterContact contact{at.point, unit_normal(at)};
+            const ToolClearance::Front front = clearance.front(contact, -0.01);
+            for (const Cutter& cutter : {Cutter::ball(6), Cutter{6, 1}, Cutter::flat(6)})
+                for (double lean = -40; lean <= 40; lean += 16) {
+                    const Vec3 axis =
+                        (contact.normal + std::tan(lean / 57) * at.du.normalized() +
+                         0.2 * at.dv.normalized())
+                            .normalized();
+                    const CutterLocation location{
+                        control_point(cutter, contact, ControlPoint::Tip, axis), axis};
+                    const CuttingBody body{cutter};
+                    const bool expected =
+                        clearance.is_clear(body, frame_at(location), -0.01);
+                    EXPECT_EQ(clearance.is_clear(body, frame_at(location), -0.01, front),
+                              expected);
+                    clear += expected ? 1 : 0;
+                    ++tests;
+                }
+        }
+        // on the dome every cutter fits, in the narrow bowl flat bottoms do not
+        EXPECT_GT(clear, 0);
+        if (k < 0) {
+            EXPECT_EQ(clear, tests);
+        } else if (k > 0.1) {
+            EXPECT_LT(clear, tests);
+        }
+    }
+}
+
 TEST(ToolClearance, HasNoGapBelowAnEndlessAxisInside)
 {
     // a triangle that the upper part of an endless cutter crosses

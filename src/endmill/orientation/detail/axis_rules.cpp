@@ -37,11 +37,22 @@ JudgedAxis AxisRules::judge(const RuledContact& at, const Vec3& axis,
         return {.broken = AxisRule::Machine};
     const ToolFrame frame = frame_at(
         {control_point(tool_.cutter, at.contact, ControlPoint::Tip, axis), axis});
-    if (!clearance_.is_clear(cutter_, frame, tool_.spare_gap - tool_.deepest_gouge))
+    if (!is_cutter_clear(at, frame))
         return {.broken = AxisRule::Cutter};
     if (!is_body_clear(frame, tool_.spare_gap))
         return {.broken = AxisRule::Shank};
     return {.lost_width = std::max(0.0, 1 - *strip / at.wanted_strip_mm)};
+}
+
+ToolClearance::Front AxisRules::front(const CutterContact& contact) const
+{
+    return clearance_.front(contact, least_gap());
+}
+
+bool AxisRules::is_cutter_clear(const RuledContact& at, const ToolFrame& frame) const
+{
+    return at.front ? clearance_.is_clear(cutter_, frame, least_gap(), *at.front)
+                    : clearance_.is_clear(cutter_, frame, least_gap());
 }
 
 bool AxisRules::is_reached(const Vec3& axis) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "endmill/cutter/cutting_body.h"
@@ -15,8 +16,9 @@ struct RuledContact {
     CutterContact contact;       ///< point and unit normal
     ContactCurvature curvature;  ///< of the part, along the feed and across
     double needed_strip_mm = 0;  ///< least width of the strip
-    double wanted_strip_mm =
-        0;  ///< width of the strip with the wanted inclination, positive
+    double wanted_strip_mm = 0;  ///< that of the wanted inclination, positive
+    /// From AxisRules::front; it makes tests of several axes faster.
+    std::optional<ToolClearance::Front> front = {};
 };
 
 /// What a tool axis must keep, apart from the contact.
@@ -37,6 +39,9 @@ public:
     /// \param clearance of the part; it must outlive the rules.
     AxisRules(const RuledTool& tool, const ToolClearance& clearance);
 
+    /// The front of the part at a contact.
+    ToolClearance::Front front(const CutterContact& contact) const;
+
     /// The first rule that an axis at a contact breaks, if any.
     JudgedAxis judge(const RuledContact& at, const Vec3& axis,
                      const Inclination& inclination) const;
@@ -49,6 +54,8 @@ public:
 
 private:
     bool is_reached(const Vec3& axis) const;
+    double least_gap() const { return tool_.spare_gap - tool_.deepest_gouge; }
+    bool is_cutter_clear(const RuledContact& at, const ToolFrame& frame) const;
     bool is_body_clear(const ToolFrame& frame, double least) const;
 
     RuledTool tool_;

@@ -58,6 +58,10 @@ public:
                 ruled.push_back(surface_of(pass).ruled(row.place, pass.line));
                 rules.push_back(&rules_of(pass));
             }
+        parallel_for(ruled.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k)
+                ruled[k].front = rules[k]->front(ruled[k].contact);
+        });
         const AxisField field = axis_field(
             contacts,
             [&](std::size_t k, const Vec3& axis, const Inclination& inclination) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "endmill/cutter/cutter.h"
 #include "endmill/cutter/cutting_body.h"
 #include "endmill/machine/tool_motion.h"
 #include "endmill/mesh/triangle_mesh.h"
@@ -31,6 +32,18 @@ public:
     /// Whether the gap is at least `least` mm for certain. If not, it is less than `least` plus
     /// the chord error and `accuracy`.
     bool is_clear(const CuttingBody& body, const ToolFrame& tool, double least) const;
+
+    /// Numbers of discs that enclose all places of the part which matter to the bodies that
+    /// touch it at a contact.
+    using Front = std::vector<std::int32_t>;
+
+    /// The front at a contact. A body that touches there lies on the tool's side of the
+    /// tangent plane, so that places deep enough below it have the gap `least` for every axis.
+    Front front(const CutterContact& contact, double least) const;
+
+    /// The same as `is_clear` for a body that touches at a contact, by its front.
+    bool is_clear(const CuttingBody& body, const ToolFrame& tool, double least,
+                  std::span<const std::int32_t> front) const;
 
     /// The gap in mm: negative if the body is in the part, or infinity if it is above `enough`
     /// mm. Absolute error at most the chord error and `accuracy`.
@@ -60,10 +73,9 @@ private:
     void build(const TriangleMesh& mesh);
     std::int32_t add(std::span<std::int32_t> triangles, std::span<const Vec3> centroids);
     Disc enclosing(std::span<const std::int32_t> triangles) const;
-    static double lower_bound(const Disc& disc, const CuttingBody& body,
-                              const ToolFrame& tool);
     double searched(const CuttingBody& body, const ToolFrame& tool,
-                    const SearchLimits& limits) const;
+                    const SearchLimits& limits,
+                    std::span<const std::int32_t> starts) const;
 
     std::vector<Disc> discs_;
     std::vector<std::array<Vec3, 3>> corners_;
