@@ -8,6 +8,7 @@
 
 #include "cli/arguments.h"
 #include "cli/idle_options.h"
+#include "cli/named_texts.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/error.h"
 
@@ -56,11 +57,18 @@ constexpr std::array strategies{
     Choice<StrategyChoice>{"field", StrategyChoice::Field}};
 
 constexpr std::array axis_modes{Choice<AxisMode>{"fixed", AxisMode::Fixed},
-                                Choice<AxisMode>{"lead", AxisMode::Lead}};
+                                Choice<AxisMode>{"lead", AxisMode::Lead},
+                                Choice<AxisMode>{"field", AxisMode::Field}};
 
 constexpr std::array bounds{Choice<PlanBound>{"estimated", PlanBound::Estimated},
                             Choice<PlanBound>{"certified", PlanBound::Certified},
                             Choice<PlanBound>{"none", PlanBound::None}};
+
+// Options of --axis-mode field only.
+constexpr std::array field_options{"--lead-range", "--tilt-range", "--tool",
+                                   "--machine",    "--setup",      "--clamp"};
+// Leads and tilts are below this.
+constexpr double most_lean_deg = 89;
 
 // Options of passes along parameter lines only.
 constexpr std::array iso_options{"--outer-tolerance", "--stop-at-borders",
@@ -177,12 +185,57 @@ void add_lean(CLI::App& command, const char* name, const char* help, Angle& targ
         .add_option_function<std::string>(
             name,
             [name, &target](const std::string& word) {
-                target = Angle::degrees(
-                    number_argument(name, word, NumberDomain::from_to(-89, 89)));
+                target = Angle::degrees(number_argument(
+                    name, word, NumberDomain::between(-most_lean_deg, most_lean_deg)));
             },
             help)
         ->type_name("DEG")
         ->group("Options of five axes");
+}
+
+// Adds a range of leads or tilts.
+void add_lean_range(CLI::App& command, const char* name, const char* help,
+                    LeanRange& target)
+{
+    command
+        .add_option_function<std::string>(
+            name,
+            [name, &target](const std::string& word) {
+                const std::vector<std::string> ends = parts_of(word, ':');
+                if (ends.size() != 2)
+                    throw DomainError{std::string{name} + ": found \"" + printable(word) +
+                                      "\"; expected A:B, such as -30:30"};
+                const auto end = [&](const std::string& text) {
+                    return Angle::degrees(number_argument(
+                        name, text,
+                        NumberDomain::between(-most_lean_deg, most_lean_deg)));
+                };
+                target = {end(ends.front()), end(ends.back())};
+                if (target.from.radians() > target.to.radians())
+                    throw DomainError{std::string{name} + ": found " + printable(word) +
+                                      "; expected A:B with A at most B"};
+            },
+            help)
+        ->type_name("A:B")
+        ->group("Options of five axes");
+}
+
+void add_field_options(CLI::App& command, PlanOptions& options)
+{
+    add_lean_range(command, "--lead-range",
+                   "--axis-mode field: range of the lead in degrees (default -30:30)",
+                   options.lead_range);
+    add_lean_range(command, "--tilt-range",
+                   "--axis-mode field: range of the tilt in degrees (default -30:30)",
+                   options.tilt_range);
+    command
+        .add_option(
+            "--tool", options.tool,
+            "--axis-mode field: tool file; its shank and holder keep off the part")
+        ->type_name("FILE");
+    add_clamped_machine_options(command, options.rotary);
+    for (const char* name : {"--tool", "--machine", "--setup", "--clamp"})
+        command.get_option(name)->group("Options of five axes");
 }
 
 void add_axis_mode(CLI::App& command, PlanOptions& options)
@@ -192,7 +245,8 @@ void add_axis_mode(CLI::App& command, PlanOptions& options)
         "plan passes along parameter lines for five axes, with any cutter. The axis "
         "leans against the normal of the part. fixed: by --lead-deg and --tilt-deg; "
         "lead: by the least lead at which the cutter does not gouge, plus one degree, "
-        "and at least --lead-deg")
+        "and at least --lead-deg; field: on the passes of lead, by the axes within "
+        "--lead-range and --tilt-range that keep off the part and turn least")
         ->group("Options of five axes");
     add_lean(command, "--lead-deg",
              "lead of the axis: how far it leans forward, in the direction of the feed "
@@ -201,6 +255,7 @@ void add_axis_mode(CLI::App& command, PlanOptions& options)
     add_lean(command, "--tilt-deg",
              "tilt of the axis: how far it leans to the left of the feed (default 0)",
              options.inclination.tilt);
+    add_field_options(command, options);
 }
 
 void add_direction_angle(CLI::App& command, PlanOptions& options)
@@ -351,6 +406,11 @@ void refuse_for_five_axes(const PlanOptions& options)
             "--inner-tolerance 0 with --axis-mode: expected a tolerance above 0"};
     if (!options.cutter)
         throw DomainError{"--axis-mode: expected --cutter too"};
+    if (options.axis_mode != AxisMode::Field)
+        refuse_idle_options(options.common, field_options,
+                            "--axis-mode " + axis_mode_word(*options.axis_mode),
+                            "--axis-mode field");
+    refuse_idle_rotary_options(options.rotary, options.common);
 }
 
 bool is_no_ball(const PlanOptions& options)
@@ -429,6 +489,7 @@ void refuse_idle_plan_options(const PlanOptions& options)
         return refuse_for_five_axes(options);
     refuse_idle_options(common, std::array{"--lead-deg", "--tilt-deg"}, "a fixed axis",
                         "--axis-mode");
+    refuse_idle_options(common, field_options, "a fixed axis", "--axis-mode field");
     refuse_zero_tolerances(options);
     refuse_cutter(options);
     if (!options.guard.path.empty() && options.planning.link.axis != Vec3::UnitZ())

@@ -5,10 +5,12 @@
 #include <string>
 
 #include "cli/command.h"
+#include "cli/rotary_options.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/angle.h"
 #include "endmill/cutter/cutter.h"
-#include "endmill/orientation/oriented_path.h"
+#include "endmill/orientation/axis_field.h"
+#include "endmill/orientation/oriented_options.h"
 #include "endmill/planning/economy.h"
 #include "endmill/planning/planned_path.h"
 
@@ -52,6 +54,10 @@ struct PlanOptions {
     std::optional<Angle> pass_direction;  ///< of StrategyChoice::Planar; best if empty
     std::optional<AxisMode> axis_mode;    ///< how the axis turns; a fixed axis if empty
     Inclination inclination;              ///< of an axis that turns
+    LeanRange lead_range;                 ///< of AxisMode::Field
+    LeanRange tilt_range;                 ///< of AxisMode::Field
+    RotaryOptions rotary;                 ///< machine of AxisMode::Field; may be none
+    std::string tool;                     ///< tool file of AxisMode::Field; may be empty
     PlanBound bound =
         PlanBound::Estimated;  ///< that a path by a strategy is compared with
     TravelKind distance = TravelKind::Contact;

@@ -13,8 +13,10 @@
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
+#include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/tool_path_svg.h"
+#include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/vtk.h"
 #include "endmill/orientation/oriented_path.h"
@@ -33,7 +35,39 @@ bool is_clean(const DirectedPath& path)
     return path.judged.verification.verdict == Verdict::Clean;
 }
 
-OrientedOptions oriented_options(const PlanOptions& options, Parameter along)
+// What a field knows of tool and machine.
+struct FieldSetup {
+    std::vector<ToolCylinder> body = {};  // shank and holder
+    std::optional<PartOnMachine> machine = {};
+};
+
+FieldSetup field_setup(const PlanTask& task, OutputFolder& folder)
+{
+    const PlanOptions& options = task.options;
+    for (const std::string& file :
+         {options.tool, options.rotary.machine, options.rotary.setup})
+        if (!file.empty())
+            folder.protect(file);
+    FieldSetup setup;
+    double length = 0;
+    if (!options.tool.empty()) {
+        const Tool tool = read_tool(options.tool, options.common.limits);
+        if (tool.cutter != task.context.cutter)
+            throw DomainError{"--tool " + options.tool + ": found the cutter " +
+                              cutter_word(tool.cutter) + "; expected that of --cutter, " +
+                              cutter_word(task.context.cutter)};
+        setup.body = tool_body(tool);
+        length = tool.length;
+    }
+    setup.machine = part_on_machine(options.rotary, length, options.common);
+    if (setup.machine && !setup.machine->machine.configuration.is_valid())
+        throw DomainError{"--machine " + printable(options.rotary.machine) + ": " +
+                          why_not_valid(setup.machine->machine.configuration)};
+    return setup;
+}
+
+OrientedOptions oriented_options(const PlanOptions& options, const FieldSetup& setup,
+                                 Parameter along)
 {
     OrientedOptions oriented;
     oriented.mode = *options.axis_mode;
@@ -44,11 +78,16 @@ OrientedOptions oriented_options(const PlanOptions& options, Parameter along)
     oriented.order = options.planning.link.order;
     oriented.safe_height = options.planning.link.safe_height;
     oriented.most_points = options.planning.most_points;
+    oriented.field.lead = options.lead_range;
+    oriented.field.tilt = options.tilt_range;
+    oriented.field.machine = setup.machine ? &*setup.machine : nullptr;
+    oriented.tool_body = setup.body;
     return oriented;
 }
 
 // The path along the asked parameter; otherwise the shorter clean one of both.
-DirectedPath chosen_path(const PlanTask& task, ProgressLine& progress)
+DirectedPath chosen_path(const PlanTask& task, const FieldSetup& setup,
+                         ProgressLine& progress)
 {
     const PlanDirection direction = task.options.direction;
     std::vector<Parameter> parameters{Parameter::U, Parameter::V};
@@ -59,7 +98,7 @@ DirectedPath chosen_path(const PlanTask& task, ProgressLine& progress)
         progress.begin(
             fmt::format("planning along {}", along == Parameter::U ? "u" : "v"),
             along == parameters.back() ? 0 : 1);
-        OrientedOptions options = oriented_options(task.options, along);
+        OrientedOptions options = oriented_options(task.options, setup, along);
         options.progress = progress.shower();
         DirectedPath path{
             along, plan_judged_oriented(task.surfaces, task.context.cutter, options)};
@@ -73,34 +112,53 @@ DirectedPath chosen_path(const PlanTask& task, ProgressLine& progress)
     return std::move(*best);
 }
 
+Json extent_json(const AngleExtent& extent)
+{
+    return Json::array(
+        {extent.least.written_degrees(), extent.greatest.written_degrees()});
+}
+
 Json summary_of(const PlanTask& task, const DirectedPath& path)
 {
     const auto& [plan, verification] = path.judged;
     const PlanOptions& options = task.options;
     const Deviation& deviation = verification.on_part->deviation;
-    Json summary{{"name", task.context.name},
-                 {"source", task.context.source},
-                 {"endmill", program_version},
-                 {"axis_mode", axis_mode_word(*options.axis_mode)},
-                 {"along", path.along == Parameter::U ? "u" : "v"},
-                 {"cutter", cutter_word(task.context.cutter)},
-                 {"passes", plan.passes},
-                 {"cut_contact_mm", plan.cut_contact_mm},
-                 {"lead_range_deg", Json::array({plan.least_lead.written_degrees(),
-                                                 plan.greatest_lead.written_degrees()})},
-                 {"tilt_deg", options.inclination.tilt.written_degrees()},
-                 {"narrowest_strip_mm", plan.narrowest_strip_mm},
-                 {"scallop_mm", options.planning.scallop_height},
-                 {"inner_tolerance_mm", options.motion.inner},
-                 {"max_gouge_mm", deviation.max_gouge_mm},
-                 {"gouge_bound_mm", finite_or_null(deviation.gouge_bound_mm)},
-                 {"max_left_mm", finite_or_null(deviation.max_scallop_mm)},
-                 {"left_bound_mm", finite_or_null(deviation.scallop_bound_mm)},
-                 {"verdict", verdict_name(verification.verdict)},
-                 {"interpolation", "linear"},
-                 {"safe_height_mm", options.planning.link.safe_height}};
+    Json summary{
+        {"name", task.context.name},
+        {"source", task.context.source},
+        {"endmill", program_version},
+        {"axis_mode", axis_mode_word(*options.axis_mode)},
+        {"along", path.along == Parameter::U ? "u" : "v"},
+        {"cutter", cutter_word(task.context.cutter)},
+        {"passes", plan.passes},
+        {"cut_contact_mm", plan.cut_contact_mm},
+        {"lead_range_deg", extent_json(plan.lead)},
+        {"tilt_deg", options.inclination.tilt.written_degrees()},
+        {"tilt_range_deg", extent_json(plan.tilt)},
+        {"rotary_travel_deg", plan.rotary_travel.written_degrees()},
+        {"max_turn_deg_per_mm", plan.most_turn_deg_per_mm},
+        {"min_gap_mm", plan.least_gap_mm ? Json(*plan.least_gap_mm) : Json(nullptr)},
+        {"narrowest_strip_mm", plan.narrowest_strip_mm},
+        {"strip_mm", Json::array({plan.narrowest_strip_mm, plan.widest_strip_mm})},
+        {"scallop_mm", options.planning.scallop_height},
+        {"inner_tolerance_mm", options.motion.inner},
+        {"max_gouge_mm", deviation.max_gouge_mm},
+        {"gouge_bound_mm", finite_or_null(deviation.gouge_bound_mm)},
+        {"max_left_mm", finite_or_null(deviation.max_scallop_mm)},
+        {"left_bound_mm", finite_or_null(deviation.scallop_bound_mm)},
+        {"verdict", verdict_name(verification.verdict)},
+        {"interpolation", "linear"},
+        {"safe_height_mm", options.planning.link.safe_height}};
     add_continuity(summary, task.context.continuity, task.context.several);
     return summary;
+}
+
+std::string tilt_text(const Json& range)
+{
+    const double least = range[0].get<double>();
+    const double greatest = range[1].get<double>();
+    return least == greatest ? fmt::format("{:.3g}", least)
+                             : fmt::format("{:.3g} to {:.3g}", least, greatest);
 }
 
 std::string report(const Json& s, const PlanOptions& options)
@@ -108,12 +166,14 @@ std::string report(const Json& s, const PlanOptions& options)
     const auto number = [&](const char* key) { return s[key].get<double>(); };
     return fmt::format(
         "  along {}       {} passes, {} points; cut {} mm by contacts; lead {:.3g} to "
-        "{:.3g} degrees, tilt {:.3g}; strips of {} mm and more\n"
+        "{:.3g} degrees, tilt {}; strips of {} mm and more\n"
+        "  rotary travel {} degrees, at most {:.3g} degrees per mm on cuts\n"
         "  judged        {}: gouge {} mm (limit {}), remaining {} mm (limit {})\n",
         s["along"].get<std::string>(), s["passes"].get<std::size_t>(),
         s["path"]["points"].get<std::size_t>(), shown(number("cut_contact_mm")),
         s["lead_range_deg"][0].get<double>(), s["lead_range_deg"][1].get<double>(),
-        number("tilt_deg"), shown(number("narrowest_strip_mm")),
+        tilt_text(s["tilt_range_deg"]), shown(number("narrowest_strip_mm")),
+        shown_degrees(number("rotary_travel_deg")), number("max_turn_deg_per_mm"),
         s["verdict"].get<std::string>(),
         shown_against(number("max_gouge_mm"), options.motion.inner),
         shown_limit(options.motion.inner),
@@ -129,7 +189,8 @@ PlanResult write_oriented_plan(const PlanTask& task, OutputFolder& folder)
 {
     replace_earlier_plans(folder);
     ProgressLine progress{"planning", task.options.common, 1};
-    const DirectedPath path = chosen_path(task, progress);
+    const FieldSetup setup = field_setup(task, folder);
+    const DirectedPath path = chosen_path(task, setup, progress);
     const ToolPath& tool_path = path.judged.plan.path;
     Json summary = summary_of(task, path);
     add_path_totals(summary["path"], path_totals(tool_path));

@@ -61,9 +61,7 @@ std::array<RotaryWrap, 2> wraps_in(const std::string& text, const Machine& machi
     return rules;
 }
 
-}  // namespace
-
-void add_rotary_options(CLI::App& command, RotaryOptions& options)
+void add_machine(CLI::App& command, RotaryOptions& options)
 {
     command
         .add_option(
@@ -71,10 +69,10 @@ void add_rotary_options(CLI::App& command, RotaryOptions& options)
             "machine with rotary axes: a file (endmill-machine/1), or a word such "
             "as W/caxyBz/T")
         ->type_name("MACHINE");
-    add_choice<Interpolation>(
-        command, "--frame", options.frame, frames,
-        "--machine: X, Y, Z are positions of the axes (joint), or tips in the part for a "
-        "control that knows its kinematics (part)");
+}
+
+void add_clamping(CLI::App& command, RotaryOptions& options)
+{
     command
         .add_option("--setup", options.setup,
                     "--machine: summary.json of endmill setup, for the rotation of the "
@@ -90,6 +88,24 @@ void add_rotary_options(CLI::App& command, RotaryOptions& options)
             "that "
             "of --setup)")
         ->type_name("X,Y,Z");
+}
+
+}  // namespace
+
+void add_clamped_machine_options(CLI::App& command, RotaryOptions& options)
+{
+    add_machine(command, options);
+    add_clamping(command, options);
+}
+
+void add_rotary_options(CLI::App& command, RotaryOptions& options)
+{
+    add_machine(command, options);
+    add_choice<Interpolation>(
+        command, "--frame", options.frame, frames,
+        "--machine: X, Y, Z are positions of the axes (joint), or tips in the part for a "
+        "control that knows its kinematics (part)");
+    add_clamping(command, options);
     command
         .add_option("--wrapped", options.wrapped,
                     "--machine: rotary words of a program that are wrapped, such as "

@@ -52,6 +52,47 @@ class PlanFiveAxis(ProgramTest):
             self.assertLessEqual(facts["max_tip_error_mm"], 0.01)
             self.assertTrue(any((self.folder / machine).glob("*.ngc")))
 
+    def test_field_turns_less_than_lead_and_stays_within_its_ranges(self):
+        part = self.file(cap(radius=40, half_width=15))
+        lead = self.plan(part, "ball:10", "--axis-mode", "lead", "--direction", "u")
+        field = self.plan(part, "ball:10", "--axis-mode", "field", "--direction", "u", "--lead-range=-20:20",
+                          "--tilt-range=-25:25")
+        self.assertEqual((lead["verdict"], field["verdict"]), ("clean", "clean"))
+        self.assertLess(field["rotary_travel_deg"], 0.5 * lead["rotary_travel_deg"])
+        self.assertGreaterEqual(field["lead_range_deg"][0], -20 - 1e-6)
+        self.assertLessEqual(field["tilt_range_deg"][1], 25 + 1e-6)
+        self.assertGreaterEqual(field["min_gap_mm"], -0.02)
+        self.assertIsNone(lead["min_gap_mm"])
+        self.assertEqual(field["strip_mm"][0], field["narrowest_strip_mm"])
+
+    def test_field_takes_directions_that_the_machine_reaches(self):
+        part = self.file(cap(radius=40, half_width=15))
+        machine = MACHINES / "ca-table-table.json"
+        facts = self.plan(part, "ball:10", "--axis-mode", "field", "--direction", "u", "--machine", machine, "--tool", TOOL)
+        self.assertEqual(facts["verdict"], "clean")
+        done = endmill("plan", part, "--cutter", "ball:10", "--axis-mode", "field", "--machine", "W/xyzB/T", "--lead-range",
+                       "5:20", *LIMITS, "-o", "no", cwd=self.folder)
+        self.assert_refused(done, 4, "no tool axis is allowed at contact 0", "the range of the machine")
+        self.assertFalse((self.folder / "no").exists())
+
+    def test_field_options_are_refused_by_name(self):
+        part = self.file(plane())
+        field = ["--axis-mode", "field"]
+        for options, words in (
+                ([*field, "--lead-range", "10:5"], ("--lead-range", "expected A:B with A at most B")),
+                ([*field, "--tilt-range", "5"], ("--tilt-range", "expected A:B")),
+                ([*field, "--lead-range=-89:5"], ("--lead-range", "-89")),
+                ([*field, "--tilt-range", "0:89"], ("--tilt-range", "89")),
+                ([*field, "--lead-deg", "89"], ("--lead-deg", "89")),
+                ([*field, "--tool", TOOL], ("--tool", "ball:10", "ball:12")),
+                ([*field, "--clamp", "0,0,0"], ("--clamp", "--machine")),
+                (["--axis-mode", "lead", "--lead-range", "0:5"], ("--lead-range", "--axis-mode field")),
+                (["--axis-mode", "fixed", "--machine", "W/caxyBz/T"], ("--machine", "--axis-mode field")),
+                (["--tool", TOOL], ("--tool", "--axis-mode field"))):
+            with self.subTest(options=options):
+                done = endmill("plan", part, "--cutter", "ball:12", *options, "-o", "no", cwd=self.folder)
+                self.assert_refused(done, 2, *words)
+
     def test_cutter_that_does_not_fit_is_refused_with_the_place(self):
         bowl = cap(radius=20, half_width=10)
         bowl["z"] = [[-z for z in row] for row in bowl["z"]]

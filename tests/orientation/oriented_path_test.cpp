@@ -2,11 +2,14 @@
 #include "endmill/orientation/oriented_path.h"
 
 #include <cmath>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
 #include "endmill/cutter/cutting_body.h"
 #include "endmill/machine/tool_motion.h"
 
@@ -63,8 +66,8 @@ TEST(PlanOriented, OnAPlaneHasTheStripsOfTheInclinedCircle)
     EXPECT_NEAR(plan.narrowest_strip_mm, strip, 1e-9);
     EXPECT_EQ(plan.passes, std::ceil(20 / (0.97 * strip)));
     EXPECT_NEAR(plan.cut_contact_mm, 30 * static_cast<double>(plan.passes), 1e-9);
-    EXPECT_NEAR(plan.least_lead.degrees(), 10, 1e-12);
-    EXPECT_NEAR(plan.greatest_lead.degrees(), 10, 1e-12);
+    EXPECT_NEAR(plan.lead.least.degrees(), 10, 1e-12);
+    EXPECT_NEAR(plan.lead.greatest.degrees(), 10, 1e-12);
     for (const PathPoint& point : plan.path.points)
         EXPECT_NEAR(point.location.axis.z(), std::cos(Angle::degrees(10).radians()),
                     1e-12);
@@ -106,7 +109,7 @@ TEST(PlanOriented, TakesTheLeadThatTheBowlNeeds)
         plan_oriented(bowl, Cutter{5, 1}, options_of(AxisMode::Lead, 0));
     // the greatest concave curvature is 0.03, at the middle
     const double heel = std::asin(4 / (1 / 0.03 - 1)) * 180 / std::acos(-1.0);
-    EXPECT_NEAR(plan.least_lead.degrees(), heel + 1, 0.01);
+    EXPECT_NEAR(plan.lead.least.degrees(), heel + 1, 0.01);
 }
 
 TEST(PlanOriented, RefusesACutterThatDoesNotFitAndNamesTheLead)
@@ -130,6 +133,97 @@ TEST(PlanOriented, RefusesACutterThatDoesNotFitAndNamesTheLead)
     wrong.most_points = 10;
     EXPECT_THROW(plan_oriented(bowl, Cutter{5, 1}, wrong), LimitError);
     EXPECT_THROW(plan_oriented({}, Cutter{5, 1}, wrong), DomainError);
+}
+
+// The turns of the axis over all moves, added up here.
+double travel_deg(const ToolPath& path)
+{
+    double sum = 0;
+    for (std::size_t k = 1; k < path.points.size(); ++k)
+        sum +=
+            angle_between(path.points[k - 1].location.axis, path.points[k].location.axis);
+    return Angle::radians(sum).degrees();
+}
+
+// On a dome whose normals turn by 34 degrees along x an axis within 30 degrees of the normals
+// need not turn at all.
+TEST(PlanOriented, AFieldOnADomeTurnsLessThanTheLead)
+{
+    const auto dome = paraboloid(-0.02, -0.01);
+    for (const Cutter& cutter : {Cutter::ball(5), Cutter{5, 1}}) {
+        const OrientedPath lead =
+            plan_oriented(dome, cutter, options_of(AxisMode::Lead, 5));
+        const OrientedPath field =
+            plan_oriented(dome, cutter, options_of(AxisMode::Field, 5));
+        EXPECT_NEAR(travel_deg(lead.path), lead.rotary_travel.degrees(), 1e-9);
+        EXPECT_NEAR(travel_deg(field.path), field.rotary_travel.degrees(), 1e-9);
+        EXPECT_LT(travel_deg(field.path),
+                  (cutter.is_ball() ? 0.2 : 1) * travel_deg(lead.path));
+        EXPECT_EQ(field.passes, lead.passes);
+        EXPECT_GE(field.lead.least.degrees(), -30 - 1e-6);
+        EXPECT_LE(field.lead.greatest.degrees(), 30 + 1e-6);
+        EXPECT_GE(field.narrowest_strip_mm, 0.9 * lead.narrowest_strip_mm);
+        ASSERT_TRUE(field.least_gap_mm);
+        EXPECT_GE(*field.least_gap_mm, -0.01);
+        EXPECT_FALSE(lead.least_gap_mm);
+    }
+}
+
+TEST(PlanJudgedOriented, IsCleanWithAField)
+{
+    for (const auto& [part, cutter] :
+         {std::pair{paraboloid(0.015, -0.03), Cutter::ball(5)},
+          std::pair{paraboloid(-0.02, -0.01), Cutter{5, 1}}}) {
+        const JudgedOrientedPath judged =
+            plan_judged_oriented(part, cutter, options_of(AxisMode::Field, 5));
+        EXPECT_EQ(judged.verification.verdict, Verdict::Clean);
+    }
+}
+
+TEST(PlanOriented, AFieldIsTheSameWithAnyNumberOfThreads)
+{
+    const auto saddle = paraboloid(0.015, -0.03);
+    ToolPath first;
+    for (const int threads : {1, 2, 3, 8}) {
+        set_thread_count(threads);
+        const ToolPath path =
+            plan_oriented(saddle, Cutter::ball(5), options_of(AxisMode::Field, 0)).path;
+        if (first.points.empty())
+            first = path;
+        ASSERT_EQ(path.points.size(), first.points.size());
+        for (std::size_t k = 0; k < path.points.size(); ++k) {
+            EXPECT_EQ(path.points[k].location.tip, first.points[k].location.tip);
+            EXPECT_EQ(path.points[k].location.axis, first.points[k].location.axis);
+        }
+    }
+}
+
+TEST(PlanOriented, AFieldWithoutAxesNamesPlaceAndRule)
+{
+    const auto bowl = paraboloid(0.03, 0.03);
+    OrientedOptions options = options_of(AxisMode::Field, 0);
+    options.field.lead = {Angle::degrees(-20), Angle::degrees(2)};
+    try {
+        plan_oriented(bowl, Cutter{5, 1}, options);
+        FAIL();
+    } catch (const GeometryError& error) {
+        const std::string message = error.what();
+        EXPECT_NE(message.find("no tool axis is allowed at contact 0"), std::string::npos)
+            << message;
+        EXPECT_NE(message.find("the lead that keeps the heel off"), std::string::npos)
+            << message;
+    }
+    // a holder that is wider than the bowl and lower than its rim
+    options.field = {};
+    options.tool_body = {{200, 3, 60}};
+    try {
+        plan_oriented(bowl, Cutter::ball(5), options);
+        FAIL();
+    } catch (const GeometryError& error) {
+        EXPECT_NE(std::string{error.what()}.find("the gap of shank or holder"),
+                  std::string::npos)
+            << error.what();
+    }
 }
 
 }  // namespace

@@ -2,13 +2,13 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <optional>
 #include <span>
 
+#include "endmill/core/angle.h"
 #include "endmill/cutter/cutter.h"
-#include "endmill/orientation/inclination.h"
+#include "endmill/orientation/oriented_options.h"
 #include "endmill/path/tool_path.h"
-#include "endmill/planning/linking.h"
 #include "endmill/surface/surface.h"
 #include "endmill/verification/verification_result.h"
 
@@ -18,37 +18,28 @@
 
 namespace endmill {
 
-/// How the tool leans at each contact.
-enum class AxisMode {
-    Fixed,  ///< by the given lead and tilt
-    /// By the least lead at which the cutter does not gouge, but one degree more, and at least
-    /// the given one. The tilt is the given one.
-    Lead,
-};
-
-/// How an oriented path is planned.
-struct OrientedOptions {
-    AxisMode mode = AxisMode::Lead;        ///< how the tool leans
-    Inclination inclination = {};          ///< given lead and tilt
-    Parameter along = Parameter::U;        ///< the parameter that changes along a pass
-    double scallop_height = 0.05;          ///< mm along the normal, above 0
-    double inner_tolerance = 0.01;         ///< mm, greatest depth of a gouge; above 0
-    PassOrder order = PassOrder::ZigZag;   ///< direction of neighbouring passes
-    double safe_height = 0;                ///< mm, z of lifted tools; above the part
-    std::size_t most_points = 40'000'000;  ///< a longer path throws LimitError
-    /// If set, it is called with the finished share, 0 to 1.
-    std::function<void(double share)> progress = {};
+/// The least and the greatest of the angles of all contacts.
+struct AngleExtent {
+    Angle least = Angle::radians(0);     ///< of all contacts
+    Angle greatest = Angle::radians(0);  ///< of all contacts
 };
 
 /// A path whose axis turns.
 struct OrientedPath {
     ToolPath
         path;  ///< contacts are known at all cuts but those beyond the ends of passes
-    std::size_t passes = 0;                   ///< number of passes
-    double cut_contact_mm = 0;                ///< length of the cuts by contacts
-    Angle least_lead = Angle::radians(0);     ///< of all contacts
-    Angle greatest_lead = Angle::radians(0);  ///< of all contacts
-    double narrowest_strip_mm = 0;            ///< least width of a strip
+    std::size_t passes = 0;         ///< number of passes
+    double cut_contact_mm = 0;      ///< length of the cuts by contacts
+    AngleExtent lead;               ///< leads of all contacts
+    AngleExtent tilt;               ///< tilts of all contacts
+    double narrowest_strip_mm = 0;  ///< least width of a strip
+    double widest_strip_mm = 0;     ///< greatest width of a strip
+    /// Sum of the turns of the axis in the part, on all moves.
+    Angle rotary_travel = Angle::radians(0);
+    double most_turn_deg_per_mm = 0;  ///< on cuts, by the way of the contact
+    /// Mode Field: least gap between cutter and part at all rows of passes, mm; negative
+    /// for a gouge. It is accurate to a quarter of the inner tolerance.
+    std::optional<double> least_gap_mm = {};
 };
 
 /// Plans passes along parameter lines. Neighbouring passes are as far apart as their strips
@@ -59,13 +50,18 @@ struct OrientedPath {
 /// its rim has left the part beside the pass too. Between passes the tool is lifted along its axis: by a small clearance
 /// if the next pass is near, else to the safe height, where it turns.
 ///
+/// In mode Field an axis is allowed if its strip is as wide as the distance of the passes
+/// needs, the cutter gouges no place of the part by more than 3/4 of the inner tolerance, and
+/// shank and holder are a quarter of it away. Halfway between two rows the cutter gouges by no
+/// more than the inner tolerance, and shank and holder are clear of the part.
+///
 /// Nothing here proves that the path is clean; see plan_judged_oriented.
 /// Source: docs/methods/five-axis-planning.md.
 /// \param surfaces of the part. Their tool sides face +z on average, single places may face
 ///        any way.
 /// \throws GeometryError if the cutter does not fit somewhere with this inclination, with the
 ///         place and the least lead that would do; if a surface has no normal at a contact, or
-///         a lifted tool leans by more than 80 degrees.
+///         a lifted tool leans by more than 80 degrees. In mode Field also as axis_field.
 /// \throws LimitError for a path of more points than allowed.
 /// \throws DomainError for options out of range.
 OrientedPath plan_oriented(std::span<const Surface> surfaces, const Cutter& cutter,
