@@ -26,7 +26,7 @@ constexpr double near_pass = 2;
 // Lifted tools lean by at most this: 80 degrees.
 constexpr double least_upright = 0.1736;
 // Trials for a clean path, and how the aims change between them.
-constexpr int most_trials = 4;
+constexpr int most_trials = 8;
 constexpr double lower_height = 0.8;
 constexpr double closer_rows = 0.5;
 // Distance of the first rays of a judgement, as a share of the cutter's radius.
@@ -57,8 +57,8 @@ public:
         }
         last_ = rows.back();
         // Beside the pass the rim of a leaning cutter is behind the contact. It runs on until
-        // the rim has left the part over the whole strip.
-        const double half = std::min(last_.strip_mm / 2, cutter_.radius());
+        // the rim has left the part over twice the strip, as the part may curve away.
+        const double half = std::min(last_.strip_mm, cutter_.radius());
         const double behind =
             cutter_.radius() -
             std::sqrt(cutter_.radius() * cutter_.radius() - half * half);
@@ -266,12 +266,17 @@ JudgedOrientedPath plan_judged_oriented(std::span<const Surface> surfaces,
         task.resolution = ray_share * cutter.radius();
         task.engine = RemovalEngine::FiveAxis;
         Verification verification = verify_path(task);
-        const Verdict verdict = verification.verdict;
-        if (verdict == Verdict::Clean || trial == most_trials)
+        if (verification.verdict == Verdict::Clean || trial == most_trials)
             return {std::move(plan), std::move(verification)};
-        if (verdict == Verdict::Gouged)
+        const Deviation& found = verification.on_part->deviation;
+        const bool may_gouge =
+            found.max_gouge_mm + found.gouge_bound_mm > options.inner_tolerance;
+        const bool may_leave =
+            found.max_scallop_mm + found.scallop_bound_mm > options.scallop_height;
+        if (may_gouge && (verification.verdict == Verdict::Gouged || !may_leave))
             aimed.inner_tolerance *= closer_rows;
-        else
+        if (may_leave && (verification.verdict != Verdict::Gouged ||
+                          found.max_scallop_mm > options.scallop_height))
             aimed.scallop_height *= lower_height;
     }
 }

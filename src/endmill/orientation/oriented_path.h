@@ -74,7 +74,7 @@ struct JudgedOrientedPath {
 };
 
 /// Plans an oriented path and verifies it. If it is not clean, it is planned again: for less
-/// scallop height if more remains than allowed, with closer rows if it gouges. After four
+/// scallop height if more remains than allowed, with closer rows if it gouges. After eight
 /// trials the last one is returned.
 /// \throws as plan_oriented and verify_path.
 JudgedOrientedPath plan_judged_oriented(std::span<const Surface> surfaces,
