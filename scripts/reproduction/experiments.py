@@ -10,7 +10,7 @@ from .fault import Fault
 NOT_A_PAPER = {"support"}  # a library that the drivers share
 BENCHMARKS = "benchmarks"
 PAPERS = ["economic-cl-data", "interference", "five-axis-setup", "ball-end-milling"]  # in the order of README.md
-BESIDE_THE_PAPERS = ["verification", "economy", BENCHMARKS]  # experiments of this project, shown last
+BESIDE_THE_PAPERS = ["verification", "economy", "five-axis-paths", BENCHMARKS]  # experiments of this project, shown last
 
 
 @dataclass(frozen=True)
