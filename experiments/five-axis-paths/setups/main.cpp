@@ -7,6 +7,7 @@
 // Deterministic, about a minute. Columns and verdicts: README.md beside this.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -174,16 +175,24 @@ NamedCells cells_of(const std::string& family, const Program& program)
             {"branch_changes", static_cast<std::int64_t>(program.report.branch_changes)}};
 }
 
-void add_family(CsvTable& result, const StudiedPart& part, const std::string& family,
-                Experiment& run)
+// Adds a program to the result, and to the table that the figure shows.
+void add_program(std::array<CsvTable*, 2> tables, const std::string& row,
+                 const NamedCells& cells)
+{
+    for (CsvTable* table : tables)
+        add_named(*table, row, cells);
+}
+
+void add_family(CsvTable& result, CsvTable& shown, const StudiedPart& part,
+                const std::string& family, Experiment& run)
 {
     const RotaryFamily kind = family_of_word(family);
     const Study study{part, kind, run.number("feed_mm_per_min"),
                       run.number("rotary_rate_deg_per_min")};
     for (const std::string& mode : run.texts("modes")) {
         const PartSetup setup = unlimited_setup(part, kind, mode);
-        add_named(result, family + ", " + mode,
-                  cells_of(family, study.program(setup.shown().value())));
+        add_program({&result, &shown}, family + ", " + mode,
+                    cells_of(family, study.program(setup.shown().value())));
     }
     std::vector<double> areas;
     std::vector<double> travels;
@@ -194,8 +203,8 @@ void add_family(CsvTable& result, const StudiedPart& part, const std::string& fa
         areas.push_back(program.area_deg2);
         travels.push_back(program.report.rotary_travel);
         times.push_back(program.report.time_min);
-        add_named(result, family + ", pose " + std::to_string(areas.size()),
-                  cells_of(family, program));
+        add_program({&result, &shown}, family + ", pose " + std::to_string(areas.size()),
+                    cells_of(family, program));
     }
     add_named(result, family + ", rank correlation with the area",
               {{"rotary_travel_deg", rank_correlation(areas, travels)},
@@ -213,8 +222,10 @@ int main(int argc, char** argv)
                          run.text("grid"), Angle::degrees(run.number("incidence_deg")));
         CsvTable result{{"row", "family", "area_deg2", "width_deg", "height_deg",
                          "rotary_travel_deg", "time_min", "branch_changes"}};
+        CsvTable shown = result;
         for (const std::string& family : run.texts("families"))
-            add_family(result, part, family, run);
+            add_family(result, shown, part, family, run);
         run.write_result(result);
+        run.write("setups.csv", shown.text());
     });
 }
