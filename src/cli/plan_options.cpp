@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.h"
+#include "cli/facet_list.h"
 #include "cli/idle_options.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/error.h"
@@ -203,6 +204,22 @@ void add_axis_mode(CLI::App& command, PlanOptions& options)
              options.inclination.tilt);
 }
 
+void add_setup_files(CLI::App& command, PlanOptions& options)
+{
+    command
+        .add_option("--setup", options.setup,
+                    "summary.json of endmill setup: the part is planned as it stands on "
+                    "this machine, with the tool along Z. --direction-deg then counts "
+                    "from X towards Y of the machine")
+        ->type_name("FILE");
+    command
+        .add_option("--setups", options.setups,
+                    "summary.json of endmill setup: a mesh is planned from the tool axes "
+                    "of all its setups (3+2 axes). Each facet is cut from the setup that "
+                    "faces it most. For a ball")
+        ->type_name("FILE");
+}
+
 void add_direction_angle(CLI::App& command, PlanOptions& options)
 {
     command
@@ -233,6 +250,9 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
                     "ball off PART nothing need be cut. For a ball along +z with a "
                     "--strategy other than iso")
         ->type_name("PART2");
+    add_skip_facets_option(command, options.skip_facets,
+                           "they are not cut, but no move gouges them");
+    add_setup_files(command, options);
     command
         .add_option_function<std::string>(
             "--cutter",
@@ -340,7 +360,7 @@ void refuse_for_five_axes(const PlanOptions& options)
     constexpr std::array three_axes{
         "--strategy",    "--mode",          "--bound",           "--protect",
         "--axis",        "--direction-deg", "--outer-tolerance", "--stop-at-borders",
-        "--count-links", "--distance"};
+        "--count-links", "--distance",      "--skip-facets",     "--setups"};
     refuse_idle_options(options.common, three_axes, "--axis-mode", "a fixed axis");
     refuse_idle_options(options.common, paper_options, "--axis-mode", "--mode paper");
     if (options.direction == PlanDirection::Best)
@@ -351,6 +371,19 @@ void refuse_for_five_axes(const PlanOptions& options)
             "--inner-tolerance 0 with --axis-mode: expected a tolerance above 0"};
     if (!options.cutter)
         throw DomainError{"--axis-mode: expected --cutter too"};
+}
+
+// What a plan from several setups cannot do.
+void refuse_for_setups(const PlanOptions& options)
+{
+    constexpr std::array one_axis{"--axis",          "--setup",       "--protect",
+                                  "--direction-deg", "--safe-height", "--feed"};
+    refuse_idle_options(options.common, one_axis, "--setups", "one tool axis");
+    if (options.strategy == StrategyChoice::Iso)
+        throw DomainError{"--setups with --strategy iso: expected another --strategy"};
+    if (options.cutter && !options.cutter->is_ball())
+        throw DomainError{"--cutter " + cutter_word(*options.cutter) +
+                          " with --setups: expected ball:DIAMETER"};
 }
 
 bool is_no_ball(const PlanOptions& options)
@@ -368,7 +401,8 @@ void refuse_cutter(const PlanOptions& options)
     if (!is_no_ball(options))
         return;
     const std::string chosen = "--cutter " + cutter_word(*options.cutter);
-    refuse_idle_options(options.common, std::array{"--distance", "--protect"}, chosen,
+    refuse_idle_options(options.common,
+                        std::array{"--distance", "--protect", "--skip-facets"}, chosen,
                         "a ball");
     if (options.bound != PlanBound::None)
         refuse_idle_options(options.common, std::array{"--bound"}, chosen, "a ball");
@@ -431,8 +465,15 @@ void refuse_idle_plan_options(const PlanOptions& options)
                         "--axis-mode");
     refuse_zero_tolerances(options);
     refuse_cutter(options);
+    if (!options.guard.path.empty())
+        refuse_idle_options(common, std::array{"--skip-facets", "--setup"}, "--protect",
+                            "one of the two");
     if (!options.guard.path.empty() && options.planning.link.axis != Vec3::UnitZ())
         throw DomainError{"--protect with --axis: expected the axis 0,0,1"};
+    if (!options.setup.empty())
+        refuse_idle_options(common, std::array{"--axis"}, "--setup", "one of the two");
+    if (!options.setups.empty())
+        refuse_for_setups(options);
     if (options.strategy != StrategyChoice::Iso)
         refuse_for_strategy(options);
     else

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@
 #include "endmill/files/path_file.h"
 #include "endmill/files/vtk.h"
 #include "endmill/orientation/oriented_path.h"
+#include "endmill/verification/verification.h"
 
 namespace endmill {
 namespace {
@@ -47,9 +49,13 @@ OrientedOptions oriented_options(const PlanOptions& options, Parameter along)
     return oriented;
 }
 
-// The path along the asked parameter; otherwise the shorter clean one of both.
+// The path along the asked parameter; otherwise the shorter clean one of both. It is planned
+// for the part as it stands on the machine.
 DirectedPath chosen_path(const PlanTask& task, ProgressLine& progress)
 {
+    const bool is_turned = !task.options.setup.empty();
+    const Part standing = is_turned ? turned(task.part, task.part_to_machine) : task.part;
+    const auto& surfaces = std::get<std::vector<Surface>>(standing);
     const PlanDirection direction = task.options.direction;
     std::vector<Parameter> parameters{Parameter::U, Parameter::V};
     if (direction != PlanDirection::Both)
@@ -61,8 +67,8 @@ DirectedPath chosen_path(const PlanTask& task, ProgressLine& progress)
             along == parameters.back() ? 0 : 1);
         OrientedOptions options = oriented_options(task.options, along);
         options.progress = progress.shower();
-        DirectedPath path{
-            along, plan_judged_oriented(task.surfaces, task.context.cutter, options)};
+        DirectedPath path{along,
+                          plan_judged_oriented(surfaces, task.context.cutter, options)};
         const bool is_better =
             !best || (is_clean(path) && !is_clean(*best)) ||
             (is_clean(path) == is_clean(*best) &&
@@ -70,6 +76,9 @@ DirectedPath chosen_path(const PlanTask& task, ProgressLine& progress)
         if (is_better)
             best = std::move(path);
     }
+    ToolPath& made = best->judged.plan.path;
+    if (is_turned)
+        made = turned(made, task.part_to_machine.transpose());
     return std::move(*best);
 }
 
@@ -135,6 +144,8 @@ PlanResult write_oriented_plan(const PlanTask& task, OutputFolder& folder)
     add_path_totals(summary["path"], path_totals(tool_path));
     summary["path"]["points"] = tool_path.points.size();
     name_part(summary, task.options.part, folder.path());
+    if (!task.options.setup.empty())
+        name_part(summary, {task.options.setup}, folder.path(), "setup");
     const std::string table = tool_path_csv(tool_path);
     identify_path(summary, tool_path.points.size(), content_sha256(table));
     folder.write("toolpath.csv", table);

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "cli/console.h"
+#include "cli/facet_list.h"
 #include "cli/path_tools.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -226,6 +227,19 @@ void add_guard(VerifyInput& input, const VerifyOptions& options, const PathSumma
     input.guard_path = file->path;
 }
 
+// Adds the facets whose remaining stock is not judged: those of --skip-facets, or else those
+// that the path was planned to leave.
+void add_skipped(VerifyInput& input, const VerifyOptions& options,
+                 const PathSummary& known)
+{
+    if (options.skip_facets == no_part || !input.part)
+        return;
+    input.skip_file = options.skip_facets;
+    if (input.skip_file.empty() && options.part.path.empty() && known.skipped_facets)
+        input.skip_file = known.skipped_facets->lexically_normal().string();
+    input.skipped = skipped_facets(input.skip_file, *input.part, options.common);
+}
+
 // Whether remaining stock is judged where the cutter cannot touch the part. A test of the
 // cutter's position exists for meshes, and beside a protected part.
 InaccessibleStock inaccessible_of(const VerifyOptions& options, const PathSummary& known,
@@ -317,6 +331,7 @@ VerifyInput read_verify_input(const VerifyOptions& options)
     if (!input.part)
         refuse_options_without_part(options.common);
     add_guard(input, options, known);
+    add_skipped(input, options, known);
     input.inaccessible = inaccessible_of(options, known, input);
     const auto is_given = [](const std::string& name) {
         return !name.empty() && name != no_part;
@@ -336,7 +351,7 @@ std::vector<std::string> files_of(const VerifyInput& input, const VerifyOptions&
 {
     std::vector<std::string> files{options.path.file};
     for (const std::string& file : {options.tool, options.path.tools, input.part_path,
-                                    input.guard_path, input.stock.file})
+                                    input.guard_path, input.skip_file, input.stock.file})
         if (!file.empty())
             files.push_back(file);
     return files;
@@ -356,10 +371,12 @@ VerificationTask verification_task(const VerifyInput& input, const VerifyOptions
     task.max_memory_gib = options.common.limits.max_memory_gib;
     task.extra_bytes_per_cell = bytes_to_write(options);
     if (input.part)
-        task.judged = JudgedPart{.part = &input.part->part,
-                                 .limits = input.limits,
-                                 .max_refine = options.max_refine,
-                                 .is_accessible = accessibility(input)};
+        task.judged =
+            JudgedPart{.part = &input.part->part,
+                       .limits = input.limits,
+                       .max_refine = options.max_refine,
+                       .is_accessible = accessibility(input),
+                       .skipped_facets = facets_in_mesh(input.skipped, *input.part)};
     return task;
 }
 

@@ -5,4 +5,7 @@
 /// All public headers of the module `orientation`.
 
 #include "endmill/orientation/inclination.h"
+#include "endmill/orientation/indexed_path.h"
+#include "endmill/orientation/indexed_plan.h"
 #include "endmill/orientation/oriented_path.h"
+#include "endmill/orientation/setup_regions.h"

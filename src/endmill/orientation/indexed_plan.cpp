@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/orientation/indexed_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "endmill/core/error.h"
+#include "endmill/mesh/mesh_repair.h"
+#include "endmill/orientation/detail/region_mesh.h"
+#include "endmill/orientation/indexed_path.h"
+#include "endmill/stock/height_stock.h"
+#include "endmill/strategy/plan_frame.h"
+#include "endmill/verification/verification.h"
+
+namespace endmill {
+namespace {
+
+void require_sound(const BallCutter& cutter, const IndexedOptions& options)
+{
+    const double radius = cutter.radius();
+    require(0 < options.scallop_height && options.scallop_height < radius,
+            "plan_indexed: need 0 < scallop height < cutter radius");
+    require(0 < options.inner_tolerance && options.inner_tolerance < radius,
+            "plan_indexed: need 0 < inner tolerance < cutter radius");
+    require(std::isfinite(options.clearance) && options.clearance > 0,
+            "plan_indexed: need a clearance above 0");
+}
+
+// Width of the strip that a pass leaves below the scallop height on a plane, mm.
+double path_interval_on_plane(const BallCutter& cutter, double scallop_height)
+{
+    return 2 * std::sqrt(scallop_height * (2 * cutter.radius() - scallop_height));
+}
+
+// The block around a part from which `verify` cuts, however deep the tips are: a tip is at most
+// two radii below its contact.
+Block widest_block(const Part& part, const Cutter& cutter)
+{
+    Block block = default_block(&part, {}, cutter);
+    block.low.z() -= 2 * cutter.radius();
+    return block;
+}
+
+// The ball around a block, by its diagonal.
+ClearBall ball_around(const Block& block, double clearance)
+{
+    return {(block.low + block.high) / 2,
+            (block.high - block.low).norm() / 2 + clearance};
+}
+
+// The greatest height of a block along an axis, mm.
+double height_of(const Block& block, const Vec3& axis)
+{
+    double height = 0;
+    for (int c = 0; c < 3; ++c)
+        height += std::max(axis[c] * block.low[c], axis[c] * block.high[c]);
+    return height;
+}
+
+// Plans the facets of one direction after the other.
+class DirectionPlanner {
+public:
+    DirectionPlanner(const TriangleMesh& part, const BallCutter& cutter,
+                     const IndexedOptions& options, const SetupRegions& regions)
+        : part_{part},
+          whole_{without_degenerate_or_duplicate(part).mesh},
+          cutter_{Cutter::ball(cutter.radius())},
+          options_{options},
+          regions_{regions},
+          width_{path_interval_on_plane(cutter, options.scallop_height)},
+          block_{widest_block(whole_, cutter_)}
+    {
+    }
+
+    // \param share of the progress, from and to.
+    IndexedCut cut_from(std::size_t direction, double from, double to) const
+    {
+        IndexedCut cut{direction, regions_.facets_of(direction), {}, {}};
+        const Part region =
+            region_mesh(part_, cut.facets,
+                        {width_, [&](std::size_t facet) {
+                             return regions_.seen.is_accessible(facet, direction) &&
+                                    regions_.direction_of[facet].has_value();
+                         }});
+        PlanFrame frame;
+        frame.part_to_machine = upright_rotation(options_.directions[direction]);
+        frame.protected_part = &whole_;
+        try {
+            cut.best = plan_in_frame(frame, options_.strategy, region, cutter_,
+                                     strategy_options(direction, from, to));
+        } catch (const GeometryError& error) {
+            cut.refusal = error.what();
+        }
+        return cut;
+    }
+
+    double safe_height(std::size_t direction) const
+    {
+        return height_of(block_, options_.directions[direction]) + options_.clearance;
+    }
+
+    ClearBall ball() const { return ball_around(block_, options_.clearance); }
+
+private:
+    StrategyOptions strategy_options(std::size_t direction, double from, double to) const
+    {
+        StrategyOptions options;
+        options.scallop_height = options_.scallop_height;
+        options.inner_tolerance = options_.inner_tolerance;
+        options.distance = options_.distance;
+        options.link.safe_height = safe_height(direction);
+        options.most_points = options_.most_points;
+        options.most_samples = options_.most_samples;
+        if (options_.progress)
+            options.progress = [this, from, to](double share) {
+                options_.progress(std::lerp(from, to, share));
+            };
+        return options;
+    }
+
+    const TriangleMesh& part_;
+    Part whole_;  // without degenerate and repeated triangles
+    Cutter cutter_;
+    const IndexedOptions& options_;
+    const SetupRegions& regions_;
+    double width_;
+    Block block_;
+};
+
+// The directions that cut facets.
+std::vector<std::size_t> used_directions(const SetupRegions& regions, std::size_t all)
+{
+    std::vector<char> is_used(all, 0);
+    for (const auto& direction : regions.direction_of)
+        if (direction)
+            is_used[*direction] = 1;
+    std::vector<std::size_t> used;
+    for (std::size_t k = 0; k < all; ++k)
+        if (is_used[k] != 0)
+            used.push_back(k);
+    return used;
+}
+
+}  // namespace
+
+bool IndexedPlan::is_good() const
+{
+    return uncovered.empty() && std::ranges::all_of(cuts, [](const IndexedCut& cut) {
+               return cut.best && cut.best->plan.is_good();
+           });
+}
+
+IndexedPlan plan_indexed(const TriangleMesh& part, const BallCutter& cutter,
+                         const IndexedOptions& options)
+{
+    require_sound(cutter, options);
+    const SetupRegions regions = setup_regions(
+        part, options.directions, {cutter.radius(), std::span{options.skipped}});
+    IndexedPlan plan;
+    plan.uncovered = regions.uncovered;
+    plan.joined_regions = regions.joined_regions;
+    const std::vector<std::size_t> used =
+        used_directions(regions, options.directions.size());
+    if (used.empty())
+        return plan;
+    const DirectionPlanner planner{part, cutter, options, regions};
+    std::vector<IndexedStretch> stretches;
+    const auto count = static_cast<double>(used.size());
+    for (std::size_t k = 0; k < used.size(); ++k) {
+        const auto done = static_cast<double>(k);
+        IndexedCut cut = planner.cut_from(used[k], done / count, (done + 1) / count);
+        if (cut.best)
+            stretches.push_back(
+                {cut.best->plan.covering.path, planner.safe_height(cut.direction)});
+        else
+            plan.uncovered.insert(plan.uncovered.end(), cut.facets.begin(),
+                                  cut.facets.end());
+        plan.cuts.push_back(std::move(cut));
+    }
+    std::ranges::sort(plan.uncovered);
+    plan.path = indexed_path(stretches, planner.ball());
+    return plan;
+}
+
+}  // namespace endmill
