@@ -13,7 +13,7 @@
 namespace endmill {
 namespace {
 
-constexpr ClearBall ball_of(double radius)
+ClearBall ball_of(double radius)
 {
     return {{1, 2, 3}, radius};
 }
@@ -89,8 +89,9 @@ TEST(IndexedPath, RaisesAndLowersTheToolAlongItsAxis)
         const PathPoint& a = path.points[k - 1];
         const PathPoint& b = path.points[k];
         const Vec3 way = b.location.tip - a.location.tip;
-        if (b.move == Move::Retract || b.move == Move::Plunge)
+        if (b.move == Move::Retract || b.move == Move::Plunge) {
             EXPECT_LT(way.cross(b.location.axis).norm(), 1e-12);
+        }
         if (b.move == Move::Rapid) {  // never below the safe height of its stretch
             const double height = b.location.tip.dot(b.location.axis);
             EXPECT_GE(height, stretch(b.location.axis).safe_height - 1e-12);

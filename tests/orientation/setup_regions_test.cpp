@@ -70,7 +70,7 @@ TEST(SetupRegions, AreThoseOfBruteForce)
 {
     const TriangleMesh torus = torus_mesh(20, 12);
     const std::vector<Vec3> directions{unit(1, 0.2, 0.4), unit(-0.7, 0.8, 0.5),
-                                       unit(-0.1, -0.9, 0.6), unit(0.15, 0.1, -1)};
+                                       unit(-0.1, -0.9, 0.6)};
     // no region is smaller than the square of so small a cutter
     const SetupRegions regions =
         setup_regions(torus, directions, {.cutter_radius = 1e-6});
@@ -94,11 +94,12 @@ TEST(SetupRegions, OfACubeNameItsBottom)
     std::vector<std::size_t> bottom;
     for (std::size_t facet = 0; facet < 12; ++facet) {
         const Vec3 normal = normal_of(cube, facet);
-        if (normal.z() < -0.5)
+        if (normal.z() < -0.5) {
             bottom.push_back(facet);
-        else  // the top has equal products, and belongs to the first
-            EXPECT_EQ(regions.direction_of[facet],
-                      normal.x() + normal.y() < -0.5 ? 1U : 0U);
+            continue;
+        }
+        // the top has equal products, and belongs to the first
+        EXPECT_EQ(regions.direction_of[facet], normal.x() + normal.y() < -0.5 ? 1U : 0U);
     }
     EXPECT_EQ(regions.uncovered, bottom);
     EXPECT_EQ(regions.facets_of(0).size(), 6U);
