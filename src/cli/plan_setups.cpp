@@ -66,11 +66,11 @@ Json indexed_summary(const PlanTask& task, const IndexedPlan& plan,
                      const IndexedOptions& indexed)
 {
     const PlanOptions& options = task.options;
-    Json directions = Json::array();
+    Json by_direction = Json::array();
     double cut_mm = 0;
     std::size_t passes = 0;
     for (const IndexedCut& cut : plan.cuts) {
-        directions.push_back(direction_json(cut, indexed));
+        by_direction.push_back(direction_json(cut, indexed));
         cut_mm += cut.best ? cut.best->plan.economy.cut.contact_mm : 0;
         passes += cut.best ? cut.best->plan.covering.passes : 0;
     }
@@ -84,7 +84,7 @@ Json indexed_summary(const PlanTask& task, const IndexedPlan& plan,
             {"scallop_mm", options.planning.scallop_height},
             {"inner_tolerance_mm", options.motion.inner},
             {"outer_tolerance_mm", 0},
-            {"directions", std::move(directions)},
+            {"directions", std::move(by_direction)},
             {"joined_regions", plan.joined_regions},
             {"skipped", task.skipped.size()},
             {"uncovered_facets", plan.uncovered},
@@ -102,10 +102,10 @@ std::string first_facets(const std::vector<std::size_t>& facets)
     return text + (facets.size() > most_shown ? " ..." : "");
 }
 
-std::string directions_text(const Json& directions)
+std::string directions_text(const Json& all)
 {
     std::string text;
-    for (const Json& one : directions) {
+    for (const Json& one : all) {
         const Json& axis = one["axis"];
         text += fmt::format("  direction {}   {:.4g},{:.4g},{:.4g}: {}, ",
                             one["direction"].get<std::size_t>(), axis[0].get<double>(),

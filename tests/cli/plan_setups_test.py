@@ -52,7 +52,7 @@ class PlanSetups(Chain):
         seen = self.summary("verify", self.folder / "out/toolpath.csv", "--resolution", "0.4", "-o", "seen")
         self.assertEqual((seen["verdict"], seen["engine"]), ("clean", "five-axis"))
         # code for two machines of different kinds
-        for machine, clamp in (("ca-table-table", "0,0,0"), ("cb-head-head", "0,0,100")):
+        for machine, clamp in (("ca-table-table", "0,0,0"), ("cb-head-head", "0,0,120")):
             posted = self.summary("post", self.folder / "out/toolpath.csv", "--machine", MACHINES / f"{machine}.json",
                                   "--feed", "600", "--clamp", clamp, "-o", machine)
             self.assertLessEqual(posted["max_tip_error_mm"], 0.01)
@@ -108,9 +108,11 @@ class PlanSetups(Chain):
 
 class SkipFacets(Chain):
     def test_setup_needs_no_direction_for_them(self):
-        down = self.summary("setup", self.part, "--machine", "W/caxyBz/T", "-o", "all", status=1)
+        # every axis is below the plane of one face by asin(1/sqrt(3)) = 35.3 degrees or more
+        machine = ["--machine", "W/caxyBz/T", "--limits", "a=-30:30"]
+        down = self.summary("setup", self.part, *machine, "-o", "all", status=1)
         self.assertFalse(down["machinable"])
-        found = self.summary("setup", self.part, "--machine", "W/caxyBz/T", "--skip-facets", self.bottom, "-o", "without")
+        found = self.summary("setup", self.part, *machine, "--skip-facets", self.bottom, "-o", "without")
         self.assertTrue(found["machinable"])
         self.assertEqual((found["facets"], found["skipped_facets"]), (12, [0, 1]))
 
@@ -175,8 +177,9 @@ class PlanAlongAnAxis(Chain):
         pose = {"configuration": "W/xyBz/T", "tool_axis": [1, 0, 0], "part_to_machine": [[0, 1, 0], [0, 0, 1], [1, 0, 0]],
                 "clamp_mm": [0, 0, 0]}
         pose = self.file(pose, "pose.json")
-        facts = self.summary("plan", self.part, *BALL, "--setup", pose, "--strategy", "planar", "--direction-deg", "0", "-o",
-                             "out")
+        others = self.file("".join(f"{facet}\n" for facet in range(10)), "others.txt")
+        facts = self.summary("plan", self.part, *BALL, "--setup", pose, "--skip-facets", others, "--strategy", "planar",
+                             "--direction-deg", "0", "-o", "out")
         self.assertEqual(self.axes("out"), {(1, 0, 0)})
         self.assertEqual(facts["axis"], [1, 0, 0])
         # passes along X of the machine are passes along y of the part
