@@ -124,7 +124,11 @@ std::string directions_text(const Json& all)
 
 std::string indexed_text(const Json& s, const IndexedPlan& plan)
 {
-    std::string text = directions_text(s["directions"]);
+    std::string text = fmt::format(
+        "  path          {}, cut {} mm by contacts, from {}\n",
+        counted(s["path"]["points"].get<std::size_t>(), "point"),
+        shown(s["cut_contact_mm"].get<double>()), counted(plan.cuts.size(), "direction"));
+    text += directions_text(s["directions"]);
     if (!plan.uncovered.empty())
         text += fmt::format("  uncovered     {}:{}\n",
                             counted(plan.uncovered.size(), "facet"),

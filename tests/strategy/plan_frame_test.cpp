@@ -61,11 +61,12 @@ TEST(PlanInFrame, PlansTheRotatedPartAndRotatesThePathBack)
             (rotation * point.location.tip - expected.points[k].location.tip).norm(),
             1e-12);
         ASSERT_EQ(point.contact() != nullptr, expected.points[k].contact() != nullptr);
-        if (const SurfaceContact* contact = point.contact())
+        if (const SurfaceContact* contact = point.contact()) {
             EXPECT_LT((rotation * contact->contact.normal -
                        expected.points[k].contact()->contact.normal)
                           .norm(),
                       1e-12);
+        }
     }
     EXPECT_EQ(found.plan.verdict, Verdict::Clean);
     EXPECT_EQ(found.plan.verdict, upright.plan.verdict);
