@@ -89,6 +89,7 @@ Json indexed_summary(const PlanTask& task, const IndexedPlan& plan,
             {"skipped", task.skipped.size()},
             {"uncovered_facets", plan.uncovered},
             {"is_good", plan.is_good()},
+            {"inaccessible", std::string{inaccessible_name(InaccessibleStock::Report)}},
             {"interpolation", "linear"}};
 }
 

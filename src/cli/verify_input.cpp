@@ -17,10 +17,14 @@
 #include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
+#include "endmill/orientation/axis_reach.h"
 #include "endmill/stock/mesh_stock.h"
 
 namespace endmill {
 namespace {
+
+// Axes that differ by less count as one: far above the rounding of axes in programs.
+constexpr double same_axis = 1e-6;
 
 std::optional<Tool> given_tool(const VerifyOptions& options)
 {
@@ -156,6 +160,27 @@ bool is_turning(const ToolPath& path)
     });
 }
 
+// The cutter's positions are tested for so many axes at most.
+constexpr std::size_t most_tested_axes = 24;
+
+// The axes along which the tool cuts; none if there are too many, or if a machine moves it.
+std::vector<Vec3> tested_axes(const VerifyInput& input)
+{
+    std::vector<Vec3> axes;
+    for (const PathPoint& point : input.program.path.points) {
+        const Vec3& axis = point.location.axis;
+        const auto is_same = [&](const Vec3& known) {
+            return (known - axis).norm() <= same_axis;
+        };
+        if (point.move != Move::Cut || std::ranges::any_of(axes, is_same))
+            continue;
+        if (axes.size() == most_tested_axes)
+            return {};
+        axes.push_back(axis);
+    }
+    return axes;
+}
+
 // The engine of --engine, or else the one that the path needs. Options that need heights are
 // refused with the other one.
 RemovalEngine engine_of(const VerifyInput& input, const VerifyOptions& options)
@@ -177,9 +202,13 @@ RemovalEngine engine_of(const VerifyInput& input, const VerifyOptions& options)
         if (is_given)
             throw DomainError{std::string{name} + ": " + why +
                               "; the stock is written for three axes only"};
-    if (input.inaccessible == InaccessibleStock::Report)
-        throw DomainError{"--inaccessible report: " + why +
-                          "; the test needs three axes. Expected --inaccessible count"};
+    if (input.inaccessible == InaccessibleStock::Report &&
+        (input.guard || tested_axes(input).empty()))
+        throw DomainError{
+            "--inaccessible report: " + why +
+            "; the test needs a mesh without a protected part, and at most " +
+            std::to_string(most_tested_axes) +
+            " axes along which the tool cuts. Expected --inaccessible count"};
     return engine;
 }
 
@@ -275,6 +304,17 @@ std::function<bool(const PartRay&)> accessibility(const VerifyInput& input)
     for (const ToolChange& change : input.changes)
         if (std::ranges::find(cutters, change.cutter) == cutters.end())
             cutters.push_back(change.cutter);
+    if (input.engine == RemovalEngine::FiveAxis) {
+        std::vector<AxisReach> reach;
+        reach.reserve(cutters.size());
+        for (const Cutter& cutter : cutters)
+            reach.emplace_back(*mesh, cutter, tested_axes(input));
+        return [reach = std::move(reach), distance](const PartRay& ray) {
+            return std::ranges::any_of(reach, [&](const AxisReach& of) {
+                return of.reaches({ray.point, ray.normal}, distance);
+            });
+        };
+    }
     std::vector<std::shared_ptr<const DropCutter>> drop_cutters;
     drop_cutters.reserve(cutters.size());
     for (const Cutter& cutter : cutters)

@@ -4,6 +4,7 @@
 /// \file
 /// All public headers of the module `orientation`.
 
+#include "endmill/orientation/axis_reach.h"
 #include "endmill/orientation/inclination.h"
 #include "endmill/orientation/indexed_path.h"
 #include "endmill/orientation/indexed_plan.h"

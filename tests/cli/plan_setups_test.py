@@ -23,6 +23,19 @@ def cube(side=8):
     return "\n".join(lines) + "\n"
 
 
+def step():
+    """A mesh file of a block with a step along y, and the facets of its ends and its bottom."""
+    outline = [(0, 0), (12, 0), (12, 4), (6, 4), (6, 12), (0, 12)]
+    points = [(x, y, z) for y in (0, 8) for x, z in outline]
+    ends = ["0 1 2", "0 2 3", "0 3 4", "0 4 5", "6 8 7", "6 9 8", "6 10 9", "6 11 10"]
+    sides = []
+    for k in range(6):
+        a, b = k, (k + 1) % 6
+        sides += [f"{a} {a + 6} {b + 6}", f"{a} {b + 6} {b}"]
+    lines = ["OFF", "12 20 0", *(" ".join(map(str, point)) for point in points), *(f"3 {face}" for face in ends + sides)]
+    return "\n".join(lines) + "\n", range(10)
+
+
 def setups(*directions):
     """The summary.json of a setup with these directions."""
     axes = [[x / math.hypot(*direction) for x in direction] for direction in directions]
@@ -67,6 +80,24 @@ class PlanSetups(Chain):
                              self.bottom, "--strategy", "planar", "-o", "out")
         self.assertTrue(facts["is_good"])
         self.assertLessEqual(len(facts["directions"]), len(found["setups"]))
+
+    def test_corner_that_no_ball_reaches_is_not_judged(self):
+        mesh, left = step()
+        part = self.file(mesh, "step.off")
+        skipped = self.file("".join(f"{facet}\n" for facet in left), "left.txt")
+        facts = self.summary("plan", part, *BALL, "--setups", self.file(setups([1, 0.2, 1.2], [-1, 0.2, 1]), "s.json"),
+                             "--skip-facets", skipped, "--strategy", "planar", "-o", "out")
+        self.assertEqual((facts["is_good"], facts["inaccessible"]), (True, "report"))
+        path = self.folder / "out/toolpath.csv"
+        seen = self.summary("verify", path, "--resolution", "0.2", "-o", "seen")
+        self.assertEqual(seen["verdict"], "clean")
+        # on both sides of the corner the ball, R = 2, leaves at least half of the limit, 0.1, up to s:
+        # R - sqrt(R^2 - (R - s)^2) = 0.1
+        s = 2 - math.sqrt(4 - 1.9 ** 2)
+        self.assertGreater(seen["inaccessible_area_mm2"], 2 * 8 * s - 0.5)
+        self.assertLess(seen["inaccessible_area_mm2"], 2 * 8 * 2)
+        counted = self.summary("verify", path, "--resolution", "0.2", "--inaccessible", "count", "-o", "counted", status=1)
+        self.assertEqual(counted["verdict"], "uncut")
 
     def test_facets_that_no_direction_sees_are_named(self):
         facts = self.summary("plan", self.part, *BALL, "--setups", self.file(setups(*CORNERS), "s.json"), "--strategy",

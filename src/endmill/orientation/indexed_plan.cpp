@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "endmill/core/error.h"
+#include "endmill/deviation/deviation.h"
 #include "endmill/mesh/mesh_repair.h"
+#include "endmill/orientation/axis_reach.h"
 #include "endmill/orientation/detail/region_mesh.h"
 #include "endmill/orientation/indexed_path.h"
 #include "endmill/stock/height_stock.h"
@@ -17,6 +19,13 @@
 
 namespace endmill {
 namespace {
+
+// A plan that is not judged good is made again for this share of the scallop height, up to so
+// many trials.
+constexpr double lowered_share = 0.8;
+constexpr int most_trials = 3;
+// A height of remaining stock that no part exceeds, mm.
+constexpr double no_scallop_limit = 1e9;
 
 void require_sound(const BallCutter& cutter, const IndexedOptions& options)
 {
@@ -33,6 +42,18 @@ void require_sound(const BallCutter& cutter, const IndexedOptions& options)
 double path_interval_on_plane(const BallCutter& cutter, double scallop_height)
 {
     return 2 * std::sqrt(scallop_height * (2 * cutter.radius() - scallop_height));
+}
+
+// The height at which plans aim, mm. Beside walls they keep a quarter of the tolerance, which the
+// verification of the whole path does not know. In the strip of this width what remains rises
+// by at most the slope of a scallop.
+double aimed_height(double radius, const IndexedOptions& options)
+{
+    constexpr double kept_share = 0.25;  // as ProtectedPart
+    const double cosine = 1 - options.scallop_height / radius;
+    const double slope = std::sqrt(1 - cosine * cosine) / cosine;
+    const double rise = kept_share * options.inner_tolerance * slope;
+    return std::max(options.scallop_height - rise, options.scallop_height / 2);
 }
 
 // The block around a part from which `verify` cuts, however deep the tips are: a tip is at most
@@ -85,12 +106,18 @@ public:
                              return regions_.seen.is_accessible(facet, direction) &&
                                     regions_.direction_of[facet].has_value();
                          }});
-        PlanFrame frame;
-        frame.part_to_machine = upright_rotation(options_.directions[direction]);
-        frame.protected_part = &whole_;
         try {
-            cut.best = plan_in_frame(frame, options_.strategy, region, cutter_,
-                                     strategy_options(direction, from, to));
+            StrategyOptions options = strategy_options(direction, from, to);
+            for (int trial = 1; trial <= most_trials; ++trial) {
+                BestPlan best = planned(direction, region, options);
+                const bool is_good = best.plan.is_good();
+                if (is_good || !cut.best)
+                    cut.best = std::move(best);
+                if (is_good)
+                    break;
+                options.scallop_height *= lowered_share;
+                options.progress = {};
+            }
         } catch (const GeometryError& error) {
             cut.refusal = error.what();
         }
@@ -105,10 +132,31 @@ public:
     ClearBall ball() const { return ball_around(block_, options_.clearance); }
 
 private:
+    // A plan, judged by the wanted scallop height whatever the height at which it aims.
+    BestPlan planned(std::size_t direction, const Part& region,
+                     const StrategyOptions& options) const
+    {
+        PlanFrame frame;
+        frame.part_to_machine = upright_rotation(options_.directions[direction]);
+        frame.protected_part = &whole_;
+        BestPlan best = plan_in_frame(frame, options_.strategy, region, cutter_, options);
+        StrategyPlan& plan = best.plan;
+        const double tolerance = options_.inner_tolerance;
+        const Verdict of_region =
+            verdict(plan.deviation, {tolerance, options_.scallop_height});
+        const Verdict of_whole =
+            plan.of_protected ? verdict(*plan.of_protected, {tolerance, no_scallop_limit})
+                              : Verdict::Clean;
+        const bool whole_decides =
+            of_whole == Verdict::Gouged || of_region == Verdict::Clean;
+        plan.verdict = whole_decides ? of_whole : of_region;
+        return best;
+    }
+
     StrategyOptions strategy_options(std::size_t direction, double from, double to) const
     {
         StrategyOptions options;
-        options.scallop_height = options_.scallop_height;
+        options.scallop_height = aimed_height(cutter_.radius(), options_);
         options.inner_tolerance = options_.inner_tolerance;
         options.distance = options_.distance;
         options.link.safe_height = safe_height(direction);
@@ -144,6 +192,22 @@ std::vector<std::size_t> used_directions(const SetupRegions& regions, std::size_
     return used;
 }
 
+// The regions, by directions from which the ball reaches the middles of facets.
+SetupRegions reached_regions(const TriangleMesh& part, const BallCutter& cutter,
+                             const IndexedOptions& options)
+{
+    const TriangleMesh whole = without_degenerate_or_duplicate(part).mesh;
+    const AxisReach reach{whole, Cutter::ball(cutter.radius()), options.directions};
+    const double distance = reached_share * options.scallop_height;
+    const auto reaches = [&](std::size_t facet, std::size_t direction) {
+        const auto [a, b, c] = part.corners(facet);
+        const Vec3 normal = (b - a).cross(c - a).normalized();
+        return reach.reaches(direction, {(a + b + c) / 3, normal}, distance);
+    };
+    return setup_regions(part, options.directions,
+                         {cutter.radius(), std::span{options.skipped}, reaches});
+}
+
 }  // namespace
 
 bool IndexedPlan::is_good() const
@@ -157,8 +221,7 @@ IndexedPlan plan_indexed(const TriangleMesh& part, const BallCutter& cutter,
                          const IndexedOptions& options)
 {
     require_sound(cutter, options);
-    const SetupRegions regions = setup_regions(
-        part, options.directions, {cutter.radius(), std::span{options.skipped}});
+    const SetupRegions regions = reached_regions(part, cutter, options);
     IndexedPlan plan;
     plan.uncovered = regions.uncovered;
     plan.joined_regions = regions.joined_regions;

@@ -57,10 +57,12 @@ struct IndexedPlan {
 
 /// Plans a part from several directions.
 ///
-/// `setup_regions` assigns the facets. The facets of a direction, and a strip of one path
+/// `setup_regions` assigns the facets, and prefers directions from which the ball comes within
+/// half the scallop height of the middle of a facet. The facets of a direction, and a strip of one path
 /// interval over their border, are planned as a part that stands with the direction upright,
 /// by `plan_in_frame`; the whole mesh is protected. Each plan is judged as a three-axis path
-/// that starts from the full block. `indexed_path` joins the paths; the tool turns outside a ball
+/// that starts from the full block. One that is not good is made again for 0.8 of the scallop
+/// height, up to twice. `indexed_path` joins the paths; the tool turns outside a ball
 /// around the block of `default_block`. If a direction has no plan, the others are returned.
 /// Source: docs/methods/five-axis-planning.md, section 6.
 /// \param part closed and oriented outwards.

@@ -34,15 +34,16 @@ Vec3 area_vector(const TriangleMesh& part, std::size_t facet)
     return (b - a).cross(c - a) / 2;
 }
 
-// The direction of the largest n . v that sees a facet.
-std::optional<std::size_t> best_direction(const Vec3& normal, std::size_t facet,
+// The direction of the largest n . v for which `is_possible` holds.
+template <typename IsPossible>
+std::optional<std::size_t> best_direction(const Vec3& normal,
                                           std::span<const Vec3> directions,
-                                          const VisibilityMap& map)
+                                          const IsPossible& is_possible)
 {
     std::optional<std::size_t> best;
     double most = 0;
     for (std::size_t k = 0; k < directions.size(); ++k) {
-        if (!map.is_accessible(facet, k))
+        if (!is_possible(k))
             continue;
         const double product = normal.dot(directions[k]);
         if (!best || product > most + equal_products) {
@@ -262,9 +263,18 @@ SetupRegions setup_regions(const TriangleMesh& part, std::span<const Vec3> direc
     for (std::size_t facet = 0; facet < facets; ++facet) {
         if (is_left_out[facet] != 0)
             continue;
-        regions.direction_of[facet] = best_direction(
-            area_vector(part, facet).normalized(), facet, directions, visibility.map);
-        if (!regions.direction_of[facet])
+        const Vec3 normal = area_vector(part, facet).normalized();
+        const auto is_seen = [&](std::size_t direction) {
+            return visibility.map.is_accessible(facet, direction);
+        };
+        std::optional<std::size_t>& direction = regions.direction_of[facet];
+        if (options.reaches)
+            direction = best_direction(normal, directions, [&](std::size_t k) {
+                return is_seen(k) && options.reaches(facet, k);
+            });
+        if (!direction)
+            direction = best_direction(normal, directions, is_seen);
+        if (!direction)
             regions.uncovered.push_back(facet);
     }
     const double side = 2 * options.cutter_radius;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -22,6 +23,9 @@ struct SetupRegionOptions {
     double cutter_radius = 5;
     /// Facets that are not cut, ascending. They hide others as all facets do.
     std::span<const std::size_t> skipped = {};
+    /// Whether the cutter reaches a facet along a direction. If set, a direction that does so
+    /// comes before all others that see the facet.
+    std::function<bool(std::size_t facet, std::size_t direction)> reaches = {};
 };
 
 /// The direction from which each facet is cut.
@@ -38,7 +42,8 @@ struct SetupRegions {
 };
 
 /// Assigns each facet to the direction v with the largest n . v of those that see it. Of
-/// products within 1e-9 the first direction counts, so that a plane is not torn apart.
+/// products within 1e-9 the first direction counts, so that a plane is not torn apart. A
+/// direction along which the cutter reaches the facet is preferred to one that only sees it.
 ///
 /// A direction sees a facet if n . v > 1e-6 and the ray from its centroid along v meets no
 /// other facet, as in `part_visibility`. Facets of one direction that are connected by edges
