@@ -2,6 +2,7 @@
 #include "endmill/orientation/indexed_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -96,16 +97,20 @@ public:
     {
     }
 
-    // \param share of the progress, from and to.
-    IndexedCut cut_from(std::size_t direction, double from, double to) const
+    // \param shared facets of other directions that are cut too.
+    // \param from, to shares of the progress.
+    IndexedCut cut_from(std::size_t direction, std::span<const std::size_t> shared,
+                        double from, double to) const
     {
         IndexedCut cut{direction, regions_.facets_of(direction), {}, {}};
-        const Part region =
-            region_mesh(part_, cut.facets,
-                        {width_, [&](std::size_t facet) {
-                             return regions_.seen.is_accessible(facet, direction) &&
-                                    regions_.direction_of[facet].has_value();
-                         }});
+        std::vector<std::size_t> facets;
+        facets.reserve(cut.facets.size() + shared.size());
+        std::ranges::set_union(cut.facets, shared, std::back_inserter(facets));
+        const Part region = region_mesh(
+            part_, facets, {width_, [&](std::size_t facet) {
+                                return regions_.seen.is_accessible(facet, direction) &&
+                                       regions_.direction_of[facet].has_value();
+                            }});
         try {
             StrategyOptions options = strategy_options(direction, from, to);
             for (int trial = 1; trial <= most_trials; ++trial) {
@@ -192,21 +197,75 @@ std::vector<std::size_t> used_directions(const SetupRegions& regions, std::size_
     return used;
 }
 
-// The regions, by directions from which the ball reaches the middles of facets.
-SetupRegions reached_regions(const TriangleMesh& part, const BallCutter& cutter,
-                             const IndexedOptions& options)
-{
-    const TriangleMesh whole = without_degenerate_or_duplicate(part).mesh;
-    const AxisReach reach{whole, Cutter::ball(cutter.radius()), options.directions};
-    const double distance = reached_share * options.scallop_height;
-    const auto reaches = [&](std::size_t facet, std::size_t direction) {
-        const auto [a, b, c] = part.corners(facet);
+// Assigns facets by what the ball reaches.
+class ReachedFacets {
+public:
+    ReachedFacets(const TriangleMesh& part, const BallCutter& cutter,
+                  const IndexedOptions& options)
+        : part_{part},
+          options_{options},
+          whole_{without_degenerate_or_duplicate(part).mesh},
+          reach_{whole_, Cutter::ball(cutter.radius()), options.directions},
+          distance_{reached_share * options.scallop_height}
+    {
+    }
+
+    // The regions, by directions from which the ball reaches the middles of facets.
+    SetupRegions regions(double cutter_radius) const
+    {
+        const Vec3 middle = Vec3::Constant(1.0 / 3);
+        return setup_regions(part_, options_.directions,
+                             {cutter_radius, std::span{options_.skipped},
+                              [&](std::size_t facet, std::size_t direction) {
+                                  return reaches(direction, facet, middle);
+                              }});
+    }
+
+    // For each direction the facets of other directions that have a place near a corner or a
+    // side that the ball reaches from here, but not from the facet's own direction. Of several
+    // directions the first one that sees the facet has it.
+    std::vector<std::vector<std::size_t>> shared_facets(
+        const SetupRegions& regions, std::span<const std::size_t> used) const
+    {
+        std::vector<std::vector<std::size_t>> shared(options_.directions.size());
+        for (std::size_t facet = 0; facet < regions.direction_of.size(); ++facet) {
+            if (!regions.direction_of[facet])
+                continue;
+            for (const Vec3& place : outer_places) {
+                if (reaches(*regions.direction_of[facet], facet, place))
+                    continue;
+                const auto other = std::ranges::find_if(used, [&](std::size_t k) {
+                    return regions.seen.is_accessible(facet, k) &&
+                           reaches(k, facet, place);
+                });
+                if (other != used.end() &&
+                    (shared[*other].empty() || shared[*other].back() != facet))
+                    shared[*other].push_back(facet);
+            }
+        }
+        return shared;
+    }
+
+private:
+    // Barycentric coordinates near the corners and the middles of the sides.
+    static inline const std::array<Vec3, 6> outer_places{
+        Vec3{0.9, 0.05, 0.05},    Vec3{0.05, 0.9, 0.05},    Vec3{0.05, 0.05, 0.9},
+        Vec3{0.475, 0.475, 0.05}, Vec3{0.05, 0.475, 0.475}, Vec3{0.475, 0.05, 0.475}};
+
+    bool reaches(std::size_t direction, std::size_t facet, const Vec3& place) const
+    {
+        const auto [a, b, c] = part_.corners(facet);
         const Vec3 normal = (b - a).cross(c - a).normalized();
-        return reach.reaches(direction, {(a + b + c) / 3, normal}, distance);
-    };
-    return setup_regions(part, options.directions,
-                         {cutter.radius(), std::span{options.skipped}, reaches});
-}
+        return reach_.reaches(
+            direction, {place[0] * a + place[1] * b + place[2] * c, normal}, distance_);
+    }
+
+    const TriangleMesh& part_;
+    const IndexedOptions& options_;
+    TriangleMesh whole_;
+    AxisReach reach_;
+    double distance_;
+};
 
 }  // namespace
 
@@ -221,7 +280,8 @@ IndexedPlan plan_indexed(const TriangleMesh& part, const BallCutter& cutter,
                          const IndexedOptions& options)
 {
     require_sound(cutter, options);
-    const SetupRegions regions = reached_regions(part, cutter, options);
+    const ReachedFacets reached{part, cutter, options};
+    const SetupRegions regions = reached.regions(cutter.radius());
     IndexedPlan plan;
     plan.uncovered = regions.uncovered;
     plan.joined_regions = regions.joined_regions;
@@ -229,12 +289,14 @@ IndexedPlan plan_indexed(const TriangleMesh& part, const BallCutter& cutter,
         used_directions(regions, options.directions.size());
     if (used.empty())
         return plan;
+    const auto shared = reached.shared_facets(regions, used);
     const DirectionPlanner planner{part, cutter, options, regions};
     std::vector<IndexedStretch> stretches;
     const auto count = static_cast<double>(used.size());
     for (std::size_t k = 0; k < used.size(); ++k) {
         const auto done = static_cast<double>(k);
-        IndexedCut cut = planner.cut_from(used[k], done / count, (done + 1) / count);
+        IndexedCut cut =
+            planner.cut_from(used[k], shared[used[k]], done / count, (done + 1) / count);
         if (cut.best)
             stretches.push_back(
                 {cut.best->plan.covering.path, planner.safe_height(cut.direction)});

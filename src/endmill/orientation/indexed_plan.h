@@ -37,7 +37,7 @@ struct IndexedOptions {
 /// The path from one direction.
 struct IndexedCut {
     std::size_t direction;            ///< number of the direction
-    std::vector<std::size_t> facets;  ///< that it is planned for, ascending
+    std::vector<std::size_t> facets;  ///< that are assigned to it, ascending
     std::optional<BestPlan> best;     ///< the plan; nothing if there is none
     std::string refusal = {};         ///< why there is no plan; else empty
 };
@@ -58,7 +58,8 @@ struct IndexedPlan {
 /// Plans a part from several directions.
 ///
 /// `setup_regions` assigns the facets, and prefers directions from which the ball comes within
-/// half the scallop height of the middle of a facet. The facets of a direction, and a strip of one path
+/// half the scallop height of the middle of a facet. A facet with a place near its sides that the
+/// ball reaches from another direction only is cut from there too. The facets of a direction, and a strip of one path
 /// interval over their border, are planned as a part that stands with the direction upright,
 /// by `plan_in_frame`; the whole mesh is protected. Each plan is judged as a three-axis path
 /// that starts from the full block. One that is not good is made again for 0.8 of the scallop
