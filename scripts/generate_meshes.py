@@ -21,6 +21,7 @@ MESHES = {
     "prism.obj": (mesh_texts.obj, solids.prism),
     "prism.ply": (mesh_texts.ply_binary, solids.prism),
     "prism.off": (mesh_texts.off, solids.prism),
+    "bladed-wheel.off": (mesh_texts.off, solids.bladed_wheel),
 }
 
 

@@ -5,6 +5,14 @@ from math import cos, pi, sin
 DOME_SIDES = 48  # a multiple of 8: the corners of the plate share the rim evenly
 DOME_RINGS = 12
 
+BLADES = 6
+WHEEL_COLUMNS = 10  # columns of the hub for each blade, of which the blade takes one
+WHEEL_ROWS = 10  # rows of the curved side of the hub
+BLADE_ROWS = (1, 9)  # rows between which a blade stands
+BLADE_LEVELS = 4  # rows of a blade
+BLADE_HEIGHT = 12  # mm
+HUB_TWIST, BLADE_LEAN = pi / 6, pi / 18  # from the bottom to the top of the hub, and of a blade
+
 # Rounding makes the files independent of the mathematical library.
 DECIMALS = 9
 
@@ -86,4 +94,56 @@ def dome():
         triangles += ring_of_quads(lower, upper)
     last, pole = rings[-1], len(vertices) - 1
     triangles += [(last[k], last[(k + 1) % DOME_SIDES], pole) for k in range(DOME_SIDES)]
+    return vertices, triangles
+
+
+def hub_profile():
+    """Points (r, z) of the side of the hub and their outward normals: a cylinder, then a quarter of an ellipse, concave."""
+    points, normals = [(30, 0), (30, 6)], [(1, 0), (1, 0)]
+    for row in range(1, WHEEL_ROWS + 1):
+        angle = pi / 2 * row / WHEEL_ROWS
+        points.append((30 - 18 * sin(angle), 26 - 20 * cos(angle)))
+        normals.append((20 * sin(angle), 18 * cos(angle)))
+    return points, [(r / (r * r + z * z)**0.5, z / (r * r + z * z)**0.5) for r, z in normals]
+
+
+def wheel_point(row, column, level=0):
+    """A point of the hub, or of a blade at a level above it. Columns turn with the rows, and blades lean."""
+    (r, z), (out, up) = (values[row] for values in hub_profile())
+    height = BLADE_HEIGHT * level / BLADE_LEVELS
+    angle = (2 * pi * column / (BLADES * WHEEL_COLUMNS) + HUB_TWIST * max(0, row - 1) / WHEEL_ROWS
+             + BLADE_LEAN * level / BLADE_LEVELS)
+    radius = r + height * out
+    return tuple(round(c, DECIMALS) + 0.0 for c in (radius * cos(angle), radius * sin(angle), z + height * up))
+
+
+def bladed_wheel():
+    """A hub of revolution of 60 mm diameter with six twisted blades, on the plane z = 0."""
+    columns, rows = BLADES * WHEEL_COLUMNS, WHEEL_ROWS + 2
+    first, last = (1 + row for row in BLADE_ROWS)
+    vertices = [wheel_point(row, column) for row in range(rows) for column in range(columns)]
+    vertices += [(0, 0, 0), (0, 0, 26)]
+
+    def hub(row, column):
+        return row * columns + column % columns
+
+    triangles = []
+    for row in range(rows - 1):
+        for column in range(columns):
+            if not (first <= row < last and column % WHEEL_COLUMNS == 0):
+                triangles += fan([hub(row, column), hub(row, column + 1), hub(row + 1, column + 1), hub(row + 1, column)])
+    for column in range(columns):
+        triangles.append((columns * rows, hub(0, column + 1), hub(0, column)))
+        triangles.append((columns * rows + 1, hub(rows - 1, column), hub(rows - 1, column + 1)))
+    for blade in range(BLADES):
+        column = blade * WHEEL_COLUMNS
+        outline = [(row, column + 1) for row in range(first, last + 1)] + [(row, column) for row in range(last, first - 1, -1)]
+        below = [hub(*at) for at in outline]
+        for level in range(1, BLADE_LEVELS + 1):
+            above = list(range(len(vertices), len(vertices) + len(outline)))
+            vertices += [wheel_point(row, at, level) for row, at in outline]
+            triangles += ring_of_quads(below, above)
+            below = above
+        for k in range(last - first):
+            triangles += fan([below[-1 - k], below[k], below[k + 1], below[-2 - k]])
     return vertices, triangles

@@ -13,9 +13,11 @@
 
 #include "cli/arguments.h"
 #include "cli/console.h"
+#include "cli/facet_list.h"
 #include "cli/mesh_remarks.h"
 #include "cli/plan_files.h"
 #include "cli/plan_oriented.h"
+#include "cli/plan_setups.h"
 #include "cli/plan_strategy.h"
 #include "cli/plan_text.h"
 #include "cli/shown_numbers.h"
@@ -23,9 +25,11 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/output_folder.h"
+#include "endmill/files/path_file.h"
 #include "endmill/planning/planned_path.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/tool_side.h"
+#include "endmill/verification/verification.h"
 
 namespace endmill {
 namespace {
@@ -190,9 +194,74 @@ PlanContext oriented_context(const PartFile& file, PlanOptions& options,
                           ": found a mesh; --axis-mode expects a surface file "
                           "(endmill-surface/1)"};
     complete(options, 2 * options.cutter->radius(),
-             clear_height(file.part, Vec3::UnitZ()));
+             clear_height(file.part, options.planning.link.axis));
     return {file.name, file.source,     continuity,
             {},        *options.cutter, surfaces->size() > 1};
+}
+
+// How the part stands while it is planned: as in the setup, or turned by the smallest angle
+// that makes the tool axis +z. The axis becomes that of the setup.
+Eigen::Matrix3d frame_of(PlanOptions& options)
+{
+    Vec3& axis = options.planning.link.axis;
+    if (options.setup.empty())
+        return upright_rotation(axis);
+    const ClampedPart pose = read_clamped_part(options.setup, options.common.limits);
+    axis = pose.part_to_machine.row(2).transpose().normalized();
+    return pose.part_to_machine;
+}
+
+// The part with the facets of its file; only for several setups.
+std::optional<TriangleMesh> mesh_for_setups(const PartFile& file,
+                                            const PlanOptions& options)
+{
+    if (options.setups.empty())
+        return std::nullopt;
+    if (!std::holds_alternative<TriangleMesh>(file.part))
+        throw DomainError{options.part.path +
+                          ": found a surface; --setups expects a mesh (.stl, .obj, .ply, "
+                          ".off)"};
+    return mesh_with_file_numbers(file);
+}
+
+// The part without the facets that stay uncut; nothing if all are cut, or with several setups.
+std::optional<Part> part_to_cut(const PartFile& file,
+                                std::span<const std::size_t> skipped,
+                                const PlanOptions& options)
+{
+    if (skipped.empty() || !options.setups.empty())
+        return std::nullopt;
+    const TriangleMesh cut =
+        without_facets(std::get<TriangleMesh>(file.part), facets_in_mesh(skipped, file));
+    return without_degenerate_or_duplicate(cut).mesh;
+}
+
+// Continuity of the surfaces; a break is refused or a warning.
+struct KnownContinuity {
+    SurfaceContinuity found{};
+    bool is_refused = false;
+};
+KnownContinuity continuity_of(const PartFile& file, const PlanOptions& options)
+{
+    const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
+    if (!surfaces)
+        return {};
+    KnownContinuity known{continuity(*surfaces)};
+    if (known.found.continuity == Continuity::G1)
+        return known;
+    known.is_refused = options.required == RequiredContinuity::G1;
+    if (!known.is_refused)
+        warn(options.common, options.part.path + ": " + break_text(known.found));
+    return known;
+}
+
+// No input may be overwritten.
+void protect_inputs(OutputFolder& folder, const PlanOptions& options)
+{
+    for (const std::string& file : {options.part.path, options.guard.path,
+                                    options.skip_facets, options.setup, options.setups})
+        if (!file.empty())
+            folder.protect(file);
 }
 
 ExitCode run_plan(PlanOptions options)
@@ -209,37 +278,39 @@ ExitCode run_plan(PlanOptions options)
         options.part = std::move(pair.part);
         options.guard = std::move(pair.guard);
     }
+    const Eigen::Matrix3d frame = frame_of(options);
     PartFile file = read_part_for(options.part, options.common);
-    const std::optional<Part> guard = guard_of(options);
+    std::optional<Part> guard = guard_of(options);
     const double least_clear = guard ? clear_height(*guard, options.planning.link.axis)
                                      : -std::numeric_limits<double>::infinity();
+    const auto [found, is_refused] = continuity_of(file, options);
+    if (is_refused)
+        return refuse_break(options.part.path, found, options.common);
+    std::vector<std::size_t> skipped =
+        skipped_facets(options.skip_facets, file, options.common);
+    const std::optional<TriangleMesh> numbered = mesh_for_setups(file, options);
+    std::optional<Part> cut = part_to_cut(file, skipped, options);
     const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
-    SurfaceContinuity found{};
-    if (surfaces)
-        found = continuity(*surfaces);
-    if (surfaces && found.continuity != Continuity::G1) {
-        if (options.required == RequiredContinuity::G1)
-            return refuse_break(options.part.path, found, options.common);
-        warn(options.common, options.part.path + ": " + break_text(found));
-    }
     const PlanContext context = options.axis_mode ? oriented_context(file, options, found)
                                 : surfaces
                                     ? surface_context(file, options, found, least_clear)
                                     : mesh_context(file, options, least_clear);
+    if (cut)
+        guard = std::exchange(file.part, *std::move(cut));
 
     OutputFolder folder{output_folder(options.part.path, "plan", options.common),
                         options.common.full_folder};
-    folder.protect(options.part.path);
-    if (guard)
-        folder.protect(options.guard.path);
+    protect_inputs(folder, options);
     const PlanTask task{
         file.part,
         surfaces ? std::span<const Surface>{*surfaces} : std::span<const Surface>{},
-        context, options,
-        guard ? std::make_shared<const ProtectedPart>(*guard, context.ball(),
-                                                      options.motion.inner)
-              : nullptr};
-    const PlanResult result = options.axis_mode ? write_oriented_plan(task, folder)
+        context,
+        options,
+        guard ? &*guard : nullptr,
+        frame,
+        std::move(skipped)};
+    const PlanResult result = numbered ? write_setups_plan(task, *numbered, folder)
+                              : options.axis_mode ? write_oriented_plan(task, folder)
                               : options.strategy == StrategyChoice::Iso
                                   ? write_plan(task, folder)
                                   : write_strategy_plan(task, folder);

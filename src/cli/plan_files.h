@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <memory>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
+
+#include <Eigen/Core>
 
 #include "cli/plan_summary.h"
 #include "endmill/files/output_folder.h"
-#include "endmill/strategy/protected_part.h"
 #include "endmill/surface/part.h"
 
 namespace endmill {
@@ -19,7 +21,10 @@ struct PlanTask {
     std::span<const Surface> surfaces;  ///< of the part; none if it is a mesh
     const PlanContext& context;
     const PlanOptions& options;
-    std::shared_ptr<const ProtectedPart> guard = {};  ///< that no move enters, if any
+    const Part* guard = nullptr;  ///< that no move enters; null: none
+    /// Rotation of the part for the plan; its third row is the tool axis in the part.
+    Eigen::Matrix3d part_to_machine = Eigen::Matrix3d::Identity();
+    std::vector<std::size_t> skipped = {};  ///< facets of the file that stay uncut
 };
 
 /// A gouge deeper than the inner tolerance.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.h"
+#include "cli/facet_list.h"
 #include "cli/idle_options.h"
 #include "cli/named_texts.h"
 #include "cli/surface_facts.h"
@@ -65,8 +66,8 @@ constexpr std::array bounds{Choice<PlanBound>{"estimated", PlanBound::Estimated}
                             Choice<PlanBound>{"none", PlanBound::None}};
 
 // Options of --axis-mode field only.
-constexpr std::array field_options{"--lead-range", "--tilt-range", "--tool",
-                                   "--machine",    "--setup",      "--clamp"};
+constexpr std::array field_options{"--lead-range", "--tilt-range", "--tool", "--machine",
+                                   "--clamp"};
 // Leads and tilts are below this.
 constexpr double most_lean_deg = 89;
 
@@ -234,7 +235,7 @@ void add_field_options(CLI::App& command, PlanOptions& options)
             "--axis-mode field: tool file; its shank and holder keep off the part")
         ->type_name("FILE");
     add_clamped_machine_options(command, options.rotary);
-    for (const char* name : {"--tool", "--machine", "--setup", "--clamp"})
+    for (const char* name : {"--tool", "--machine", "--clamp"})
         command.get_option(name)->group("Options of five axes");
 }
 
@@ -256,6 +257,22 @@ void add_axis_mode(CLI::App& command, PlanOptions& options)
              "tilt of the axis: how far it leans to the left of the feed (default 0)",
              options.inclination.tilt);
     add_field_options(command, options);
+}
+
+void add_setup_files(CLI::App& command, PlanOptions& options)
+{
+    command
+        .add_option("--setup", options.setup,
+                    "summary.json of endmill setup: the part is planned as it stands on "
+                    "this machine, with the tool along Z. --direction-deg then counts "
+                    "from X towards Y of the machine")
+        ->type_name("FILE");
+    command
+        .add_option("--setups", options.setups,
+                    "summary.json of endmill setup: a mesh is planned from the tool axes "
+                    "of all its setups (3+2 axes). Each facet is cut from the setup that "
+                    "faces it most. For a ball")
+        ->type_name("FILE");
 }
 
 void add_direction_angle(CLI::App& command, PlanOptions& options)
@@ -288,6 +305,9 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
                     "ball off PART nothing need be cut. For a ball along +z with a "
                     "--strategy other than iso")
         ->type_name("PART2");
+    add_skip_facets_option(command, options.skip_facets,
+                           "they are not cut, but no move gouges them");
+    add_setup_files(command, options);
     command
         .add_option_function<std::string>(
             "--cutter",
@@ -395,7 +415,7 @@ void refuse_for_five_axes(const PlanOptions& options)
     constexpr std::array three_axes{
         "--strategy",    "--mode",          "--bound",           "--protect",
         "--axis",        "--direction-deg", "--outer-tolerance", "--stop-at-borders",
-        "--count-links", "--distance"};
+        "--count-links", "--distance",      "--skip-facets",     "--setups"};
     refuse_idle_options(options.common, three_axes, "--axis-mode", "a fixed axis");
     refuse_idle_options(options.common, paper_options, "--axis-mode", "--mode paper");
     if (options.direction == PlanDirection::Best)
@@ -410,7 +430,22 @@ void refuse_for_five_axes(const PlanOptions& options)
         refuse_idle_options(options.common, field_options,
                             "--axis-mode " + axis_mode_word(*options.axis_mode),
                             "--axis-mode field");
-    refuse_idle_rotary_options(options.rotary, options.common);
+    if (options.rotary.machine.empty())
+        refuse_idle_options(options.common, std::array{"--clamp"}, "no --machine",
+                            "--machine");
+}
+
+// What a plan from several setups cannot do.
+void refuse_for_setups(const PlanOptions& options)
+{
+    constexpr std::array one_axis{"--axis",          "--setup",       "--protect",
+                                  "--direction-deg", "--safe-height", "--feed"};
+    refuse_idle_options(options.common, one_axis, "--setups", "one tool axis");
+    if (options.strategy == StrategyChoice::Iso)
+        throw DomainError{"--setups with --strategy iso: expected another --strategy"};
+    if (options.cutter && !options.cutter->is_ball())
+        throw DomainError{"--cutter " + cutter_word(*options.cutter) +
+                          " with --setups: expected ball:DIAMETER"};
 }
 
 bool is_no_ball(const PlanOptions& options)
@@ -428,7 +463,8 @@ void refuse_cutter(const PlanOptions& options)
     if (!is_no_ball(options))
         return;
     const std::string chosen = "--cutter " + cutter_word(*options.cutter);
-    refuse_idle_options(options.common, std::array{"--distance", "--protect"}, chosen,
+    refuse_idle_options(options.common,
+                        std::array{"--distance", "--protect", "--skip-facets"}, chosen,
                         "a ball");
     if (options.bound != PlanBound::None)
         refuse_idle_options(options.common, std::array{"--bound"}, chosen, "a ball");
@@ -492,8 +528,15 @@ void refuse_idle_plan_options(const PlanOptions& options)
     refuse_idle_options(common, field_options, "a fixed axis", "--axis-mode field");
     refuse_zero_tolerances(options);
     refuse_cutter(options);
+    if (!options.guard.path.empty())
+        refuse_idle_options(common, std::array{"--skip-facets", "--setup"}, "--protect",
+                            "one of the two");
     if (!options.guard.path.empty() && options.planning.link.axis != Vec3::UnitZ())
         throw DomainError{"--protect with --axis: expected the axis 0,0,1"};
+    if (!options.setup.empty())
+        refuse_idle_options(common, std::array{"--axis"}, "--setup", "one of the two");
+    if (!options.setups.empty())
+        refuse_for_setups(options);
     if (options.strategy != StrategyChoice::Iso)
         refuse_for_strategy(options);
     else

@@ -43,6 +43,9 @@ struct PlanOptions {
     PartOptions part;
     PartOptions
         guard;  ///< a part that the path must not enter; none if its path is empty
+    std::string skip_facets;       ///< list of facets that stay uncut; empty: none
+    std::string setup;             ///< summary.json of a setup; empty: the part as it is
+    std::string setups;            ///< the same for several directions; empty: one axis
     std::optional<Cutter> cutter;  ///< a ball that fits if empty
     RequestedTolerances requested;
     std::optional<double> safe_height;  ///< mm along the axis

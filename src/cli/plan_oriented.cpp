@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@
 #include "endmill/files/path_file.h"
 #include "endmill/files/vtk.h"
 #include "endmill/orientation/oriented_path.h"
+#include "endmill/verification/verification.h"
 
 namespace endmill {
 namespace {
@@ -44,8 +46,7 @@ struct FieldSetup {
 FieldSetup field_setup(const PlanTask& task, OutputFolder& folder)
 {
     const PlanOptions& options = task.options;
-    for (const std::string& file :
-         {options.tool, options.rotary.machine, options.rotary.setup})
+    for (const std::string& file : {options.tool, options.rotary.machine, options.setup})
         if (!file.empty())
             folder.protect(file);
     FieldSetup setup;
@@ -59,7 +60,12 @@ FieldSetup field_setup(const PlanTask& task, OutputFolder& folder)
         setup.body = tool_body(tool);
         length = tool.length;
     }
-    setup.machine = part_on_machine(options.rotary, length, options.common);
+    RotaryOptions rotary = options.rotary;
+    rotary.setup = options.setup;
+    setup.machine = part_on_machine(rotary, length, options.common);
+    // The part is planned as it stands on the machine.
+    if (setup.machine)
+        setup.machine->part_to_machine.setIdentity();
     if (setup.machine && !setup.machine->machine.configuration.is_valid())
         throw DomainError{"--machine " + printable(options.rotary.machine) + ": " +
                           why_not_valid(setup.machine->machine.configuration)};
@@ -85,10 +91,14 @@ OrientedOptions oriented_options(const PlanOptions& options, const FieldSetup& s
     return oriented;
 }
 
-// The path along the asked parameter; otherwise the shorter clean one of both.
+// The path along the asked parameter; otherwise the shorter clean one of both. It is planned
+// for the part as it stands on the machine.
 DirectedPath chosen_path(const PlanTask& task, const FieldSetup& setup,
                          ProgressLine& progress)
 {
+    const bool is_turned = !task.options.setup.empty();
+    const Part standing = is_turned ? turned(task.part, task.part_to_machine) : task.part;
+    const auto& surfaces = std::get<std::vector<Surface>>(standing);
     const PlanDirection direction = task.options.direction;
     std::vector<Parameter> parameters{Parameter::U, Parameter::V};
     if (direction != PlanDirection::Both)
@@ -100,8 +110,8 @@ DirectedPath chosen_path(const PlanTask& task, const FieldSetup& setup,
             along == parameters.back() ? 0 : 1);
         OrientedOptions options = oriented_options(task.options, setup, along);
         options.progress = progress.shower();
-        DirectedPath path{
-            along, plan_judged_oriented(task.surfaces, task.context.cutter, options)};
+        DirectedPath path{along,
+                          plan_judged_oriented(surfaces, task.context.cutter, options)};
         const bool is_better =
             !best || (is_clean(path) && !is_clean(*best)) ||
             (is_clean(path) == is_clean(*best) &&
@@ -109,6 +119,9 @@ DirectedPath chosen_path(const PlanTask& task, const FieldSetup& setup,
         if (is_better)
             best = std::move(path);
     }
+    ToolPath& made = best->judged.plan.path;
+    if (is_turned)
+        made = turned(made, task.part_to_machine.transpose());
     return std::move(*best);
 }
 
@@ -196,6 +209,8 @@ PlanResult write_oriented_plan(const PlanTask& task, OutputFolder& folder)
     add_path_totals(summary["path"], path_totals(tool_path));
     summary["path"]["points"] = tool_path.points.size();
     name_part(summary, task.options.part, folder.path());
+    if (!task.options.setup.empty())
+        name_part(summary, {task.options.setup}, folder.path(), "setup");
     const std::string table = tool_path_csv(tool_path);
     identify_path(summary, tool_path.points.size(), content_sha256(table));
     folder.write("toolpath.csv", table);

@@ -25,6 +25,7 @@
 #include "endmill/files/path_file.h"
 #include "endmill/files/vtk.h"
 #include "endmill/planning/economy.h"
+#include "endmill/strategy/plan_frame.h"
 #include "endmill/strategy/strategy.h"
 #include "endmill/strategy/strip_use.h"
 #include "endmill/surface/tool_side.h"
@@ -35,43 +36,6 @@ namespace {
 
 // How long bounding takes, as a multiple of planning.
 constexpr double bounding_share = 0.1;
-
-// The strategy of a plan; nothing if the best is searched for.
-std::optional<Strategy> chosen_strategy(StrategyChoice strategy)
-{
-    switch (strategy) {
-        case StrategyChoice::IsoU:
-            return Strategy::IsoU;
-        case StrategyChoice::IsoV:
-            return Strategy::IsoV;
-        case StrategyChoice::Planar:
-            return Strategy::Planar;
-        case StrategyChoice::IsoScallop:
-            return Strategy::IsoScallop;
-        case StrategyChoice::Field:
-            return Strategy::Field;
-        case StrategyChoice::Iso:
-        case StrategyChoice::Best:
-            break;
-    }
-    return std::nullopt;
-}
-
-// A plan, and the strategies that were compared for it.
-struct ChosenPlan {
-    StrategyPlan plan;
-    std::vector<TriedStrategy> tried;  // none if the strategy was given
-};
-
-ChosenPlan chosen_plan(const PlanTask& task, const StrategyOptions& options)
-{
-    const Part& part = task.part;
-    const Cutter& cutter = task.context.cutter;
-    if (const auto strategy = chosen_strategy(task.options.strategy))
-        return {plan_by_strategy(*strategy, part, cutter, options), {}};
-    BestPlan best = plan_by_best_strategy(part, task.context.ball(), options);
-    return {std::move(best.plan), std::move(best.tried)};
-}
 
 // Lengths of the moves that leave contact, by tips, mm.
 struct AirTravel {
@@ -118,10 +82,10 @@ Json tried_json(const std::vector<TriedStrategy>& tried)
     return list;
 }
 
-Json summary_of(const PlanTask& task, const ChosenPlan& chosen,
+Json summary_of(const PlanTask& task, const BestPlan& chosen,
                 const StrategyOptions& limits)
 {
-    const auto& [part, surfaces, context, options, guard] = task;
+    const auto& [part, surfaces, context, options, guard, frame, skipped] = task;
     const auto& [strategy, covering, economy, deviation, verdict, of_protected] =
         chosen.plan;
     const AirTravel air = air_travel(covering.path);
@@ -458,21 +422,55 @@ void warn_of_unreached(const CoveringPath& plan, const PlanTask& task)
 {
     if (!(plan.unreached_mm2 > 0))
         return;
-    const std::string why = !task.guard ? "of the mesh, such as concave corners"
-                            : task.context.is_mesh
-                                ? "of the mesh, such as concave corners or beside the "
-                                  "protected part"
-                                : "beside the protected part";
+    const std::string why =
+        task.options.guard.path.empty() ? "of the mesh, such as concave corners"
+        : task.context.is_mesh ? "of the mesh, such as concave corners or beside the "
+                                 "protected part"
+                               : "beside the protected part";
     warn(task.options.common,
          fmt::format("the ball cannot reach {} mm2 {}; they need not be covered",
                      shown(plan.unreached_mm2), why));
 }
 
+// Names the files besides the part that the plan depends on.
+void name_inputs(Json& summary, const PlanTask& task, const OutputFolder& folder)
+{
+    const PlanOptions& options = task.options;
+    if (!options.guard.path.empty())
+        name_protected_part(summary, options.guard, folder.path(), options.common.limits);
+    if (!options.skip_facets.empty()) {
+        name_part(summary, {options.skip_facets}, folder.path(), "skip_facets");
+        summary["skipped"] = task.skipped.size();
+    }
+    if (!options.setup.empty())
+        name_part(summary, {options.setup}, folder.path(), "setup");
+}
+
 }  // namespace
+
+std::optional<Strategy> chosen_strategy(StrategyChoice strategy)
+{
+    switch (strategy) {
+        case StrategyChoice::IsoU:
+            return Strategy::IsoU;
+        case StrategyChoice::IsoV:
+            return Strategy::IsoV;
+        case StrategyChoice::Planar:
+            return Strategy::Planar;
+        case StrategyChoice::IsoScallop:
+            return Strategy::IsoScallop;
+        case StrategyChoice::Field:
+            return Strategy::Field;
+        case StrategyChoice::Iso:
+        case StrategyChoice::Best:
+            break;
+    }
+    return std::nullopt;
+}
 
 PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
 {
-    const auto& [part, surfaces, context, options, guard] = task;
+    const auto& [part, surfaces, context, options, guard, frame, skipped] = task;
     replace_earlier_plans(folder);
     StrategyOptions strategy;
     strategy.scallop_height = options.planning.scallop_height;
@@ -482,10 +480,10 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     strategy.most_samples = most_part_samples(options.common.limits.max_memory_gib);
     strategy.distance = options.distance;
     strategy.direction = options.pass_direction;
-    strategy.protected_part = guard;
     ProgressLine progress{"planning", options.common, bounding_share};
     strategy.progress = progress.shower();
-    ChosenPlan chosen = chosen_plan(task, strategy);
+    BestPlan chosen = plan_in_frame({frame, guard}, chosen_strategy(options.strategy),
+                                    part, context.cutter, strategy);
     CoveringPath& covering = chosen.plan.covering;
     warn_of_uncovered(covering, options.common);
     warn_of_unreached(covering, task);
@@ -498,8 +496,7 @@ PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
     add_path_totals(summary["path"], path_totals(covering.path));
     summary["path"]["points"] = covering.path.points.size();
     name_part(summary, options.part, folder.path());
-    if (guard)
-        name_protected_part(summary, options.guard, folder.path(), options.common.limits);
+    name_inputs(summary, task, folder);
     const std::string table = tool_path_csv(covering.path);
     identify_path(summary, covering.path.points.size(), content_sha256(table));
     folder.write("toolpath.csv", table);

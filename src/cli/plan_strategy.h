@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "cli/plan_files.h"
+#include "endmill/strategy/strategy_options.h"
 
 namespace endmill {
 
@@ -9,5 +12,8 @@ namespace endmill {
 /// path and writes it with its picture and summary into `folder`.
 /// \throws LimitError and GeometryError as the strategy.
 PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder);
+
+/// The strategy of a plan; nothing if the best is searched for.
+std::optional<Strategy> chosen_strategy(StrategyChoice strategy);
 
 }  // namespace endmill

@@ -71,13 +71,17 @@ void add_machine(CLI::App& command, RotaryOptions& options)
         ->type_name("MACHINE");
 }
 
-void add_clamping(CLI::App& command, RotaryOptions& options)
+void add_setup_summary(CLI::App& command, RotaryOptions& options)
 {
     command
         .add_option("--setup", options.setup,
                     "--machine: summary.json of endmill setup, for the rotation of the "
                     "part and its place")
         ->type_name("SUMMARY");
+}
+
+void add_clamp(CLI::App& command, RotaryOptions& options)
+{
     command
         .add_option_function<std::string>(
             "--clamp",
@@ -95,7 +99,7 @@ void add_clamping(CLI::App& command, RotaryOptions& options)
 void add_clamped_machine_options(CLI::App& command, RotaryOptions& options)
 {
     add_machine(command, options);
-    add_clamping(command, options);
+    add_clamp(command, options);
 }
 
 void add_rotary_options(CLI::App& command, RotaryOptions& options)
@@ -105,7 +109,8 @@ void add_rotary_options(CLI::App& command, RotaryOptions& options)
         command, "--frame", options.frame, frames,
         "--machine: X, Y, Z are positions of the axes (joint), or tips in the part for a "
         "control that knows its kinematics (part)");
-    add_clamping(command, options);
+    add_setup_summary(command, options);
+    add_clamp(command, options);
     command
         .add_option("--wrapped", options.wrapped,
                     "--machine: rotary words of a program that are wrapped, such as "

@@ -21,7 +21,7 @@ struct RotaryOptions {
     std::string wrapped;                      ///< rules of rotary words; may be empty
 };
 
-/// Adds the options --machine, --setup and --clamp.
+/// Adds the options --machine and --clamp.
 void add_clamped_machine_options(CLI::App& command, RotaryOptions& options);
 
 /// Adds the options --machine, --frame, --setup, --clamp and --wrapped.

@@ -50,7 +50,7 @@ ExitCode run_setup(const SetupCommandOptions& options)
         warn(options.common, options.part.path + ": " + remark);
     OutputFolder folder{output_folder(options.part.path, "setup", options.common),
                         options.common.full_folder};
-    for (const std::string& file : {options.part.path, options.tool})
+    for (const std::string& file : {options.part.path, options.tool, options.skip_facets})
         if (!file.empty())
             folder.protect(file);
     for (const SearchedMachine& machine : input.machines)

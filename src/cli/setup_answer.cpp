@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <iterator>
 #include <span>
+#include <utility>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
@@ -73,7 +76,7 @@ MachineSetup setup_on(const SearchedMachine& machine, const SetupInput& input,
         clamping =
             Clamping{options.clamp, input.tool ? input.tool->length : 0, options.travel};
     return machine_setup(
-        {input.mesh, input.grid, visibility.file.visibility}, machine.machine,
+        {input.mesh, input.grid, visibility.searched()}, machine.machine,
         {.reach = {.arc_tolerance = Angle::degrees(options.arc_tolerance_deg)},
          .mode = options.mode,
          .whole_cones = {.objective = options.objective,
@@ -132,6 +135,23 @@ double area_share(const TriangleMesh& mesh, std::span<const std::size_t> facets)
     return share;
 }
 
+// Some facets lose their cones, as facets without area have none.
+PartVisibility without_cones(const PartVisibility& visibility,
+                             std::span<const std::size_t> facets)
+{
+    PartVisibility left = visibility;
+    for (std::size_t cell = 0; cell < left.map.cells(); ++cell) {
+        const std::span<std::uint64_t> column = left.map.column(cell);
+        for (const std::size_t facet : facets)
+            column[facet / 64] &= ~(std::uint64_t{1} << facet % 64);
+    }
+    std::vector<std::size_t> dropped;
+    dropped.reserve(left.dropped.size() + facets.size());
+    std::ranges::set_union(visibility.dropped, facets, std::back_inserter(dropped));
+    left.dropped = std::move(dropped);
+    return left;
+}
+
 }  // namespace
 
 SetupVisibility visibility_for(const SetupInput& input,
@@ -149,7 +169,9 @@ SetupVisibility visibility_for(const SetupInput& input,
         found.file.tool = body_text(input.tool);
         found.file.visibility = computed(input, found.file, options.common);
     }
-    found.empty = empty_cones(found.file.visibility);
+    if (!input.skipped.empty())
+        found.without_skipped = without_cones(found.file.visibility, input.skipped);
+    found.empty = empty_cones(found.searched());
     found.seconds = seconds_since(start);
     return found;
 }

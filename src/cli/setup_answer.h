@@ -16,12 +16,19 @@ namespace endmill {
 /// The visibility cones of the facets, for which setups are searched.
 struct SetupVisibility {
     StoredVisibility file;  ///< the visibility and the part, grid and tool it belongs to
+    /// The cones without those of facets that need not be accessible, if there are any.
+    std::optional<PartVisibility> without_skipped = {};
     std::vector<std::size_t> empty;  ///< facets that no direction reaches
     double seconds = 0;              ///< wall time
 
+    /// The cones for which setups are searched.
+    const PartVisibility& searched() const
+    {
+        return without_skipped ? *without_skipped : file.visibility;
+    }
     const VisibilityMap& map() const
     {
-        return file.visibility.map;
+        return searched().map;
     }  ///< one column for each cell
 };
 

@@ -10,11 +10,21 @@ namespace endmill {
 namespace {
 
 // Options of the mesh, of its visibility, or of the search over facets.
-constexpr std::array part_only_options{
-    "--units",           "--up",           "--chord-tolerance",   "--clamp",
-    "--sphere",          "--visibility",   "--incidence-deg",     "--tool",
-    "--write-bsm-csv",   "--floor-deg",    "--arc-tolerance-deg", "--max-setups",
-    "--from-visibility", "--within-travel"};
+constexpr std::array part_only_options{"--units",
+                                       "--up",
+                                       "--chord-tolerance",
+                                       "--clamp",
+                                       "--sphere",
+                                       "--visibility",
+                                       "--incidence-deg",
+                                       "--tool",
+                                       "--write-bsm-csv",
+                                       "--floor-deg",
+                                       "--arc-tolerance-deg",
+                                       "--max-setups",
+                                       "--from-visibility",
+                                       "--within-travel",
+                                       "--skip-facets"};
 
 constexpr std::array set_only_options{"--objective", "--gap", "--max-nodes"};
 

@@ -10,11 +10,13 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
+#include "cli/facet_list.h"
 #include "cli/progress.h"
 #include "cli/setup_idle.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/machining_data.h"
+#include "endmill/files/setup_file.h"
 #include "endmill/mesh/mesh_checks.h"
 #include "endmill/mesh/mesh_repair.h"
 #include "endmill/surface/sampling.h"
@@ -27,32 +29,13 @@ namespace {
 // edges while they are checked, and the row of the visibility map.
 constexpr double bytes_a_facet = 150;
 
-// Restores the degenerate triangles that the reader left out, so that facets keep the
-// numbers of the file. Degenerate facets have no cone and block no direction.
-TriangleMesh with_degenerate(const TriangleMesh& mesh,
-                             std::span<const std::size_t> degenerate)
-{
-    std::vector<Triangle> triangles;
-    const std::size_t count = mesh.triangles().size() + degenerate.size();
-    triangles.reserve(count);
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const bool is_degenerate = next < degenerate.size() && degenerate[next] == i;
-        triangles.push_back(is_degenerate ? Triangle{0, 0, 0}
-                                          : mesh.triangles()[i - next]);
-        next += is_degenerate ? 1 : 0;
-    }
-    return {{mesh.points().begin(), mesh.points().end()}, std::move(triangles)};
-}
-
 // "1 edge belongs", "2 edges belong".
 std::string belonging(std::size_t edges)
 {
     return counted(edges, "edge") + (edges == 1 ? " belongs" : " belong");
 }
 
-void take_mesh(SetupInput& input, TriangleMesh mesh,
-               std::span<const std::size_t> degenerate = {})
+void take_mesh(SetupInput& input, TriangleMesh mesh)
 {
     // As in every other command, edges are counted without duplicate triangles.
     const CleanedMesh cleaned = without_degenerate_or_duplicate(mesh);
@@ -70,7 +53,7 @@ void take_mesh(SetupInput& input, TriangleMesh mesh,
             fmt::format("{} an earlier triangle; such triangles block each other",
                         counted(cleaned.duplicate_triangles, "triangle") +
                             (cleaned.duplicate_triangles == 1 ? " repeats" : " repeat")));
-    input.mesh = degenerate.empty() ? std::move(mesh) : with_degenerate(mesh, degenerate);
+    input.mesh = std::move(mesh);
 }
 
 // Samples the part within the memory limit.
@@ -111,8 +94,10 @@ void require_map_memory(const SetupInput& input, const SetupCommandOptions& opti
     const std::size_t facets = input.mesh.triangles().size();
     // A cell needs one bit for each facet, and a triangle, half a corner point, a
     // centre and a solid angle.
-    const double bytes_per_cell = static_cast<double>(facets) / 8 + sizeof(Triangle) +
-                                  1.5 * sizeof(Vec3) + sizeof(double);
+    // Without the skipped facets there is a second map.
+    const int maps = options.skip_facets.empty() ? 1 : 2;
+    const double bytes_per_cell = maps * static_cast<double>(facets) / 8 +
+                                  sizeof(Triangle) + 1.5 * sizeof(Vec3) + sizeof(double);
     const double gib = static_cast<double>(cells) * bytes_per_cell / one_gib;
     if (gib > options.common.limits.max_memory_gib)
         throw LimitError{fmt::format(
@@ -187,10 +172,19 @@ SetupInput read_setup_input(const SetupCommandOptions& options)
     if (auto* mesh = std::get_if<TriangleMesh>(&file.part)) {
         if (options.chord_tolerance)
             throw DomainError{"--chord-tolerance: found with a mesh; expected a surface"};
-        take_mesh(input, std::move(*mesh), file.degenerate_triangles);
+        // Degenerate facets have no cone and block no direction.
+        const bool has_degenerate = !file.degenerate_triangles.empty();
+        TriangleMesh numbered =
+            has_degenerate ? mesh_with_file_numbers(file) : TriangleMesh{};
+        take_mesh(input, std::move(*mesh));
+        if (has_degenerate)
+            input.mesh = std::move(numbered);
     } else {
         take_surfaces(input, std::get<std::vector<Surface>>(file.part), options);
     }
+    if (!options.skip_facets.empty())
+        input.skipped = read_facet_list(
+            options.skip_facets, input.mesh.triangles().size(), options.common.limits);
     take_visibility(input, options);
     remark_cut_limits(input);
     return input;

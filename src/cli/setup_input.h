@@ -21,6 +21,7 @@ struct SetupInput {
     TriangleMesh mesh;                 ///< in mm
     std::vector<std::string> notes;    ///< printed before, or not worth a warning
     std::vector<std::string> remarks;  ///< further remarks, not printed yet
+    std::vector<std::size_t> skipped;  ///< facets that need not be accessible; ascending
     SphereGrid grid;
     std::optional<StoredVisibility> known_visibility;  ///< of --from-visibility
     std::vector<SearchedMachine>

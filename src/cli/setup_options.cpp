@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cli/arguments.h"
+#include "cli/facet_list.h"
 #include "cli/rotary_limits_option.h"
 
 namespace endmill {
@@ -34,6 +35,9 @@ void add_setup_part(CLI::App& command, SetupCommandOptions& options)
         "PART", options.part.path,
         "surface file (endmill-surface/1), or mesh (.stl, .obj, .ply, .off)");
     add_mesh_options(command, options.part);
+    add_skip_facets_option(command, options.skip_facets,
+                           "they need not be accessible, but hide others. Facets of a "
+                           "surface are those of its mesh");
     add_number(command,
                {"--chord-tolerance", "MM",
                 "largest distance from a surface to its mesh (default: longest side / "

@@ -18,6 +18,7 @@ struct SetupCommandOptions {
     CommonOptions common;
     PartOptions part;                       ///< its path is empty with `points`
     std::optional<double> chord_tolerance;  ///< mm, of the mesh of a surface
+    std::string skip_facets;                ///< list of facets; empty: none
     std::string points;                     ///< CSV of directions instead of a part
     std::string machine;                    ///< word, file, folder, or "all"
     std::optional<RotaryFamily> family;     ///< instead of a machine

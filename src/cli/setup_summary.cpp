@@ -503,6 +503,10 @@ Json setup_summary(const SetupInput& input, const SetupVisibility& visibility,
     summary["tool"] = options.tool.empty() ? Json{} : Json(printable(options.tool));
     summary["tool_length_mm"] = input.tool ? Json(input.tool->length) : Json{};
     summary["facets"] = input.mesh.triangles().size();
+    if (!options.skip_facets.empty()) {
+        summary["skip_facets"] = printable(options.skip_facets);
+        summary["skipped_facets"] = input.skipped;
+    }
     summary["empty_cones"] = visibility.empty;
     summary.update(limits_json(first.machine->machine.rotary));
     add_search(summary, first, options);

@@ -122,6 +122,10 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
         summary["protected_gouge_bound_mm"] =
             finite_or_null(of_protected->gouge_bound_mm);
     }
+    if (!input.skip_file.empty()) {
+        summary["skip_facets"] = printable(input.skip_file);
+        summary["skipped"] = input.skipped.size();
+    }
     folder.write("summary.json", summary.dump(2) + "\n");
     return summary;
 }

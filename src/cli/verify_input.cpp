@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "cli/console.h"
+#include "cli/facet_list.h"
 #include "cli/path_tools.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -16,10 +17,14 @@
 #include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
+#include "endmill/orientation/axis_reach.h"
 #include "endmill/stock/mesh_stock.h"
 
 namespace endmill {
 namespace {
+
+// Axes that differ by less count as one: far above the rounding of axes in programs.
+constexpr double same_axis = 1e-6;
 
 std::optional<Tool> given_tool(const VerifyOptions& options)
 {
@@ -155,6 +160,27 @@ bool is_turning(const ToolPath& path)
     });
 }
 
+// The cutter's positions are tested for so many axes at most.
+constexpr std::size_t most_tested_axes = 24;
+
+// The axes along which the tool cuts; none if there are too many, or if a machine moves it.
+std::vector<Vec3> tested_axes(const VerifyInput& input)
+{
+    std::vector<Vec3> axes;
+    for (const PathPoint& point : input.program.path.points) {
+        const Vec3& axis = point.location.axis;
+        const auto is_same = [&](const Vec3& known) {
+            return (known - axis).norm() <= same_axis;
+        };
+        if (point.move != Move::Cut || std::ranges::any_of(axes, is_same))
+            continue;
+        if (axes.size() == most_tested_axes)
+            return {};
+        axes.push_back(axis);
+    }
+    return axes;
+}
+
 // The engine of --engine, or else the one that the path needs. Options that need heights are
 // refused with the other one.
 RemovalEngine engine_of(const VerifyInput& input, const VerifyOptions& options)
@@ -176,9 +202,13 @@ RemovalEngine engine_of(const VerifyInput& input, const VerifyOptions& options)
         if (is_given)
             throw DomainError{std::string{name} + ": " + why +
                               "; the stock is written for three axes only"};
-    if (input.inaccessible == InaccessibleStock::Report)
-        throw DomainError{"--inaccessible report: " + why +
-                          "; the test needs three axes. Expected --inaccessible count"};
+    if (input.inaccessible == InaccessibleStock::Report &&
+        (input.guard || tested_axes(input).empty()))
+        throw DomainError{
+            "--inaccessible report: " + why +
+            "; the test needs a mesh without a protected part, and at most " +
+            std::to_string(most_tested_axes) +
+            " axes along which the tool cuts. Expected --inaccessible count"};
     return engine;
 }
 
@@ -226,6 +256,19 @@ void add_guard(VerifyInput& input, const VerifyOptions& options, const PathSumma
     input.guard_path = file->path;
 }
 
+// Adds the facets whose remaining stock is not judged: those of --skip-facets, or else those
+// that the path was planned to leave.
+void add_skipped(VerifyInput& input, const VerifyOptions& options,
+                 const PathSummary& known)
+{
+    if (options.skip_facets == no_part || !input.part)
+        return;
+    input.skip_file = options.skip_facets;
+    if (input.skip_file.empty() && options.part.path.empty() && known.skipped_facets)
+        input.skip_file = known.skipped_facets->lexically_normal().string();
+    input.skipped = skipped_facets(input.skip_file, *input.part, options.common);
+}
+
 // Whether remaining stock is judged where the cutter cannot touch the part. A test of the
 // cutter's position exists for meshes, and beside a protected part.
 InaccessibleStock inaccessible_of(const VerifyOptions& options, const PathSummary& known,
@@ -261,6 +304,17 @@ std::function<bool(const PartRay&)> accessibility(const VerifyInput& input)
     for (const ToolChange& change : input.changes)
         if (std::ranges::find(cutters, change.cutter) == cutters.end())
             cutters.push_back(change.cutter);
+    if (input.engine == RemovalEngine::FiveAxis) {
+        std::vector<AxisReach> reach;
+        reach.reserve(cutters.size());
+        for (const Cutter& cutter : cutters)
+            reach.emplace_back(*mesh, cutter, tested_axes(input));
+        return [reach = std::move(reach), distance](const PartRay& ray) {
+            return std::ranges::any_of(reach, [&](const AxisReach& of) {
+                return of.reaches({ray.point, ray.normal}, distance);
+            });
+        };
+    }
     std::vector<std::shared_ptr<const DropCutter>> drop_cutters;
     drop_cutters.reserve(cutters.size());
     for (const Cutter& cutter : cutters)
@@ -317,6 +371,7 @@ VerifyInput read_verify_input(const VerifyOptions& options)
     if (!input.part)
         refuse_options_without_part(options.common);
     add_guard(input, options, known);
+    add_skipped(input, options, known);
     input.inaccessible = inaccessible_of(options, known, input);
     const auto is_given = [](const std::string& name) {
         return !name.empty() && name != no_part;
@@ -336,7 +391,7 @@ std::vector<std::string> files_of(const VerifyInput& input, const VerifyOptions&
 {
     std::vector<std::string> files{options.path.file};
     for (const std::string& file : {options.tool, options.path.tools, input.part_path,
-                                    input.guard_path, input.stock.file})
+                                    input.guard_path, input.skip_file, input.stock.file})
         if (!file.empty())
             files.push_back(file);
     return files;
@@ -356,10 +411,12 @@ VerificationTask verification_task(const VerifyInput& input, const VerifyOptions
     task.max_memory_gib = options.common.limits.max_memory_gib;
     task.extra_bytes_per_cell = bytes_to_write(options);
     if (input.part)
-        task.judged = JudgedPart{.part = &input.part->part,
-                                 .limits = input.limits,
-                                 .max_refine = options.max_refine,
-                                 .is_accessible = accessibility(input)};
+        task.judged =
+            JudgedPart{.part = &input.part->part,
+                       .limits = input.limits,
+                       .max_refine = options.max_refine,
+                       .is_accessible = accessibility(input),
+                       .skipped_facets = facets_in_mesh(input.skipped, *input.part)};
     return task;
 }
 

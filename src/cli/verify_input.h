@@ -29,6 +29,8 @@ struct VerifyInput {
     std::shared_ptr<const Part> guard_part = {};      ///< that the path must not enter
     std::shared_ptr<const ProtectedPart> guard = {};  ///< the same, for the ball
     std::string guard_path = {};                      ///< empty without it
+    std::string skip_file = {};                       ///< list of facets; may be empty
+    std::vector<std::size_t> skipped = {};            ///< facets by numbers in the file
     VerifyStock stock = {};
     std::vector<ToolChange> changes = {};  ///< to other tools, with --tools
     std::vector<NumberedTool> tools = {};  ///< that the path uses, with --tools

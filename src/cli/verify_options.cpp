@@ -4,6 +4,7 @@
 #include <array>
 
 #include "cli/arguments.h"
+#include "cli/facet_list.h"
 #include "cli/idle_options.h"
 #include "endmill/core/text.h"
 #include "endmill/deviation/deviation.h"
@@ -72,6 +73,9 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
                     "none; --units and --up apply to it as to the part (default: that of "
                     "the path's summary). For a single ball")
         ->type_name("FILE");
+    add_skip_facets_option(command, options.skip_facets,
+                           "their remaining stock is not judged, but their gouges are; "
+                           "or the word none (default: that of the path's summary)");
     add_mesh_options(command, options.part);
     command
         .add_option("--tool", options.tool,
@@ -99,9 +103,10 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
 
 void refuse_options_without_part(const CommonOptions& options)
 {
-    refuse_idle_options(
-        options, std::array{"--tolerance", "--scallop", "--max-refine", "--inaccessible"},
-        "no part", "--part, to compare with");
+    refuse_idle_options(options,
+                        std::array{"--tolerance", "--scallop", "--max-refine",
+                                   "--inaccessible", "--skip-facets"},
+                        "no part", "--part, to compare with");
 }
 
 void refuse_idle_mesh_options(const CommonOptions& options)

@@ -25,6 +25,7 @@ struct VerifyOptions {
     PathOptions path;
     PartOptions part;                 ///< default: the part of the summary, if any
     std::string guard;                ///< protected part; default: that of the summary
+    std::string skip_facets;          ///< list of facets; default: that of the summary
     std::string tool;                 ///< file; empty: the cutter alone
     std::string stock = "block";      ///< block, six numbers, or a file
     double resolution = 0.1;          ///< mm

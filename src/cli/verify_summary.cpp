@@ -430,6 +430,15 @@ std::string protected_text(const Json& s)
                        shown_limit(s["tolerance_mm"].get<double>()));
 }
 
+std::string skipped_text(const Json& s)
+{
+    if (!s.contains("skipped"))
+        return {};
+    return fmt::format("  not judged  remaining stock on {} of {}\n",
+                       counted(s["skipped"].get<std::size_t>(), "facet"),
+                       s["skip_facets"].get<std::string>());
+}
+
 }  // namespace
 
 std::string verify_text(const Json& s, const VerifyOptions& options,
@@ -437,7 +446,7 @@ std::string verify_text(const Json& s, const VerifyOptions& options,
 {
     const bool is_compared = !s["part"].is_null();
     return verdict_text(s, options, verification) +
-           (is_compared ? deviation_text(s) : "") + protected_text(s) +
+           (is_compared ? deviation_text(s) : "") + protected_text(s) + skipped_text(s) +
            removal_text(s, verification.contacts) + path_totals_text(s) +
            (is_compared ? "" : "  extent      " + extent_text(s) + "\n");
 }

@@ -13,6 +13,7 @@
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
 #include "endmill/files/result_csv.h"
+#include "endmill/files/setup_file.h"
 #include "endmill/files/surface_file.h"
 #include "endmill/files/visibility_file.h"
 #include "endmill/files/vtk.h"

@@ -4,6 +4,7 @@
 /// \file
 /// All public headers of the module `strategy`.
 
+#include "endmill/strategy/plan_frame.h"
 #include "endmill/strategy/protected_part.h"
 #include "endmill/strategy/strategy.h"
 #include "endmill/strategy/strategy_options.h"

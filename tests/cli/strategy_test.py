@@ -229,15 +229,17 @@ class Defaults(ProgramTest):
                 done = endmill("plan", part, "--strategy", "iso-scallop", *option, "-o", "out", cwd=self.folder)
                 self.assert_refused(done, 2, option[0], "--strategy iso")
 
-    def test_other_axis_is_refused_by_the_strategy(self):
-        done = endmill("plan", self.file(plane()), *BALL, "--strategy", "iso-scallop", "--axis", "1,0,1", "-o", "out",
-                       cwd=self.folder)
-        self.assert_refused(done, 4, "iso-scallop", "+z")
-        facts = self.summary("plan", self.file(plane()), *BALL, "--strategy", "best", "--axis", "1,0,1", "--bound",
-                             "none", "-o", "best")
-        refused = [one["strategy"] for one in facts["tried"] if "refusal" in one]
-        self.assertIn("iso-scallop", refused)
-        self.assertIn(facts["strategy"], ("iso-u", "iso-v"))
+    def test_other_axis_changes_nothing_but_the_tips(self):
+        # a ball touches a plane in the same contacts, however it leans
+        part = self.file(plane())
+        for strategy in ("iso-scallop", "planar", "best"):
+            with self.subTest(strategy=strategy):
+                upright = self.summary("plan", part, *BALL, "--strategy", strategy, "--bound", "none", "-o", f"{strategy}-up")
+                facts = self.summary("plan", part, *BALL, "--strategy", strategy, "--axis", "1,0,1", "--bound", "none", "-o",
+                                     f"{strategy}-tilted")
+                self.assertEqual(facts["verdict"], "clean")
+                self.assertAlmostEqual(facts["axis"][0], math.sqrt(0.5), places=12)
+                self.assertLess(abs(facts["cut_contact_mm"] / upright["cut_contact_mm"] - 1), 0.05)
 
 
 if __name__ == "__main__":

@@ -133,6 +133,40 @@ TEST(Deviation, JudgesGougesWhereTheCutterDoesNotReach)
     EXPECT_EQ(verdict(deep, options.limits), Verdict::Gouged);
 }
 
+// Passes over the half of a mesh that is not skipped; the ball enters the other half.
+TEST(Deviation, JudgesGougesOnlyOnSkippedFacets)
+{
+    const TriangleMesh mesh = test::flat_mesh(20, 12);
+    const Part part = mesh;
+    std::vector<std::size_t> far;
+    for (std::size_t facet = 0; facet < mesh.triangles().size(); ++facet) {
+        const auto [a, b, c] = mesh.corners(facet);
+        if (a.x() + b.x() + c.x() > 30)
+            far.push_back(facet);
+    }
+    DeviationOptions options;
+    options.pitch = 0.25;
+    options.limits = {0.01, 0.2};
+    const ToolPath half = passes(7, 0, 10, [](int i) {
+        return Eigen::Vector2d{2.0 * i, 0};
+    });
+    const auto measured = [&](const ToolPath& path) {
+        return deviation_of(part, path, Cutter::ball(5), options);
+    };
+    EXPECT_EQ(verdict(measured(half), options.limits), Verdict::Uncut);
+    options.skipped_facets = far;
+    const Deviation found = measured(half);
+    EXPECT_EQ(verdict(found, options.limits), Verdict::Clean);
+    EXPECT_NEAR(found.area_mm2, 120, 1e-5);  // areas have single precision
+    EXPECT_EQ(found.inaccessible_area_mm2, 0);
+    ToolPath deep = half;
+    const ToolPath below = test::tip_path({{15, 6, 5}, {15, 6, -0.2}});
+    deep.points.insert(deep.points.end(), below.points.begin(), below.points.end());
+    const Deviation gouged = measured(deep);
+    EXPECT_NEAR(gouged.max_gouge_mm, 0.2, 0.02);
+    EXPECT_EQ(verdict(gouged, options.limits), Verdict::Gouged);
+}
+
 class ParallelPasses : public testing::TestWithParam<double> {};
 
 // The passes are a whole number of pitches apart, so that cusps fall between rays.

@@ -65,6 +65,7 @@ class Commands(unittest.TestCase):
 # Commands that exit with another code than 0, as their page states.
 EXIT_CODES = {
     "endmill plan datasets/surfaces/net_rot24_7D.json --mode paper --cutter ball:15 --direction v -o plan-paper": 1,
+    "endmill setup datasets/meshes/prism.off --machine W/xyBz/T --max-setups 4 --incidence-deg 70 -o prism-setups": 1,
 }
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(os.environ.get("ENDMILL", ROOT / "build/release/src/cli/endmill")).resolve()
+MESH = ROOT / "datasets/meshes/prism.off"
 PAGE = ROOT / "docs/file-formats.md"
 BLOCK = re.compile(r"^```(\w+ [\w/-]+)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
@@ -37,6 +38,7 @@ READERS = {
     "csv polyline": ("curves.csv", "trim --polyline FILE"),
     "csv tool-life": ("speeds.csv", "toollife FILE --tool-change-min 1 --tool-cost 5"
                       " --machine-cost-per-min 0.5"),
+    "text facet-list": ("facets.txt", "setup MESH --machine W/xyBz/T --sphere ico:0 --skip-facets FILE"),
     "csv directions": ("directions.csv", "setup --points FILE --family CA"),
 }
 
@@ -51,7 +53,7 @@ class Formats(unittest.TestCase):
                 name, command = READERS[kind]
                 (Path(folder) / name).write_text(text, encoding="utf-8")
                 (Path(folder) / "tips.csv").write_text("tip_x_mm,tip_y_mm,tip_z_mm,tool\n0,0,0,1\n10,0,0,1\n")
-                words = command.replace("FILE", name).replace("PATH", "tips.csv").split()
+                words = command.replace("FILE", name).replace("PATH", "tips.csv").replace("MESH", str(MESH)).split()
                 done = subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, text=True,
                                       check=False, stdin=subprocess.DEVNULL, timeout=60)
                 self.assertIn(done.returncode, (0, 1), f"{kind}: {words}\n{text}\n{done.stderr}")

@@ -27,6 +27,7 @@ TEST(PathSummary, IsReadFromTheFileBesideThePath)
                    "inner_tolerance_mm": 0.02, "outer_tolerance_mm": 0.1, "scallop_mm": 1,
                    "feed_mm_per_min": 800, "spindle_rpm": 5000, "axis": [0, 0, 1],
                    "inaccessible": "report", "part": "../a.stl", "part_up": "y",
+                   "skip_facets": "../bottom.txt",
                    "protected": "wall.stl", "protected_units": "inch"})");
     const auto summary = read_path_summary(folder.path() / "toolpath.csv");
     ASSERT_TRUE(summary);
@@ -43,6 +44,7 @@ TEST(PathSummary, IsReadFromTheFileBesideThePath)
     EXPECT_EQ(summary->protected_part->file, folder.path() / "wall.stl");
     EXPECT_EQ(summary->protected_part->units, LengthUnit::Inch);
     EXPECT_EQ(summary->protected_part->up, UpAxis::Z);
+    EXPECT_EQ(summary->skipped_facets, folder.path() / "../bottom.txt");
 }
 
 TEST(PathSummary, MayBeMissingOrEmpty)

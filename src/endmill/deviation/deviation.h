@@ -41,6 +41,8 @@ struct DeviationOptions {
     /// `reached_share` of the limit remains there. Remaining stock in the accessible part of
     /// other cells is not bounded. Called by several threads at once.
     std::function<bool(const PartRay& ray)> is_accessible = {};
+    /// Triangles of a mesh, ascending, whose remaining stock is not judged. Gouges are.
+    std::vector<std::size_t> skipped_facets = {};
     /// If set, it is called with the finished share, 0 to 1.
     std::function<void(double share)> progress = {};
 };

@@ -164,6 +164,8 @@ struct PathSummary {
     std::optional<PartReference> protected_part = {};  ///< that the path must not enter
     /// The machine that interpolates the path or runs the program, without positions.
     std::optional<MachineMotion> machine = {};
+    /// List of facets of the part that the path leaves uncut.
+    std::optional<std::filesystem::path> skipped_facets = {};
 
     /// The smallest of the three tolerances; nothing if none is known.
     std::optional<double> tolerance_mm() const;

@@ -116,6 +116,15 @@ std::optional<PartReference> part(const JsonValue& root, const std::string& key,
     return part;
 }
 
+// The file under `key`, relative to the folder of the summary.
+std::optional<std::filesystem::path> file_beside(const JsonValue& root,
+                                                 std::string_view key,
+                                                 const std::filesystem::path& folder)
+{
+    const std::optional<std::string> file = text(root, key);
+    return file ? std::optional{folder / *file} : std::nullopt;
+}
+
 // Three numbers of an array.
 Vec3 vector_in(const JsonValue& value)
 {
@@ -236,7 +245,8 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
                        text(root, "toolpath_sha256"),
                        text(root, "program_sha256"),
                        part(root, "protected", tool_path.parent_path()),
-                       machine(root)};
+                       machine(root),
+                       file_beside(root, "skip_facets", tool_path.parent_path())};
 }
 
 ClampedPart read_clamped_part(const std::filesystem::path& path, const ReadLimits& limits)

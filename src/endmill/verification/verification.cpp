@@ -280,6 +280,7 @@ Deviation deviation_of(const VerificationTask& task, std::span<const ToolRun> ru
                            .max_refine = judged.max_refine,
                            .most_cells = static_cast<std::size_t>(most_rays),
                            .is_accessible = judged.is_accessible,
+                           .skipped_facets = judged.skipped_facets,
                            .progress = judged.progress});
     require_cutting(task, charts, all, deviation);
     for (auto* place : {&deviation.deepest, &deviation.highest})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <variant>
@@ -25,6 +26,8 @@ struct JudgedPart {
     int max_refine = 8;           ///< largest number of halvings of a cell, 0 to 20
     /// If set, remaining stock is judged only where it returns true, see DeviationOptions.
     std::function<bool(const PartRay& ray)> is_accessible = {};
+    /// Triangles of a mesh, ascending, whose remaining stock is not judged. Gouges are.
+    std::vector<std::size_t> skipped_facets = {};
     /// If set, it is called with the finished share of the measurement, 0 to 1.
     std::function<void(double share)> progress = {};
 };

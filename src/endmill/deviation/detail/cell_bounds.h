@@ -29,6 +29,8 @@ struct MeasuredCell {
     /// Whether the cutter cannot reach the cell's middle, so that remaining material is not
     /// judged.
     bool is_inaccessible = false;
+    /// Whether the cell lies on a facet whose remaining material is not judged.
+    bool is_skipped = false;
     /// Thickness limited to the largest empty ball at the ray's point, mm; none if the
     /// ball does not limit it.
     std::optional<double> limited = {};
@@ -38,7 +40,7 @@ struct MeasuredCell {
     CutRay in_stock = {};  ///< ray at its middle before any move
 
     /// Whether remaining material is judged on the cell.
-    bool is_judged() const { return !is_outer && !is_inaccessible; }
+    bool is_judged() const { return !is_outer && !is_inaccessible && !is_skipped; }
 
     /// The thickness at its middle, mm, up to the largest empty ball.
     double length() const { return limited.value_or(cut.thickness); }

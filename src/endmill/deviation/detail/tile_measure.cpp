@@ -119,6 +119,13 @@ PartCharts::CurvatureBounds greatest_curvature(const PartCharts& charts,
     return most;
 }
 
+bool is_skipped(const PartCharts& charts, std::uint32_t chart,
+                const DeviationOptions& options)
+{
+    return !options.skipped_facets.empty() &&
+           std::ranges::binary_search(options.skipped_facets, charts.source(chart));
+}
+
 bool is_beyond(double left, const DeviationLimits& limits)
 {
     return left > limits.scallop || -left > limits.tolerance;
@@ -207,8 +214,9 @@ bool TileMeasure::is_inaccessible(const MeasuredCell& cell) const
 
 void TileMeasure::set_judged(MeasuredCell& cell) const
 {
+    cell.is_skipped = is_skipped(measured_.charts, cell.cell.chart, measured_.options);
     cell.is_outer = is_outer(cell.ray);
-    cell.is_inaccessible = !cell.is_outer && is_inaccessible(cell);
+    cell.is_inaccessible = !cell.is_skipped && !cell.is_outer && is_inaccessible(cell);
 }
 
 // Returns the sweeps that may clear the part near the tile.

@@ -137,6 +137,11 @@ RefinementThresholds sharpened_thresholds(const RefinementThresholds& thresholds
 PartCharts::CurvatureBounds greatest_curvature(const PartCharts& charts,
                                                const PartTile& tile);
 
+/// Whether the remaining material of a chart is not judged, by
+/// DeviationOptions::skipped_facets.
+bool is_skipped(const PartCharts& charts, std::uint32_t chart,
+                const DeviationOptions& options);
+
 /// Whether a thickness of `left` mm violates a limit.
 bool is_beyond(double left, const DeviationLimits& limits);
 

@@ -47,7 +47,7 @@ void TileMeasure::limit_side(double sign, std::optional<std::size_t>& hint)
 {
     const auto counts = [sign](const MeasuredCell& cell) {
         return sign * cell.cut.thickness > negligible_length &&
-               !(sign > 0 && cell.is_outer);
+               !(sign > 0 && (cell.is_outer || cell.is_skipped));
     };
     double longest = 0;
     for (const MeasuredCell& cell : cells_)

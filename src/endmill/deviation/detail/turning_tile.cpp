@@ -151,11 +151,12 @@ void TurningTile::take_ray(BoundedCell& bounded, const BoundedRay& ray) const
 void TurningTile::set_judged(MeasuredCell& cell) const
 {
     const double half = measured_.options.pitch / 2;
+    cell.is_skipped = is_skipped(measured_.charts, cell.cell.chart, measured_.options);
     cell.is_outer = is_wall_ && !measured_.distance.is_over_or_under(
                                     cell.ray.point + half * cell.ray.normal);
     const auto& is_accessible = measured_.options.is_accessible;
     cell.is_inaccessible =
-        !cell.is_outer && is_accessible &&
+        !cell.is_skipped && !cell.is_outer && is_accessible &&
         cell.cut.thickness > reached_share * measured_.options.limits.scallop &&
         !is_accessible(cell.ray);
 }

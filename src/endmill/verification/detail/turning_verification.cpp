@@ -145,6 +145,7 @@ PartFindings findings_on(const VerificationTask& task, const PartCharts& charts,
                                    .pitch = task.resolution,
                                    .max_refine = judged.max_refine,
                                    .is_accessible = judged.is_accessible,
+                                   .skipped_facets = judged.skipped_facets,
                                    .progress = judged.progress});
     if (!found.deviation.is_cut)
         throw GeometryError{
