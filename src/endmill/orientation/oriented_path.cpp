@@ -48,8 +48,15 @@ public:
     void add_pass(const std::vector<PassPose>& rows, int patch)
     {
         patch_ = patch;
-        approach(rows.front());
-        note(rows.front());
+        const PassPose& first = rows.front();
+        const double ahead = skewed_way(first);
+        if (ahead > 0) {
+            approach(moved_along(first, -ahead), {});
+            add(first, Move::Cut);
+        } else {
+            approach(first, first.place.at);
+        }
+        note(first);
         for (std::size_t k = 1; k < rows.size(); ++k) {
             add(rows[k], Move::Cut);
             note(rows[k]);
@@ -58,12 +65,13 @@ public:
         last_ = rows.back();
         // Beside the pass the rim of a leaning cutter is behind the contact. It runs on until
         // the rim has left the part over the whole strip.
-        const double half = std::min(last_.strip_mm / 2, cutter_.radius());
+        const double half = half_strip(last_);
         const double behind =
             cutter_.radius() -
-            std::sqrt(cutter_.radius() * cutter_.radius() - half * half);
+            std::sqrt(cutter_.radius() * cutter_.radius() - half * half) +
+            skewed_way(last_);
         if (!cutter_.is_ball() && last_.inclination.lead.radians() >= 0) {
-            last_.location.tip += behind * last_.place.feed;
+            last_ = moved_along(last_, behind);
             add_point(last_.location, Move::Cut, {});
         }
         ++result_.passes;
@@ -73,6 +81,28 @@ public:
     void finish() { lift(last_, Move::Retract); }
 
 private:
+    double half_strip(const PassPose& pose) const
+    {
+        return std::min(pose.strip_mm / 2, cutter_.radius());
+    }
+
+    // How far the line of contact of a tilted cutter is ahead on one side of the pass, and
+    // behind on the other, in mm.
+    double skewed_way(const PassPose& pose) const
+    {
+        if (cutter_.is_ball() || pose.inclination.tilt.radians() == 0)
+            return 0;
+        const auto skew = contact_skew(cutter_, pose.place.curvature, pose.inclination);
+        return std::min(cutter_.radius(), skew ? std::abs(*skew) * half_strip(pose) : 0);
+    }
+
+    // The pose moved along its feed, off the part.
+    static PassPose moved_along(PassPose pose, double way)
+    {
+        pose.location.tip += way * pose.place.feed;
+        return pose;
+    }
+
     static void widen(AngleExtent& extent, const Angle& angle)
     {
         if (angle.radians() < extent.least.radians())
@@ -131,10 +161,10 @@ private:
 
     void lift(const PassPose& pose, Move move) { raise(pose, safe_lift(pose), move); }
 
-    void approach(const PassPose& pose)
+    void approach(const PassPose& pose, const KnownContact& contact)
     {
         if (result_.path.points.empty()) {
-            add(pose, Move::Plunge);
+            add_point(pose.location, Move::Plunge, contact);
             return;
         }
         const double way = contact_way(last_, pose);
@@ -149,7 +179,7 @@ private:
             lift(last_, Move::Retract);
             lift(pose, Move::Rapid);
         }
-        add(pose, Move::Plunge);
+        add_point(pose.location, Move::Plunge, contact);
     }
 
     const Cutter& cutter_;
