@@ -12,6 +12,7 @@
 #include "cli/named_texts.h"
 #include "cli/surface_facts.h"
 #include "endmill/core/error.h"
+#include "endmill/core/text.h"
 
 namespace endmill {
 namespace {

@@ -8,6 +8,8 @@
 #include <Eigen/Geometry>
 
 #include "endmill/core/error.h"
+#include "endmill/cutter/cutting_body.h"
+#include "endmill/machine/tool_motion.h"
 
 namespace endmill {
 namespace {
@@ -128,6 +130,46 @@ TEST(Inclination, BeyondItsRangeIsRefused)
     EXPECT_THROW(remaining_curvature({5, 1}, {}, inclined(0, -90)), DomainError);
     EXPECT_THROW(strip_width({5, 1}, {}, {}, 0), DomainError);
     EXPECT_THROW(heel_lead({5, 1}, 0), DomainError);
+}
+
+// The least gap over all places along the feed is where its derivative along the feed vanishes:
+// the gap of the exact cutter over a part, from tiny steps.
+TEST(ContactSkew, IsWhereTheCutterIsNearestBesideThePass)
+{
+    const ContactCurvature part{0.01, -0.02, 0.004};
+    for (const Cutter& cutter : {Cutter{5, 1}, Cutter{5, 3}})
+        for (const double tilt : {-10.0, 6.0}) {
+            const Inclination inclination = inclined(25, tilt);
+            const auto skew = contact_skew(cutter, part, inclination);
+            ASSERT_TRUE(skew);
+            const Vec3 axis = inclined_axis(Vec3::UnitZ(), Vec3::UnitX(), inclination);
+            const Vec3 tip = control_point(cutter, {Vec3::Zero(), Vec3::UnitZ()},
+                                           ControlPoint::Tip, axis);
+            const CuttingBody body{cutter};
+            const ToolFrame frame = frame_at({tip, axis});
+            const double y = 0.02;
+            double least = std::numeric_limits<double>::infinity();
+            double place = 0;
+            for (int k = -2000; k <= 2000; ++k) {
+                const double x = 2e-5 * k;
+                const double z =
+                    -(part.along * x * x + 2 * part.mixed * x * y + part.across * y * y) /
+                    2;
+                const double gap = body.distance(frame.seen({x, y, z})).value;
+                if (gap < least) {
+                    least = gap;
+                    place = x;
+                }
+            }
+            EXPECT_NEAR(place / y, *skew, 0.03 * std::abs(*skew) + 0.01);
+        }
+    // a flat bottom touches along its rim
+    EXPECT_NEAR(
+        *contact_skew(Cutter::flat(5), {}, inclined(10, 5)),
+        -std::tan(Angle::degrees(5).radians()) / std::tan(Angle::degrees(10).radians()),
+        1e-12);
+    EXPECT_NEAR(*contact_skew(Cutter::ball(5), {}, inclined(10, 5)), 0, 1e-12);
+    EXPECT_FALSE(contact_skew(Cutter{5, 1}, {0, -0.5, 0}, inclined(5, 5)));
 }
 
 }  // namespace

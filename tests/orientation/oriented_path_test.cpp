@@ -51,8 +51,13 @@ double least_distance(const ToolPath& path, const Cutter& cutter, const Vec3& po
         if (path.points[k].move != Move::Cut)
             continue;
         const ToolMotion motion{path.points[k - 1].location, path.points[k].location};
-        for (int part = 0; part <= 10; ++part)
-            least = std::min(least, body.distance(motion.seen(point, part / 10.0)).value);
+        const double way = (motion.to().tip - motion.from().tip).norm();
+        const int parts = 10 + static_cast<int>(20 * way);
+        for (int part = 0; part <= parts; ++part)
+            least = std::min(
+                least,
+                body.distance(motion.seen(point, static_cast<double>(part) / parts))
+                    .value);
     }
     return least;
 }
@@ -98,6 +103,25 @@ TEST(PlanJudgedOriented, IsCleanOnSaddlesAndBowls)
                 const ToolPath& path = judged.plan.path;
                 EXPECT_GE(least_distance(path, cutter, at.point), -0.01 - 1e-9);
                 EXPECT_LE(least_distance(path, cutter, at.point + 0.05 * normal), 1e-3);
+            }
+    }
+}
+
+// A tilted cutter touches ahead of the contact on one side of a pass, and behind it on the other.
+// The ends of all passes are cut to the height nevertheless.
+TEST(PlanJudgedOriented, CutsTheEndsOfPassesWithATilt)
+{
+    const Cutter cutter{5, 1};
+    const auto plane = paraboloid(0, 0);
+    for (const double tilt : {-8.0, 8.0}) {
+        OrientedOptions options = options_of(AxisMode::Fixed, 10);
+        options.inclination.tilt = Angle::degrees(tilt);
+        const JudgedOrientedPath judged = plan_judged_oriented(plane, cutter, options);
+        EXPECT_EQ(judged.verification.verdict, Verdict::Clean);
+        for (const double u : {0.0, 1.0})
+            for (double v = 0; v <= 1; v += 0.05) {
+                const Vec3 top = plane[0].tangents(u, v).point + Vec3{0, 0, 0.05};
+                EXPECT_LE(least_distance(judged.plan.path, cutter, top), 1e-3) << v;
             }
     }
 }

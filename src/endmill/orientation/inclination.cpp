@@ -77,6 +77,20 @@ std::optional<double> remaining_curvature(const Cutter& cutter,
     return determinant / along;
 }
 
+std::optional<double> contact_skew(const Cutter& cutter, const ContactCurvature& part,
+                                   const Inclination& inclination)
+{
+    if (!remaining_curvature(cutter, part, inclination))
+        return std::nullopt;
+    const auto [f, b, sine] = lean_of(inclination);
+    if (cutter.is_flat())
+        return -b / f;
+    const double r = cutter.corner_radius();
+    const double own =
+        cutter.is_ball() ? 1 / r : sine / (cutter.flat_radius() + r * sine);
+    return -(f * b * (1 / r - own) + part.mixed) / (f * f / r + b * b * own + part.along);
+}
+
 std::optional<double> strip_width(const Cutter& cutter, const ContactCurvature& part,
                                   const Inclination& inclination, double scallop_height)
 {

@@ -45,6 +45,14 @@ std::optional<double> remaining_curvature(const Cutter& cutter,
                                           const ContactCurvature& part,
                                           const Inclination& inclination);
 
+/// The direction of the line beside the contact along which the moving cutter touches: mm along
+/// the feed for each mm across, -D_fb / D_ff. A tilt makes one end of this line lag behind the
+/// contact and the other one lead.
+/// \return nothing as remaining_curvature.
+/// Source: docs/methods/five-axis-planning.md, section 2.
+std::optional<double> contact_skew(const Cutter& cutter, const ContactCurvature& part,
+                                   const Inclination& inclination);
+
 /// The width in mm of the strip that a pass cuts to the scallop height, 2 sqrt(2 h / kappa)
 /// with the remaining curvature kappa; at most the diameter. Relative error below 0.01 for
 /// strips that are narrow against the radii of curvature.

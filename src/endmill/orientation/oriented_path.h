@@ -47,7 +47,8 @@ struct OrientedPath {
 /// inserted until the cutter between two of them neither gouges the contact by more than half
 /// the inner tolerance nor leaves more there than a twentieth of the scallop height, at most
 /// the inner tolerance. A leaning cutter that is no ball runs on beyond the end of a pass until
-/// its rim has left the part beside the pass too. Between passes the tool is lifted along its axis: by a small clearance
+/// its rim has left the part beside the pass too; a tilted one also begins before the pass.
+/// Between passes the tool is lifted along its axis: by a small clearance
 /// if the next pass is near, else to the safe height, where it turns.
 ///
 /// In mode Field an axis is allowed if its strip is as wide as the distance of the passes

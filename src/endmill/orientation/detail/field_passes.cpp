@@ -5,6 +5,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/core/tolerance.h"
 #include "endmill/orientation/axis_field.h"
 
 namespace endmill {
@@ -71,7 +72,7 @@ public:
         std::size_t next = 0;
         for (PassRows& pass : passes_)
             for (PassPose& row : pass.rows)
-                row = surface_of(pass).posed(row.place, field.axes[next++]);
+                row = posed(surface_of(pass), row, field.axes[next++]);
     }
 
     // Inserts rows into all passes.
@@ -98,6 +99,16 @@ private:
         return task_.surfaces[pass.surface];
     }
 
+    // The pose with an axis. If that is the axis of the wanted pose, the inclination is kept, which
+    // else would be rounded.
+    static PassPose posed(const OrientedSurface& surface, const PassPose& wanted,
+                          const Vec3& axis)
+    {
+        return (axis - wanted.location.axis).norm() <= unit_vector_rounding
+                   ? wanted
+                   : surface.posed(wanted.place, axis);
+    }
+
     std::vector<PassPose> filled(const PassRows& pass) const
     {
         const OrientedSurface::Between between{
@@ -118,7 +129,7 @@ private:
         const OrientedSurface& surface = surface_of(pass);
         const PassPlace place = surface.place_between(from, to, pass.line);
         const CutterContact& contact = place.at.contact;
-        const Inclination wanted = surface.inclination_at(place);
+        const PassPose wanted = surface.posed(place, surface.inclination_at(place));
         const RuledContact ruled = surface.ruled(place, pass.line);
         const auto is_allowed = [&](const Vec3& axis) {
             const Inclination at = inclination_of(axis, contact.normal, place.feed);
@@ -127,9 +138,9 @@ private:
         };
         const Vec3 arc = axis_on_arc(from.location.axis, to.location.axis, 0.5);
         if (is_allowed(arc))
-            return surface.posed(place, arc);
+            return posed(surface, wanted, arc);
         std::vector<Vec3> candidates =
-            axis_candidates({contact, place.feed, 0, false, wanted}, field_);
+            axis_candidates({contact, place.feed, 0, false, wanted.inclination}, field_);
         std::ranges::stable_sort(candidates, [&](const Vec3& a, const Vec3& b) {
             return a.dot(arc) > b.dot(arc);
         });
@@ -144,7 +155,7 @@ private:
                 "no tool axis is allowed at " +
                 place_text({place.at.u, place.at.v}, contact.point) +
                 ", between two rows of a pass; expected wider ranges of lead and tilt"};
-        return surface.posed(place, *found);
+        return posed(surface, wanted, *found);
     }
 
     const FieldTask& task_;

@@ -23,6 +23,9 @@ constexpr double spare_lead_deg = 1;
 // Share of a strip by which neighbouring passes are apart, for curvature that changes within
 // a strip.
 constexpr double used_strip = 0.97;
+// The same share for the axes of a field. It leaves more, because a field uses all that there is
+// at every contact, not only at the narrowest place of a pass.
+constexpr double used_field_strip = 0.9;
 // Contacts in each patch at which the width of a strip is examined.
 constexpr int examined_contacts = 24;
 // Rounds in which the distance of two passes is adapted to the narrower strip.
@@ -183,7 +186,7 @@ PassPose OrientedSurface::pose(double along, const PassLine& line) const
 RuledContact OrientedSurface::ruled(const PassPlace& place, const PassLine& line) const
 {
     const double wanted = posed(place, inclination_at(place)).strip_mm;
-    const double needed = 2 * line.covered * place.across / used_strip;
+    const double needed = 2 * line.covered * place.across / used_field_strip;
     return {place.at.contact, place.curvature,
             std::min(needed, wanted) * (1 - strip_slack), wanted};
 }

@@ -28,6 +28,11 @@ constexpr std::size_t most_depth = 64;
 
 using Corners = std::array<Vec3, 3>;
 
+Corners seen_by(const ToolFrame& tool, const Corners& corners)
+{
+    return {tool.seen(corners[0]), tool.seen(corners[1]), tool.seen(corners[2])};
+}
+
 // A search for the least signed distance, or for a place below a limit.
 class Search {
 public:
@@ -277,10 +282,8 @@ double ToolClearance::searched(const CuttingBody& body, const ToolFrame& tool,
                 continue;
             const Disc& disc = discs_[static_cast<std::size_t>(next.disc)];
             if (disc.second == 0) {
-                Corners seen = corners_[static_cast<std::size_t>(disc.triangle)];
-                for (Vec3& corner : seen)
-                    corner = tool.seen(corner);
-                search.visit(seen);
+                search.visit(
+                    seen_by(tool, corners_[static_cast<std::size_t>(disc.triangle)]));
                 if (search.is_finished())
                     return search.best();
                 continue;
@@ -334,7 +337,7 @@ bool ToolClearance::is_clear(const CuttingBody& body, const ToolFrame& tool, dou
                              std::span<const std::int32_t> front) const
 {
     const double limit = least + chord_error_;
-    return searched(body, tool, {.enough = limit, .stop = limit, .slack = rounding},
+    return searched(body, tool, {.enough = limit, .slack = rounding, .stop = limit},
                     front) >= limit;
 }
 
@@ -342,9 +345,13 @@ double ToolClearance::gap(const CuttingBody& body, const ToolFrame& tool,
                           double enough) const
 {
     const std::array<std::int32_t, 1> root{0};
-    const double found = searched(
-        body, tool, {.enough = enough, .stop = -infinity, .slack = accuracy}, root);
-    return found < enough ? found : infinity;
+    SearchLimits limits{};
+    limits.enough = enough;
+    limits.slack = accuracy;
+    const double found = searched(body, tool, limits, root);
+    if (found < enough)
+        return found;
+    return infinity;
 }
 
 }  // namespace endmill

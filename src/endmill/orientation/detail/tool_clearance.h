@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -65,9 +66,9 @@ private:
     // What a search looks for: distances below `enough` by more than `slack`; it ends below
     // `stop`. In mm.
     struct SearchLimits {
-        double enough;
-        double stop;
-        double slack;
+        double enough = 0;
+        double slack = 0;
+        double stop = std::numeric_limits<double>::lowest();
     };
 
     void build(const TriangleMesh& mesh);
