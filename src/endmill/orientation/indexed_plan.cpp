@@ -2,6 +2,7 @@
 #include "endmill/orientation/indexed_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -205,7 +206,6 @@ public:
           options_{options},
           whole_{without_degenerate_or_duplicate(part).mesh},
           reach_{whole_, Cutter::ball(cutter.radius()), options.directions},
-          radius_{cutter.radius()},
           distance_{reached_share * options.scallop_height}
     {
     }
@@ -221,9 +221,9 @@ public:
                               }});
     }
 
-    // For each direction the facets of other directions that have a place that the ball
-    // reaches from here, but not from the facet's own direction. Of several
-    // directions the first one has it.
+    // For each direction the facets of other directions that have a place near a corner or a
+    // side that the ball reaches from here, but not from the facet's own direction. Of several
+    // directions the first one that sees the facet has it.
     std::vector<std::vector<std::size_t>> shared_facets(
         const SetupRegions& regions, std::span<const std::size_t> used) const
     {
@@ -231,11 +231,13 @@ public:
         for (std::size_t facet = 0; facet < regions.direction_of.size(); ++facet) {
             if (!regions.direction_of[facet])
                 continue;
-            for (const Vec3& place : places_of(facet)) {
+            for (const Vec3& place : outer_places) {
                 if (reaches(*regions.direction_of[facet], facet, place))
                     continue;
-                const auto other = std::ranges::find_if(
-                    used, [&](std::size_t k) { return reaches(k, facet, place); });
+                const auto other = std::ranges::find_if(used, [&](std::size_t k) {
+                    return regions.seen.is_accessible(facet, k) &&
+                           reaches(k, facet, place);
+                });
                 if (other != used.end() &&
                     (shared[*other].empty() || shared[*other].back() != facet))
                     shared[*other].push_back(facet);
@@ -245,24 +247,10 @@ public:
     }
 
 private:
-    // Barycentric coordinates of places all over a facet, closer together than half the radius
-    // of the ball, or a twelfth of the longest side.
-    std::vector<Vec3> places_of(std::size_t facet) const
-    {
-        constexpr double most_steps = 12;
-        constexpr double inset = 0.05;  // keeps places off the sides
-        const auto [a, b, c] = part_.corners(facet);
-        const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
-        const int steps = static_cast<int>(
-            std::clamp(std::ceil(longest / (radius_ / 2)), 2.0, most_steps));
-        std::vector<Vec3> places;
-        places.reserve(static_cast<std::size_t>((steps + 1) * (steps + 2) / 2));
-        for (int i = 0; i <= steps; ++i)
-            for (int j = 0; i + j <= steps; ++j)
-                places.emplace_back((1 - inset) * Vec3(i, j, steps - i - j) / steps +
-                                    Vec3::Constant(inset / 3));
-        return places;
-    }
+    // Barycentric coordinates near the corners and the middles of the sides.
+    static inline const std::array<Vec3, 6> outer_places{
+        Vec3{0.9, 0.05, 0.05},    Vec3{0.05, 0.9, 0.05},    Vec3{0.05, 0.05, 0.9},
+        Vec3{0.475, 0.475, 0.05}, Vec3{0.05, 0.475, 0.475}, Vec3{0.475, 0.05, 0.475}};
 
     bool reaches(std::size_t direction, std::size_t facet, const Vec3& place) const
     {
@@ -276,7 +264,6 @@ private:
     const IndexedOptions& options_;
     TriangleMesh whole_;
     AxisReach reach_;
-    double radius_;
     double distance_;
 };
 
