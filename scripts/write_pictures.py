@@ -42,6 +42,8 @@ PICTURES = {
     "trim.svg": Picture("README.md", "valley/methods-85.svg"),
     "feed.svg": Picture("README.md", "wavy-feed/feed.svg"),
     "setup.svg": Picture("README.md", "teapot/setup.svg"),
+    "five-axes.svg": Picture("docs/guide/five-axes.md", "bump-plan/toolpath.svg"),
+    "five-axes-setup.svg": Picture("docs/guide/five-axes.md", "bump-setup/setup.svg"),
     "post.svg": Picture("docs/guide/post.md", "post-path/toolpath.svg"),
 }
 

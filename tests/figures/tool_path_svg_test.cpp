@@ -74,6 +74,28 @@ TEST(ToolPathSvg, LegendNamesTheDrawnMoves)
     EXPECT_FALSE(part.contains("rapid, plunge, retract"));
 }
 
+TEST(ToolPathSvg, ShowsTheToolAxisWhereItTurns)
+{
+    ToolPath path = wavy_path(2, 20);
+    EXPECT_FALSE(texts_of(tool_path_svg(path)).contains("tool axis"));
+    for (PathPoint& point : path.points)
+        if (point.pass == 1)
+            point.location.axis = Vec3{0.6, 0, 0.8};
+    const std::string svg = tool_path_svg(path);
+    EXPECT_TRUE(texts_of(svg).contains("tool axis"));
+    // one line for each cut, and the legend's sample
+    std::size_t cuts = 0;
+    for (const PathPoint& point : path.points)
+        cuts += point.move == Move::Cut ? 1 : 0;
+    const auto lines = lines_of(svg, "#b8860b");
+    ASSERT_EQ(lines.size(), cuts + 1);
+    // upright ones and leaning ones have two directions in the drawing
+    const PixelPoint first = lines.front().back() - lines.front().front();
+    const PixelPoint last = lines[cuts - 1].back() - lines[cuts - 1].front();
+    EXPECT_NEAR(first.x(), 0, 0.2);
+    EXPECT_GT(std::abs(last.x()), 1);
+}
+
 TEST(ToolPathSvg, ShowsTitleAndCaptions)
 {
     const std::string caption =

@@ -50,12 +50,18 @@ constexpr std::array<Stroke, 7> use_strokes{
 
 constexpr LineStyle part_outline{"#c3d0e0", 0.5, ""};
 constexpr LineStyle direction_style{"#111111", 1.6, ""};
+constexpr LineStyle axis_style{"#b8860b", 1.1, ""};
 constexpr std::string_view start_colour = "#1a7f37";
 constexpr double start_radius_px = 5;
 
 // Number of arrows on the path, and their length as a share of its diagonal.
 constexpr std::size_t most_arrows = 7;
 constexpr double arrow_share = 0.03;
+// Number of tool axes that are drawn if the axis turns, and their length as a share of the
+// diagonal. Axes that differ by less than this, as unit vectors, count as equal.
+constexpr std::size_t most_axes = 60;
+constexpr double axis_share = 0.06;
+constexpr double least_turn = 1e-6;
 
 // Most cells of the drawn part, and most of them along the side of a patch.
 constexpr int most_cells = 4000;
@@ -224,6 +230,35 @@ void add_marks(AxonometricFigure& figure, const ToolPath& path,
         figure.add_legend("direction", direction_style);
 }
 
+// The lines of some tool axes, from the cuts upwards; none if the axis does not turn.
+std::vector<std::array<Vec3, 2>> axis_lines(const ToolPath& path,
+                                            std::span<const Vec3> places)
+{
+    Eigen::AlignedBox3d box;
+    std::vector<std::size_t> cut;
+    bool turns = false;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        box.extend(places[i]);
+        if (path.points[i].move != Move::Cut)
+            continue;
+        cut.push_back(i);
+        const Vec3& axis = path.points[i].location.axis;
+        turns =
+            turns || (axis - path.points[cut.front()].location.axis).norm() > least_turn;
+    }
+    std::vector<std::array<Vec3, 2>> lines;
+    if (!turns)
+        return lines;
+    const double length = axis_share * box.diagonal().norm();
+    const std::size_t count = std::min(most_axes, cut.size());
+    lines.reserve(count);
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = cut[k * cut.size() / count];
+        lines.push_back({places[i], places[i] + length * path.points[i].location.axis});
+    }
+    return lines;
+}
+
 std::string drawn_path(const ToolPath& path, const FigureOptions& options,
                        std::vector<PartPiece> pieces, const DrawnMoves& moves)
 {
@@ -231,6 +266,9 @@ std::string drawn_path(const ToolPath& path, const FigureOptions& options,
     std::vector<Vec3> extent = places;
     for (const PartPiece& piece : pieces)
         extent.insert(extent.end(), piece.outline.begin(), piece.outline.end());
+    const std::vector<std::array<Vec3, 2>> axes = axis_lines(path, places);
+    for (const std::array<Vec3, 2>& axis : axes)
+        extent.push_back(axis.back());
     FigureOptions ticked = options;
     ticked.has_ticks = true;
     AxonometricFigure figure{ticked, extent};
@@ -238,6 +276,10 @@ std::string drawn_path(const ToolPath& path, const FigureOptions& options,
     for (std::size_t stroke = 0; stroke < moves.strokes.size(); ++stroke)
         if (add_runs(figure, places, moves, stroke))
             figure.add_legend(moves.strokes[stroke].label, moves.strokes[stroke].style);
+    for (const std::array<Vec3, 2>& axis : axes)
+        figure.add_curve(axis, axis_style);
+    if (!axes.empty())
+        figure.add_legend("tool axis", axis_style);
     if (!places.empty())
         add_marks(figure, path, places);
     return figure.text();

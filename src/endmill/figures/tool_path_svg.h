@@ -19,7 +19,8 @@ namespace endmill {
 /// A tool path in parallel projection, as an SVG file: contact points (tips where there
 /// is no contact) joined in the order of the path. Links have another colour; rapids,
 /// plunges and retracts are dashed. A disc marks the first point, and arrows mark the
-/// direction of a few cuts. Axes with ticks are in mm.
+/// direction of a few cuts. If the tool axis turns, short lines show it at some cuts. Axes
+/// with ticks are in mm.
 /// Source: after [KimChoi, figs. 12 and 13].
 /// \param path the path. \param options title, captions, size and view.
 /// \param part surfaces that are drawn shaded under the path.
