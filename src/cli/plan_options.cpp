@@ -290,6 +290,29 @@ void add_direction_angle(CLI::App& command, PlanOptions& options)
         ->type_name("DEG");
 }
 
+// How passes are laid and compared.
+void add_strategy_choices(CLI::App& command, PlanOptions& options)
+{
+    add_choice<StrategyChoice>(
+        command, "--strategy", options.strategy, strategies,
+        "how passes are laid. best (default): the shortest of iso-u, iso-v, planar, "
+        "iso-scallop and field; iso: along u and along v, compared; iso-u, iso-v: along "
+        "one of them; planar: in parallel upright planes; iso-scallop: each as far from "
+        "the passes before it as the scallop height allows; field: across the widest "
+        "strips. Except with iso, --scallop limits all remaining stock. An option that "
+        "only iso or planar has, such as --mode paper or --direction, chooses it");
+    add_choice<PlanBound>(
+        command, "--bound", options.bound, bounds,
+        "lower bound of the length, with which a path by a --strategy other than iso is "
+        "compared. estimated (default): takes some seconds; certified: proved up to "
+        "rounding, about 4 % lower, takes a minute; none: not computed");
+    add_choice<Planner>(
+        command, "--mode", options.mode, modes,
+        "verified (default): every move is proved to be within "
+        "tolerance; paper: as in the paper, with its misprints corrected; "
+        "the path may exceed its tolerances");
+}
+
 }  // namespace
 
 void add_plan_options(CLI::App& command, PlanOptions& options)
@@ -328,24 +351,7 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
                               "shortest passes");
     add_direction_angle(command, options);
     add_axis_mode(command, options);
-    add_choice<StrategyChoice>(
-        command, "--strategy", options.strategy, strategies,
-        "how passes are laid. best (default): the shortest of iso-u, iso-v, planar, "
-        "iso-scallop and field; iso: along u and along v, compared; iso-u, iso-v: along "
-        "one of them; planar: in parallel upright planes; iso-scallop: each as far from "
-        "the passes before it as the scallop height allows; field: across the widest "
-        "strips. Except with iso, --scallop limits all remaining stock. An option that "
-        "only iso or planar has, such as --mode paper or --direction, chooses it");
-    add_choice<PlanBound>(
-        command, "--bound", options.bound, bounds,
-        "lower bound of the length, with which a path by a --strategy other than iso is "
-        "compared. estimated (default): takes some seconds; certified: proved up to "
-        "rounding, about 4 % lower, takes a minute; none: not computed");
-    add_choice<Planner>(
-        command, "--mode", options.mode, modes,
-        "verified (default): every move is proved to be within "
-        "tolerance; paper: as in the paper, with its misprints corrected; "
-        "the path may exceed its tolerances");
+    add_strategy_choices(command, options);
     add_number(command,
                {"--feed", "MM_PER_MIN", "feed for the machining time in the summary",
                 NumberDomain::of_machine()},

@@ -124,6 +124,7 @@ public:
              .mode = SetupMode::Corrected,
              .measure = PoseMeasure{.family = family_}});
         std::vector<FittedPose> some;
+        some.reserve(static_cast<std::size_t>(count));
         for (int k = 0; k < count; ++k)
             some.push_back(all[(all.size() - 1) * static_cast<std::size_t>(k) /
                                static_cast<std::size_t>(count - 1)]);
@@ -191,7 +192,7 @@ void add_family(CsvTable& result, CsvTable& shown, const StudiedPart& part,
                       run.number("rotary_rate_deg_per_min")};
     for (const std::string& mode : run.texts("modes")) {
         const PartSetup setup = unlimited_setup(part, kind, mode);
-        add_program({&result, &shown}, family + ", " + mode,
+        add_program({&result, &shown}, std::string{family}.append(", ").append(mode),
                     cells_of(family, study.program(setup.shown().value())));
     }
     std::vector<double> areas;

@@ -61,7 +61,7 @@ ToolPath passes(const Cutter& cutter, double lead, double apart, int count)
                                .location = {tip, axis}});
     };
     for (int pass = 0; pass < count; ++pass) {
-        const double y = (pass - count / 2) * apart;
+        const double y = (pass - (count - 1) / 2.0) * apart;
         const auto tip_at = [&](double x) {
             return control_point(cutter, {{x, y, 0}, Vec3::UnitZ()}, ControlPoint::Tip,
                                  axis);
