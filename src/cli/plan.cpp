@@ -211,6 +211,19 @@ Eigen::Matrix3d frame_of(PlanOptions& options)
     return pose.part_to_machine;
 }
 
+// Checks that a list of facets leaves some to cut.
+void require_facets_to_cut(std::span<const std::size_t> skipped, const PartFile& file,
+                           const std::string& list)
+{
+    const auto* mesh = std::get_if<TriangleMesh>(&file.part);
+    if (!mesh || list.empty() ||
+        facets_in_mesh(skipped, file).size() < mesh->triangles().size())
+        return;
+    throw FormatError{"E_EMPTY",
+                      {list, "", "the list names all facets of the mesh",
+                       "at least one that is left to cut"}};
+}
+
 // The part with the facets of its file; only for several setups.
 std::optional<TriangleMesh> mesh_for_setups(const PartFile& file,
                                             const PlanOptions& options)
@@ -288,6 +301,7 @@ ExitCode run_plan(PlanOptions options)
         return refuse_break(options.part.path, found, options.common);
     std::vector<std::size_t> skipped =
         skipped_facets(options.skip_facets, file, options.common);
+    require_facets_to_cut(skipped, file, options.skip_facets);
     const std::optional<TriangleMesh> numbered = mesh_for_setups(file, options);
     std::optional<Part> cut = part_to_cut(file, skipped, options);
     const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);

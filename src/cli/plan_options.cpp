@@ -224,12 +224,16 @@ void add_lean_range(CLI::App& command, const char* name, const char* help,
 
 void add_field_options(CLI::App& command, PlanOptions& options)
 {
-    add_lean_range(command, "--lead-range",
-                   "--axis-mode field: range of the lead in degrees (default -30:30)",
-                   options.lead_range);
-    add_lean_range(command, "--tilt-range",
-                   "--axis-mode field: range of the tilt in degrees (default -30:30)",
-                   options.tilt_range);
+    add_lean_range(
+        command, "--lead-range",
+        "--axis-mode field: range of the lead in degrees, within -89 and 89 (default "
+        "-30:30)",
+        options.lead_range);
+    add_lean_range(
+        command, "--tilt-range",
+        "--axis-mode field: range of the tilt in degrees, within -89 and 89 (default "
+        "-30:30)",
+        options.tilt_range);
     command
         .add_option(
             "--tool", options.tool,
@@ -272,7 +276,7 @@ void add_setup_files(CLI::App& command, PlanOptions& options)
         .add_option("--setups", options.setups,
                     "summary.json of endmill setup: a mesh is planned from the tool axes "
                     "of all its setups (3+2 axes). Each facet is cut from the setup that "
-                    "faces it most. For a ball")
+                    "faces it most, of those from which the ball reaches it. For a ball")
         ->type_name("FILE");
 }
 
@@ -532,7 +536,10 @@ void refuse_idle_plan_options(const PlanOptions& options)
         return refuse_for_five_axes(options);
     refuse_idle_options(common, std::array{"--lead-deg", "--tilt-deg"}, "a fixed axis",
                         "--axis-mode");
-    refuse_idle_options(common, field_options, "a fixed axis", "--axis-mode field");
+    refuse_idle_options(common, field_options,
+                        options.setups.empty() ? "a fixed axis" : "--setups",
+                        options.setups.empty() ? "--axis-mode field"
+                                               : "one tool axis, and --axis-mode field");
     refuse_zero_tolerances(options);
     refuse_cutter(options);
     if (!options.guard.path.empty())

@@ -37,6 +37,9 @@ bool is_clean(const DirectedPath& path)
     return path.judged.verification.verdict == Verdict::Clean;
 }
 
+// A turn in degrees per mm below which the report shows none: rounding.
+constexpr double least_turn = 1e-9;
+
 // What a field knows of tool and machine.
 struct FieldSetup {
     std::vector<ToolCylinder> body = {};  // shank and holder
@@ -180,13 +183,14 @@ std::string report(const Json& s, const PlanOptions& options)
     return fmt::format(
         "  along {}       {} passes, {} points; cut {} mm by contacts; lead {:.3g} to "
         "{:.3g} degrees, tilt {}; strips of {} mm and more\n"
-        "  rotary travel {} degrees, at most {:.3g} degrees per mm on cuts\n"
+        "  axis turns    {} degrees in all, at most {:.3g} degrees per mm on cuts\n"
         "  judged        {}: gouge {} mm (limit {}), remaining {} mm (limit {})\n",
         s["along"].get<std::string>(), s["passes"].get<std::size_t>(),
         s["path"]["points"].get<std::size_t>(), shown(number("cut_contact_mm")),
         s["lead_range_deg"][0].get<double>(), s["lead_range_deg"][1].get<double>(),
         tilt_text(s["tilt_range_deg"]), shown(number("narrowest_strip_mm")),
-        shown_degrees(number("rotary_travel_deg")), number("max_turn_deg_per_mm"),
+        shown_degrees(number("rotary_travel_deg")),
+        number("max_turn_deg_per_mm") > least_turn ? number("max_turn_deg_per_mm") : 0.0,
         s["verdict"].get<std::string>(),
         shown_against(number("max_gouge_mm"), options.motion.inner),
         shown_limit(options.motion.inner),

@@ -129,6 +129,9 @@ class PlanSetups(Chain):
              "/setups/0/tool_axis"),
             (4, [self.part, *BALL, "--setups", self.file(setups([0, 0, -1]), "down.json"), "--skip-facets", self.bottom],
              "no facet"),
+            (3, [self.part, *BALL, "--skip-facets", self.file("".join(f"{k}\n" for k in range(12)), "all.txt")],
+             "all.txt: the list names all facets"),
+            (2, [self.part, *BALL, "--setups", good, "--machine", "W/caxyBz/T"], "no effect with --setups"),
         ]
         for code, command, word in cases:
             with self.subTest(command=command):

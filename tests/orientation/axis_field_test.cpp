@@ -268,6 +268,7 @@ TEST(AxisField, TurnsTheAxesOfAMachineLittle)
         return sum / degree;
     };
     std::vector<Vec3> wanted;
+    wanted.reserve(contacts.size());
     for (const FieldContact& contact : contacts)
         wanted.push_back(
             inclined_axis(contact.contact.normal, contact.feed, contact.wanted));

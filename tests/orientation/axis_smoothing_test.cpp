@@ -58,6 +58,7 @@ TEST(SmoothAxes, NeverRaisesTheSumAndNeverLeavesTheAllowedSet)
         const auto rows = random_rows(seed);
         double before = bend(rows, [&] {
             std::vector<Vec3> axes;
+            axes.reserve(rows.size());
             for (const SmoothedRow& row : rows)
                 axes.push_back(row.axis);
             return axes;
@@ -86,6 +87,7 @@ TEST(SmoothAxes, NeverRaisesTheSumAndNeverLeavesTheAllowedSet)
 TEST(SmoothAxes, ApproachesAnEvenTurnBetweenFixedEnds)
 {
     std::vector<SmoothedRow> rows;
+    rows.reserve(7);
     for (int k = 0; k < 7; ++k)
         rows.push_back({leaning(k < 4 ? 0 : 12, 0), double(k * k)});
     SmoothingLimits limits = limits_of(100000);

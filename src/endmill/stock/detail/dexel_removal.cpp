@@ -260,6 +260,13 @@ private:
             add_halves(ray, piece, motion, range, halvings - 1);
             return;
         }
+        chords_.push_back(rounded(removed, range));
+    }
+
+    // Returns a chord whose ends are rounded outwards to whole units.
+    Chord rounded(const Removed& removed, const Range& range) const
+    {
+        const auto& [may, sure] = removed;
         const auto down = [&](double s) {
             return static_cast<std::int32_t>(std::floor(s / unit_));
         };
@@ -276,7 +283,7 @@ private:
             chord.sure.to = chord.may.to;
         if (sure && sure->from <= range.from)
             chord.sure.from = down(range.from + unit_ / 2);
-        chords_.push_back(chord);
+        return chord;
     }
 
     const DexelField& field_;
