@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the setup of a part on a five-axis machine with the least rotary travel.
+// Finds the setup of a part on a five-axis machine with the least rotary ranges.
 
 #include <exception>
 #include <iostream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// endmill setup: the setup of a part that needs the least rotary travel.
+// endmill setup: the setup of a part that needs the least rotary ranges.
 
 #include <algorithm>
 #include <memory>
@@ -78,7 +78,7 @@ void add_setup_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
         "setup",
-        "find the setup of a part that needs the least rotary travel, or list the facets "
+        "find the setup of a part that needs the least rotary ranges, or list the facets "
         "that no setup reaches");
     const auto options = std::make_shared<SetupCommandOptions>();
     add_setup_options(*command, *options);
