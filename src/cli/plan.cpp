@@ -26,6 +26,7 @@
 #include "endmill/core/text.h"
 #include "endmill/files/output_folder.h"
 #include "endmill/files/path_file.h"
+#include "endmill/files/setup_file.h"
 #include "endmill/planning/planned_path.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/tool_side.h"
@@ -224,6 +225,28 @@ void require_facets_to_cut(std::span<const std::size_t> skipped, const PartFile&
                        "at least one that is left to cut"}};
 }
 
+// Checks that the setup was found for this part. Surfaces are known by their name only, which
+// may have changed.
+void require_setup_of(const PartFile& file, const PlanOptions& options)
+{
+    const std::string& setup = options.setup.empty() ? options.setups : options.setup;
+    if (setup.empty())
+        return;
+    const SetupSubject subject = read_setup_subject(setup, options.common.limits);
+    if (const auto* mesh = std::get_if<TriangleMesh>(&file.part)) {
+        const std::size_t facets =
+            mesh->triangles().size() + file.degenerate_triangles.size();
+        if (subject.facets && *subject.facets != facets)
+            throw FormatError{"E_FACET",
+                              {setup, "/facets", std::to_string(*subject.facets),
+                               std::to_string(facets) + ", as " + options.part.path +
+                                   " has: the setup is that of another part"}};
+    } else if (!subject.name.empty() && subject.name != file.name) {
+        warn(options.common, setup + ": a setup of the part " + printable(subject.name) +
+                                 ", not of " + printable(file.name));
+    }
+}
+
 // The part with the facets of its file; only for several setups.
 std::optional<TriangleMesh> mesh_for_setups(const PartFile& file,
                                             const PlanOptions& options)
@@ -302,6 +325,7 @@ ExitCode run_plan(PlanOptions options)
     std::vector<std::size_t> skipped =
         skipped_facets(options.skip_facets, file, options.common);
     require_facets_to_cut(skipped, file, options.skip_facets);
+    require_setup_of(file, options);
     const std::optional<TriangleMesh> numbered = mesh_for_setups(file, options);
     std::optional<Part> cut = part_to_cut(file, skipped, options);
     const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);

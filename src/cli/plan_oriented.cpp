@@ -134,6 +134,11 @@ Json extent_json(const AngleExtent& extent)
         {extent.least.written_degrees(), extent.greatest.written_degrees()});
 }
 
+Json range_json(const LeanRange& range)
+{
+    return Json::array({range.from.written_degrees(), range.to.written_degrees()});
+}
+
 Json summary_of(const PlanTask& task, const DirectedPath& path)
 {
     const auto& [plan, verification] = path.judged;
@@ -165,6 +170,12 @@ Json summary_of(const PlanTask& task, const DirectedPath& path)
         {"verdict", verdict_name(verification.verdict)},
         {"interpolation", "linear"},
         {"safe_height_mm", options.planning.link.safe_height}};
+    if (options.axis_mode == AxisMode::Field) {
+        summary["asked_lead_range_deg"] = range_json(options.lead_range);
+        summary["asked_tilt_range_deg"] = range_json(options.tilt_range);
+        if (!options.rotary.machine.empty())
+            summary["machine_of_field"] = printable(options.rotary.machine);
+    }
     add_continuity(summary, task.context.continuity, task.context.several);
     return summary;
 }

@@ -140,8 +140,15 @@ std::optional<PartOnMachine> part_on_machine(const RotaryOptions& rotary,
         setup.part_to_machine = pose.part_to_machine;
         setup.clamp = pose.clamp;
     }
-    if (rotary.clamp)
+    if (rotary.clamp) {
+        const double most = rotary.clamp->cwiseAbs().maxCoeff();
+        if (!(most <= options.limits.max_extent_mm))
+            throw DomainError{"--clamp: found a coordinate of " + to_text(most) +
+                              " mm; expected at most " +
+                              to_text(options.limits.max_extent_mm) +
+                              " mm (--max-extent)"};
         setup.clamp = *rotary.clamp;
+    }
     return setup;
 }
 

@@ -131,6 +131,8 @@ class PlanSetups(Chain):
              "no facet"),
             (3, [self.part, *BALL, "--skip-facets", self.file("".join(f"{k}\n" for k in range(12)), "all.txt")],
              "all.txt: the list names all facets"),
+            (3, [self.part, *BALL, "--setups", self.file({**setups(*CORNERS), "facets": 9999}, "other.json")],
+             "other.json:/facets: 9999; expected 12"),
             (2, [self.part, *BALL, "--setups", good, "--machine", "W/caxyBz/T"], "no effect with --setups"),
         ]
         for code, command, word in cases:

@@ -79,5 +79,19 @@ TEST(SetupDirections, AreRefusedWithTheKey)
                 AllOf(HasSubstr("length 2"), HasSubstr("unit vector")));
 }
 
+TEST(SetupSubject, IsTheNamedPartWithItsFacets)
+{
+    const TemporaryFolder folder;
+    const SetupSubject known = read_setup_subject(
+        folder.put("a.json", R"({"name": "prism", "facets": 12, "setups": []})"));
+    EXPECT_EQ(known.name, "prism");
+    EXPECT_EQ(known.facets, 12U);
+    const SetupSubject unknown = read_setup_subject(folder.put("b.json", "{}"));
+    EXPECT_EQ(unknown.name, "");
+    EXPECT_FALSE(unknown.facets);
+    const auto bad = folder.put("c.json", R"({"facets": -3})");
+    EXPECT_THROW(read_setup_subject(bad), FormatError);
+}
+
 }  // namespace
 }  // namespace endmill

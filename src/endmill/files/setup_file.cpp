@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -16,6 +17,8 @@ namespace {
 
 // An axis of a summary is made unit; one that is off by more is refused.
 constexpr double most_off_unit = 1e-3;
+// Largest number of facets that a summary may state.
+constexpr std::int64_t most_facets = 2'147'483'647;
 // Characters of a word that a message shows.
 constexpr std::size_t most_shown = 40;
 
@@ -150,6 +153,19 @@ SetupDirections read_setup_directions(const std::filesystem::path& path,
     if (found.axes.empty())
         throw root.complaint("no setup (setups or tool_axis)",
                              "the summary.json of endmill setup, which found a setup");
+    return found;
+}
+
+SetupSubject read_setup_subject(const std::filesystem::path& path,
+                                const ReadLimits& limits)
+{
+    const JsonDocument document{read_file(path, limits), shown_path(path), limits};
+    const JsonValue root = document.root();
+    SetupSubject found;
+    if (const auto name = present(root, "name"))
+        found.name = name->text();
+    if (const auto facets = present(root, "facets"))
+        found.facets = static_cast<std::size_t>(facets->whole_number(0, most_facets));
     return found;
 }
 

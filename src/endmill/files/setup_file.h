@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,16 @@ struct SetupDirections {
 ///         if there is no setup, or if an axis is off a unit vector by more than 1e-3.
 SetupDirections read_setup_directions(const std::filesystem::path& path,
                                       const ReadLimits& limits = {});
+
+/// The part for which `setup` wrote a summary.
+struct SetupSubject {
+    std::string name;                        ///< empty if the summary names none
+    std::optional<std::size_t> facets = {};  ///< of its mesh, those without area included
+};
+
+/// Reads the keys `name` and `facets` of a summary.json of `setup`.
+/// \throws FormatError, LimitError as `read_file` and `JsonDocument`.
+SetupSubject read_setup_subject(const std::filesystem::path& path,
+                                const ReadLimits& limits = {});
 
 }  // namespace endmill
