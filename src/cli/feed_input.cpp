@@ -252,6 +252,10 @@ void require_contacts(const FeedInput& input, const FeedCommandOptions& options)
 
 void add_stock(FeedInput& input, const FeedCommandOptions& options)
 {
+    if (are_dexels(options.stock))
+        throw DomainError{"--stock " + printable(options.stock) +
+                          ": dexels of a run of five axes; expected a block, a closed "
+                          "mesh, or the stock.vti of a run of three axes"};
     VerifyOptions stock;
     stock.common = options.common;
     stock.part = options.part;

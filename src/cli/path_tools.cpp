@@ -111,7 +111,8 @@ PathTools tools_of_path(const ToolPath& path, const std::string& file,
     for (const ToolSpan& span : spans) {
         const NumberedTool& row = row_of(span, file, table_file, table);
         if (span.first > 0)
-            tools.changes.push_back({span.first, row.tool.cutter, tool_body(row.tool)});
+            tools.changes.push_back({span.first, row.tool.cutter, tool_body(row.tool),
+                                     row.tool.cutting_length});
         used.insert(row.number);
     }
     for (const NumberedTool& row : table)

@@ -7,6 +7,7 @@
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/deviation_svg.h"
+#include "endmill/files/dexel_file.h"
 #include "endmill/files/mesh_file.h"
 #include "endmill/files/result_csv.h"
 #include "endmill/files/vtk.h"
@@ -20,7 +21,7 @@ void replace_earlier_run(OutputFolder& folder)
 {
     for (const char* name :
          {"summary.json", "removal.csv", "deviation.vtp", "deviation.svg",
-          "histogram.csv", "engagement.csv", "stock.vti", "rest.stl"})
+          "histogram.csv", "engagement.csv", "stock.vti", "stock.dexels", "rest.stl"})
         folder.remove_unless_written(name);
 }
 
@@ -30,8 +31,8 @@ std::string stock_text(const VerifyResult& result)
     const std::string box =
         fmt::format("{:g},{:g},{:g},{:g},{:g},{:g}", block.low.x(), block.low.y(),
                     block.low.z(), block.high.x(), block.high.y(), block.high.z());
-    return result.input.stock.kept ? result.options.stock + " within " + box
-                                   : "block " + box;
+    return result.input.stock.file.empty() ? "block " + box
+                                           : result.options.stock + " within " + box;
 }
 
 // Captions with the cutter, the resolution, the bounds and the broken rules.
@@ -90,6 +91,14 @@ void write_engagement(const VerifyResult& result, const OutputFolder::Sink& sink
     csv.finish();
 }
 
+void write_dexels(const VerificationTask& task, const DexelStock& dexels,
+                  OutputFolder& folder)
+{
+    // A stock whose moves are not known is refused before the removal.
+    if (const auto history = turning_history_of_rest(task))
+        folder.write("stock.dexels", dexel_file(dexels, *history));
+}
+
 }  // namespace
 
 Json write_verification(const VerifyResult& result, OutputFolder& folder)
@@ -111,6 +120,12 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
             folder.write("stock.vti", stock_vti(*heights, history_of_rest(task)));
         if (options.write_mesh)
             folder.write("rest.stl", mesh_text(stock_mesh(*heights), MeshFormat::Stl));
+    }
+    if (const auto* dexels = std::get_if<DexelStock>(&verification.rest)) {
+        if (options.write_stock)
+            write_dexels(task, *dexels, folder);
+        if (options.write_mesh)
+            folder.write("rest.stl", mesh_text(stock_mesh(*dexels), MeshFormat::Stl));
     }
     Json summary =
         verify_summary({input.name, printable(input.part_path), stock_text(result),

@@ -2,6 +2,7 @@
 #include "cli/verify_input.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/drop_cutter/clearance.h"
+#include "endmill/files/dexel_file.h"
 #include "endmill/files/machining_data.h"
 #include "endmill/files/path_file.h"
 #include "endmill/files/read_file.h"
@@ -186,22 +188,19 @@ std::vector<Vec3> tested_axes(const VerifyInput& input)
 RemovalEngine engine_of(const VerifyInput& input, const VerifyOptions& options)
 {
     const bool is_fixed = !is_turning(input.program.path);
+    const bool needs_dexels = are_dexels(options.stock);
     const RemovalEngine engine = options.engine.value_or(
-        is_fixed ? RemovalEngine::ThreeAxis : RemovalEngine::FiveAxis);
-    const std::string why =
-        is_fixed ? "--engine five-axis" : "the tool turns along the path";
-    if (engine == RemovalEngine::ThreeAxis && !is_fixed)
+        is_fixed && !needs_dexels ? RemovalEngine::ThreeAxis : RemovalEngine::FiveAxis);
+    const std::string why = !is_fixed      ? "the tool turns along the path"
+                            : needs_dexels ? "--stock names dexels"
+                                           : "--engine five-axis";
+    if (engine == RemovalEngine::ThreeAxis && (!is_fixed || needs_dexels))
         throw DomainError{"--engine three-axis: " + why + "; expected five-axis"};
     if (engine == RemovalEngine::ThreeAxis)
         return engine;
     if (options.engagement)
         throw DomainError{"--engagement: " + why +
                           "; the engagement is known for three axes only"};
-    for (const auto& [is_given, name] : {std::pair{options.write_stock, "--write-stock"},
-                                         std::pair{options.write_mesh, "--write-mesh"}})
-        if (is_given)
-            throw DomainError{std::string{name} + ": " + why +
-                              "; the stock is written for three axes only"};
     if (input.inaccessible == InaccessibleStock::Report &&
         (input.guard || tested_axes(input).empty()))
         throw DomainError{
@@ -210,6 +209,49 @@ RemovalEngine engine_of(const VerifyInput& input, const VerifyOptions& options)
             std::to_string(most_tested_axes) +
             " axes along which the tool cuts. Expected --inaccessible count"};
     return engine;
+}
+
+// Whether path and part are rotated. Dexels that are read or written are in the frame of
+// the part, so that the runs of all tool axes can follow each other.
+bool is_stood_upright(const VerifyInput& input, const VerifyOptions& options)
+{
+    if (input.engine == RemovalEngine::ThreeAxis)
+        return true;
+    return !input.program.path.machine && !options.write_stock &&
+           !are_dexels(options.stock);
+}
+
+// States how heights become dexels. Their moves are needed to write the stock.
+void add_stock_remark(VerifyInput& input, const VerifyOptions& options)
+{
+    const auto& kept = input.stock.kept;
+    if (input.engine == RemovalEngine::ThreeAxis || !kept)
+        return;
+    if (options.write_stock && !kept->history)
+        throw DomainError{"--write-stock: the moves that made the stock " +
+                          printable(input.stock.file) +
+                          " are not known; expected a block, or the stock of an earlier "
+                          "run that began with a block"};
+    input.program.remarks.push_back(
+        kept->history
+            ? "the heights of the stock become dexels: its block is cut again by its " +
+                  std::to_string(sweep_count(*kept->history)) + " moves"
+            : std::string{"the heights of the stock become dexels, with bounds between "
+                          "the centres of the cells"});
+}
+
+// States that three axes ignore a cutting length.
+void add_length_remark(VerifyInput& input)
+{
+    const bool is_finite =
+        std::isfinite(input.tool.cutting_length) ||
+        std::ranges::any_of(input.changes, [](const ToolChange& change) {
+            return std::isfinite(change.cutting_length);
+        });
+    if (is_finite && input.engine == RemovalEngine::ThreeAxis)
+        input.program.remarks.emplace_back(
+            "cutting_length_mm is not used with three axes, where cutters are endless; "
+            "--engine five-axis uses it");
 }
 
 // The file of the protected part: that of --protect, or else of the summary.
@@ -328,10 +370,13 @@ std::function<bool(const PartRay&)> accessibility(const VerifyInput& input)
     };
 }
 
-// Memory for each cell that the output of the remaining stock needs: a copy of the
-// heights, or a mesh.
-double bytes_to_write(const VerifyOptions& options)
+// Memory for each cell or ray that the output of the remaining stock needs: a copy, or a
+// mesh.
+double bytes_to_write(const VerifyOptions& options, RemovalEngine engine)
 {
+    if (engine == RemovalEngine::FiveAxis)
+        return std::max(options.write_stock ? dexel_file_bytes_per_ray : 0,
+                        options.write_mesh ? mesh_bytes_per_ray : 0);
     const bool is_copied = options.engagement || options.write_stock;
     return std::max(is_copied ? double{sizeof(double)} : 0,
                     options.write_mesh ? mesh_bytes_per_cell : 0);
@@ -380,10 +425,12 @@ VerifyInput read_verify_input(const VerifyOptions& options)
         !may_be_mesh(options.stock))
         refuse_idle_mesh_options(options.common);
     input.engine = engine_of(input, options);
-    if (input.engine == RemovalEngine::ThreeAxis || !input.program.path.machine)
+    add_length_remark(input);
+    if (is_stood_upright(input, options))
         naming(file, [&] { stand_upright(input); });
     input.stock = read_verify_stock(options, input.part ? &input.part->part : nullptr,
                                     input.program.path, widest_cutter(input));
+    add_stock_remark(input, options);
     return input;
 }
 
@@ -402,14 +449,17 @@ VerificationTask verification_task(const VerifyInput& input, const VerifyOptions
     VerificationTask task{.path = &input.program.path,
                           .cutter = input.tool.cutter,
                           .body = tool_body(input.tool),
+                          .cutting_length = input.tool.cutting_length,
                           .stock = input.stock.block};
     if (input.stock.kept)
         task.stock = &*input.stock.kept;
+    if (input.stock.dexels)
+        task.stock = &*input.stock.dexels;
     task.changes = input.changes;
     task.engine = input.engine;
     task.resolution = options.resolution;
     task.max_memory_gib = options.common.limits.max_memory_gib;
-    task.extra_bytes_per_cell = bytes_to_write(options);
+    task.extra_bytes_per_cell = bytes_to_write(options, input.engine);
     if (input.part)
         task.judged =
             JudgedPart{.part = &input.part->part,

@@ -83,7 +83,11 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
                     "neither stock nor part")
         ->type_name("FILE");
     add_tools_options(command, options.path);
-    command.add_option("--stock", options.stock, stock_help)->type_name("STOCK");
+    command
+        .add_option(
+            "--stock", options.stock,
+            std::string{stock_help} + "; also the stock.dexels of a run of five axes")
+        ->type_name("STOCK");
     add_measure_options(command, options);
     add_choice<RemovalEngine>(command, "--engine", options.engine, engine_words,
                               "simulation by heights along a fixed axis, or by rays in "
@@ -95,7 +99,8 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
                      "write engagement.csv: the engaged region of the cutter in each "
                      "move");
     command.add_flag("--write-stock", options.write_stock,
-                     "write the remaining stock as stock.vti, for a later --stock");
+                     "write the remaining stock for a later --stock: stock.vti, or "
+                     "stock.dexels with five axes");
     command.add_flag("--write-mesh", options.write_mesh,
                      "write the remaining stock as the mesh rest.stl");
     add_common_options(command, options.common);

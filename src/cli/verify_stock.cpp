@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/files/dexel_file.h"
 #include "endmill/files/mesh_file.h"
 #include "endmill/files/vtk.h"
 #include "endmill/stock/mesh_stock.h"
@@ -67,21 +68,31 @@ KeptStock stock_of_file(const VerifyOptions& options)
 
 bool may_be_mesh(const std::string& stock)
 {
-    return stock != "block" && !block_of_numbers(stock) &&
+    return stock != "block" && !block_of_numbers(stock) && !are_dexels(stock) &&
            std::filesystem::path{stock}.extension() != ".vti";
+}
+
+bool are_dexels(const std::string& stock)
+{
+    return std::filesystem::path{stock}.extension() == ".dexels";
 }
 
 VerifyStock read_verify_stock(const VerifyOptions& options, const Part* part,
                               const ToolPath& path, const Cutter& cutter)
 {
     if (options.stock == "block")
-        return {default_block(part, path, cutter), {}, {}};
+        return {default_block(part, path, cutter), {}, {}, {}};
     if (const auto block = block_of_numbers(options.stock))
-        return {*block, {}, {}};
+        return {*block, {}, {}, {}};
     const ProgressLine progress{"reading the stock", options.common};
+    if (are_dexels(options.stock)) {
+        KeptDexels dexels = read_dexels(options.stock, options.common.limits);
+        const Block box = dexels.dexels.block();
+        return {box, {}, std::move(dexels), options.stock};
+    }
     KeptStock stock = stock_of_file(options);
     const Block box = material_box(stock.heights);
-    return {box, std::move(stock), options.stock};
+    return {box, std::move(stock), {}, options.stock};
 }
 
 }  // namespace endmill

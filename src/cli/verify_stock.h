@@ -13,12 +13,17 @@ namespace endmill {
 /// The stock before the path.
 struct VerifyStock {
     Block block;                    ///< the block, or the bounding box of another stock
-    std::optional<KeptStock> kept;  ///< empty for a block
-    std::string file;               ///< file of `kept`; empty for a block
+    std::optional<KeptStock> kept;  ///< empty for a block, and for dexels
+    std::optional<KeptDexels> dexels;  ///< of an earlier run of five axes, or empty
+    std::string file;                  ///< file of the stock; empty for a block
 };
 
-/// Whether --stock may name a mesh: it is neither a block nor the .vti of an earlier run.
+/// Whether --stock may name a mesh: it is neither a block nor the .vti or .dexels of an
+/// earlier run.
 bool may_be_mesh(const std::string& stock);
+
+/// Whether --stock names dexels, which only the five-axis engine reads.
+bool are_dexels(const std::string& stock);
 
 /// Reads the stock that --stock names.
 /// \param part if null, the default block is the bounding box of the path.

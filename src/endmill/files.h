@@ -5,6 +5,7 @@
 /// All public headers of the module `files`.
 
 #include "endmill/files/csv.h"
+#include "endmill/files/dexel_file.h"
 #include "endmill/files/input_csv.h"
 #include "endmill/files/machining_data.h"
 #include "endmill/files/mesh_file.h"

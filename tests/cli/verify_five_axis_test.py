@@ -2,6 +2,7 @@
 """endmill verify of paths whose tool axis turns: verdicts against closed forms, files, and refused input."""
 import json
 import math
+import shutil
 import unittest
 
 from program import ROOT, ProgramTest, endmill, plane
@@ -141,13 +142,98 @@ class VerifyFiveAxis(ProgramTest):
         part = ("--part", self.file(plane()), "--cutter", "ball:10")
         for options, words in ((("--engagement",), ("--engagement: the tool turns", "three axes only")),
                                (("--engine", "three-axis"), ("--engine three-axis", "the tool turns",
-                                                              "expected five-axis")),
-                               (("--write-stock",), ("--write-stock", "the tool turns")),
-                               (("--write-mesh",), ("--write-mesh", "the tool turns"))):
+                                                              "expected five-axis"))):
             done = endmill("verify", path, *part, *options, cwd=self.folder)
             self.assertEqual(done.returncode, 2, done.stderr)
             for word in words:
                 self.assertIn(word, done.stderr)
+
+    OTHER_TOP = ("--stock", "0,-6,-1,60,36,2")
+
+    def test_second_run_in_the_stock_of_the_first_equals_one_path_of_both(self):
+        first, second = passes(range(16)), passes(range(16, 31))
+        before = self.verify(first, *self.OTHER_TOP, "--write-stock", "--write-mesh", status=1)
+        self.assertEqual(before["verdict"], "uncut")
+        files = {file.name for file in (self.folder / "out").iterdir()}
+        self.assertEqual(files, {"summary.json", "removal.csv", "deviation.vtp", "deviation.svg", "histogram.csv",
+                                 "stock.dexels", "rest.stl"})
+        shutil.move(self.folder / "out/stock.dexels", self.folder / "rest.dexels")
+        shutil.move(self.folder / "out/rest.stl", self.folder / "rest.stl")
+        after = self.verify(second, "--stock", "rest.dexels", "--write-stock", out="after")
+        one = self.verify(first + second[len(COLUMNS):], *self.OTHER_TOP, "--write-stock", out="one")
+        self.assertEqual(after["verdict"], "clean")
+        for key in ("max_gouge_mm", "max_scallop_mm", "gouge_bound_mm", "scallop_bound_mm", "judged_area_mm2", "min_z_mm",
+                    "max_z_mm"):
+            self.assertEqual(after[key], one[key], key)
+        self.assertAlmostEqual(before["removed_mm3"] + after["removed_mm3"], one["removed_mm3"], delta=1e-6)
+        self.assertEqual(after["earlier_moves"], before["points"] - 1)
+        # The dexels stand at the end of the file, behind the moves of both runs.
+        size = (self.folder / "one/stock.dexels").stat().st_size // 2
+        self.assertEqual((self.folder / "after/stock.dexels").read_bytes()[-size:],
+                         (self.folder / "one/stock.dexels").read_bytes()[-size:])
+        # The mesh is closed and has the volume of the rest.
+        mesh = self.summary("info", "rest.stl")
+        rest = 60 * 42 * 3 - before["removed_mm3"]
+        self.assertEqual(mesh["boundary_edges"], 0)
+        self.assertAlmostEqual(mesh["volume_mm3"], rest, delta=0.005 * rest)
+
+    def test_heights_and_meshes_become_dexels(self):
+        upright = passes(range(16), leads=(0, 0))
+        self.verify(upright, *self.OTHER_TOP, "--write-stock", status=1)
+        shutil.move(self.folder / "out/stock.vti", self.folder / "rest.vti")
+        before = self.verify(upright, *self.OTHER_TOP, "--engine", "five-axis", "--write-mesh", status=1)
+        shutil.move(self.folder / "out/rest.stl", self.folder / "rest.stl")
+        second = passes(range(16, 31))
+        after = self.verify(second, "--stock", "rest.vti")
+        self.assertEqual((after["verdict"], after["engine"]), ("clean", "five-axis"))
+        self.assertIn("the heights of the stock become dexels: its block is cut again by its", " ".join(after["remarks"]))
+        one = self.verify(upright + second[len(COLUMNS):], *self.OTHER_TOP)
+        self.assertAlmostEqual(before["removed_mm3"] + after["removed_mm3"], one["removed_mm3"], delta=1e-6)
+        self.assertEqual(after["max_scallop_mm"], one["max_scallop_mm"])
+        of_mesh = self.verify(second, "--stock", "rest.stl", status=1)
+        self.assertIn(of_mesh["verdict"], ("clean", "undecided"))
+        self.assertIn("bounds between the centres of the cells", " ".join(of_mesh["remarks"]))
+        self.assertAlmostEqual(of_mesh["removed_mm3"], after["removed_mm3"], delta=0.05 * after["removed_mm3"])
+        done = endmill("verify", "p.csv", "--part", self.file(plane()), "--cutter", "ball:10", "--stock", "rest.stl",
+                       "--write-stock", cwd=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("--write-stock: the moves that made the stock rest.stl are not known", done.stderr)
+
+    def test_dexels_select_the_five_axis_engine(self):
+        self.verify(passes(range(16)), *self.OTHER_TOP, "--write-stock", status=1)
+        shutil.move(self.folder / "out/stock.dexels", self.folder / "rest.dexels")
+        facts = self.verify(passes(range(16, 31), leads=(0, 0)), "--stock", "rest.dexels")
+        self.assertEqual((facts["verdict"], facts["engine"]), ("clean", "five-axis"))
+        done = endmill("verify", "p.csv", "--part", self.file(plane()), "--cutter", "ball:10", "--stock", "rest.dexels",
+                       "--engine", "three-axis", cwd=self.folder)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertIn("--engine three-axis: --stock names dexels; expected five-axis", done.stderr)
+        (self.folder / "rest.dexels").write_bytes((self.folder / "rest.dexels").read_bytes()[:-5])
+        done = endmill("verify", "p.csv", "--part", self.file(plane()), "--cutter", "ball:10", "--stock", "rest.dexels",
+                       cwd=self.folder)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("rest.dexels", done.stderr)
+
+    def test_cutting_length_of_a_tool_file(self):
+        tool = {"format": "endmill-tool/1", "cutter": "ball:10", "cutting_length_mm": 6}
+        stock = ("--stock", "0,-6,-1,60,36,12", "--part", "none", "--resolution", "1", "--json", "-o", "out", "--force")
+        path = self.file(passes(range(5)), "p.csv")
+        short = endmill("verify", path, "--tool", self.file(tool, "short.json"), *stock, cwd=self.folder)
+        self.assertEqual(short.returncode, 1, short.stderr)
+        facts = json.loads(short.stdout)
+        self.assertEqual(facts["verdict"], "collides")
+        endless = endmill("verify", path, "--cutter", "ball:10", *stock, cwd=self.folder)
+        self.assertEqual(endless.returncode, 0, endless.stderr)
+        self.assertGreater(json.loads(endless.stdout)["removed_mm3"], 1.2 * facts["removed_mm3"])
+        tool["cutting_length_mm"] = 4.9
+        done = endmill("verify", path, "--tool", self.file(tool, "bad.json"), *stock, cwd=self.folder)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("cutting_length_mm: 4.9; expected at least the corner radius of the cutter, 5 mm", done.stderr)
+        # Three axes say that they do not use it.
+        tool["cutting_length_mm"] = 6
+        upright = self.file(passes(range(5), leads=(0, 0)), "u.csv")
+        done = endmill("verify", upright, "--tool", self.file(tool, "short.json"), *stock, cwd=self.folder)
+        self.assertIn("cutting_length_mm is not used with three axes", done.stderr)
 
     def test_opposite_axes_are_refused_with_the_point(self):
         content = COLUMNS + row("rapid", (0, 0, 9), (0, 0, 1)) + row("cut", (1, 0, 0), (0, 0, 1)) + \

@@ -2,7 +2,9 @@
 #include "endmill/deviation/detail/turning_measurement.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -248,6 +250,97 @@ TEST(TurningMeasurement, RefusesOptionsOutOfRange)
     EXPECT_THROW(
         measured(plane_below(4, 5, 1), path, CuttingBody{ball}, options_of(0.1, 0, 0.2)),
         DomainError);
+}
+
+// Check [28] of docs/methods/five-axis-paths.md, section 9: a flat cutter with a lead along a
+// convex cylinder. Across the feed its disc is an ellipse of half axes R and R sin(lead).
+TEST(TurningMeasurement, ScallopOnACylinderIsThatOfTheLeaningEllipse)
+{
+    const Cutter flat = Cutter::flat(5);
+    const double radius = 20;
+    const double lead = rad(10);
+    const double minor = 5 * std::sin(lead);
+    const auto scallop = [&](double step) {
+        const double t = std::tan(step / 2);
+        const double angle =
+            std::asin(t * (radius + minor) / std::sqrt(25 + minor * minor * t * t)) -
+            std::atan2(minor * t, 5);
+        return (radius + minor - minor * std::cos(angle)) / std::cos(step / 2) - radius;
+    };
+    EXPECT_NEAR(scallop(rad(4)), 0.020715374, 1e-9);
+    EXPECT_NEAR(scallop(rad(6)), 0.046803019, 1e-9);
+    for (const double step : {rad(4), rad(6)}) {
+        ToolPath path;
+        for (int i = -3; i <= 4; ++i) {
+            const double a = std::numbers::pi / 2 + i * step;
+            const Vec3 out{0, std::cos(a), std::sin(a)};
+            for (const double x : {-10.0, 30.0}) {
+                const CutterLocation here =
+                    test::leaning(flat, {{x, radius * out.y(), radius * out.z()}, out},
+                                  Vec3::UnitX(), lead);
+                if (x < 0)
+                    test::add(path, path.points.empty() ? Move::Rapid : Move::Link,
+                              {here.tip + 20 * here.axis, here.axis});
+                test::add(path, Move::Cut, here);
+                if (x > 0)
+                    test::add(path, Move::Retract,
+                              {here.tip + 20 * here.axis, here.axis});
+            }
+        }
+        const double middle = std::numbers::pi / 2;
+        const Part part = std::vector<Surface>{nurbs_surface(
+            test::cylinder(radius, 8, middle - 1.2 * step, middle + 2.2 * step))};
+        const double exact = scallop(step);
+        const Deviation found =
+            measured(part, path, CuttingBody{flat}, options_of(0.01, exact + 0.003, 0.2));
+        expect_scallop(found, exact);
+        EXPECT_EQ(verdict(found, {0.01, exact + 0.003}), Verdict::Clean);
+        EXPECT_LT(found.max_gouge_mm, 1e-6);
+    }
+}
+
+// Check [25] of docs/methods/five-axis-paths.md, section 9: the flank of a flat cutter along a
+// generator of a cone, outside, while the cone turns.
+TEST(TurningMeasurement, FlankAlongAGeneratorLeavesACone)
+{
+    const Cutter flat = Cutter::flat(5);
+    const double lean = rad(25);
+    // In the plane of C's axis: along the generator, upwards and inwards, and out of the
+    // cone, which has the radius 30 at z = 0.
+    const auto frame = [&](double a) {
+        const Vec3 out{std::cos(a), std::sin(a), 0};
+        return std::pair{Vec3{std::cos(lean) * Vec3::UnitZ() - std::sin(lean) * out},
+                         Vec3{std::cos(lean) * out + std::sin(lean) * Vec3::UnitZ()}};
+    };
+    ToolPath path;
+    for (int k = 0; k <= 400; ++k) {
+        const double a = k * 0.005;
+        const auto [along, normal] = frame(a);
+        const Vec3 on_cone{30 * std::cos(a), 30 * std::sin(a), 0};
+        test::add(path, k == 0 ? Move::Rapid : Move::Cut,
+                  {on_cone - 12 * along + 5 * normal, along});
+    }
+    Nurbs cone{{2, {}}, {1, {0, 0, 1, 1}}, {}, {}};
+    const test::UnitArc arc = test::unit_arc(0.5, 1.5);
+    cone.u.knots = arc.knots;
+    for (const double up : {-5.0, 5.0})
+        for (std::size_t i = 0; i < arc.points.size(); ++i) {
+            const double radius = 30 - up * std::sin(lean);
+            cone.control_points.emplace_back(radius * arc.points[i].x(),
+                                             radius * arc.points[i].y(),
+                                             up * std::cos(lean));
+            cone.weights.push_back(arc.weights[i]);
+        }
+    for (const double length : {std::numeric_limits<double>::infinity(), 30.0}) {
+        const Deviation found =
+            measured(std::vector<Surface>{nurbs_surface(cone)}, path,
+                     CuttingBody{flat, length}, options_of(0.01, 0.01, 0.2));
+        // The chords of the path are (30 + 12) (1 - cos 0.0025) off.
+        EXPECT_LT(found.max_gouge_mm, 2e-4);
+        EXPECT_LT(found.max_scallop_mm, 2e-4);
+        EXPECT_NE(verdict(found, {0.01, 0.01}), Verdict::Gouged);
+        EXPECT_NE(verdict(found, {0.01, 0.01}), Verdict::Uncut);
+    }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/files/machining_data.h"
 
+#include <cmath>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -46,6 +47,23 @@ TEST(ToolFile, NeedsACutterOnly)
     EXPECT_FALSE(tool.flutes);
     EXPECT_EQ(tool.length, 0);
     EXPECT_TRUE(tool_body(tool).empty());
+    EXPECT_TRUE(std::isinf(tool.cutting_length));
+}
+
+TEST(ToolFile, CuttingLengthHoldsAtLeastTheRoundedCorner)
+{
+    const auto with = [](const std::string& length) {
+        return replaced(whole_tool, "\"length_mm\"",
+                        "\"cutting_length_mm\": " + length + ", \"length_mm\"");
+    };
+    EXPECT_EQ(parse_tool(with("2"), "tool.json").cutting_length, 2);
+    EXPECT_EQ(parse_tool(with("22.5"), "tool.json").cutting_length, 22.5);
+    EXPECT_THAT(
+        complaint_of([&] { parse_tool(with("1.9"), "tool.json"); }),
+        HasSubstr("tool.json:/cutting_length_mm: 1.9; expected at least the corner "
+                  "radius of the cutter, 2 mm"));
+    EXPECT_THAT(complaint_of([&] { parse_tool(with("0"), "tool.json"); }),
+                HasSubstr("tool.json:/cutting_length_mm"));
 }
 
 struct Fault {

@@ -68,5 +68,66 @@ TEST(DexelStock, RefusesWhatIsNoBlockOrDoesNotFit)
     }
 }
 
+// A ramp: between the centres of the cells the surface is below the higher and above the
+// lower one, so the plane itself lies between both sets on every ray.
+TEST(DexelsOfHeights, EncloseTheSurfaceBetweenTheCentres)
+{
+    HeightStock heights{{0, 0, 0.5, 20, 8, 0}, 10};
+    const auto height_at = [](double x, double y) { return 2 + 0.5 * x + 0.25 * y; };
+    for (int row = 0; row < 8; ++row)
+        for (int column = 0; column < 20; ++column)
+            heights.set_height(
+                column, row, height_at(heights.grid().x(column), heights.grid().y(row)));
+    for (const double pitch : {0.5, 0.35}) {
+        const DexelStock stock = dexels_of_heights(heights, pitch);
+        const DexelField& along_z = stock.field(2);
+        for (int row = 0; row < along_z.rows(); ++row)
+            for (int column = 0; column < along_z.columns(); ++column) {
+                const Vec3 start = along_z.start(column, row);
+                if (start.x() < 0.25 || start.x() > 9.75 || start.y() < 0.25 ||
+                    start.y() > 3.75)
+                    continue;
+                const double exact = height_at(start.x(), start.y());
+                const double unit = stock.unit();
+                EXPECT_GE(along_z.upper(column, row)[0].to * unit, exact - 1e-9);
+                EXPECT_LE(along_z.lower(column, row)[0].to * unit, exact + 1e-9);
+                if (pitch == 0.5) {
+                    EXPECT_NEAR(along_z.upper(column, row)[0].to * unit, exact, 2e-6);
+                    EXPECT_NEAR(along_z.lower(column, row)[0].to * unit, exact, 2e-6);
+                }
+            }
+        const DexelField& along_x = stock.field(0);
+        for (int row = 0; row < along_x.rows(); ++row)
+            for (int column = 0; column < along_x.columns(); ++column) {
+                const Vec3 start = along_x.start(column, row);
+                const double exact = (start.z() - 2 - 0.25 * start.y()) / 0.5;
+                if (exact < 0.25 || exact > 9.75 || start.y() < 0.25 || start.y() > 3.75)
+                    continue;
+                EXPECT_LE(along_x.upper(column, row)[0].from * stock.unit(),
+                          exact + 1e-9);
+                EXPECT_GE(along_x.lower(column, row)[0].from * stock.unit(),
+                          exact - 1e-9);
+                EXPECT_EQ(along_x.upper(column, row).size(), 1U);
+                EXPECT_EQ(along_x.lower(column, row).size(), 1U);
+                EXPECT_EQ(along_x.lower(column, row)[0].to, stock.units(0));
+            }
+    }
+}
+
+TEST(DexelsOfHeights, OfABlockAreThatBlock)
+{
+    const DexelStock stock = dexels_of_heights(block_stock(block, 0.5), 0.3);
+    for (int axis = 0; axis < 3; ++axis) {
+        const DexelVolume volume = dexel_volume(stock, axis);
+        EXPECT_EQ(volume.upper, dexel_volume(DexelStock{block, 0.3}, axis).upper);
+        EXPECT_EQ(volume.lower, volume.upper);
+    }
+}
+
+TEST(DexelsOfHeights, RefuseAStockWithoutMaterial)
+{
+    EXPECT_THROW(dexels_of_heights(HeightStock{{0, 0, 1, 4, 4, 0}, 0}, 1), GeometryError);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -73,5 +73,39 @@ TEST(JoinedSweeps, NumberThePointsOfThePath)
     EXPECT_EQ(alone.point_of(0), 1);
 }
 
+TEST(TurningHistory, OfARunIsThePartOfThePath)
+{
+    ToolPath path = test::tip_path({{0, 0, 0}, {1, 0, 0}, {2, 0, 1}, {3, 0, 1}});
+    const EarlierTurningRun run =
+        turning_run_along(path, 1, 4, CuttingBody{Cutter::ball(2), 9}, true);
+    ASSERT_EQ(run.poses.size(), 3U);
+    EXPECT_EQ(run.poses[0].tip, (Vec3{1, 0, 0}));
+    EXPECT_EQ(run.poses[2].axis, Vec3::UnitZ());
+    EXPECT_EQ(run.cutter.length(), 9);
+    EXPECT_FALSE(run.machine);
+    EXPECT_EQ(motion_count({{}, {run}}), 3U);
+    MachineMotion motion;
+    motion.positions.resize(4);
+    motion.positions[2].rotary[0] = 0.5;
+    path.machine = motion;
+    const EarlierTurningRun turned =
+        turning_run_along(path, 2, 4, CuttingBody{Cutter::ball(2)}, false);
+    ASSERT_EQ(turned.machine->positions.size(), 2U);
+    EXPECT_EQ(turned.machine->positions[0].rotary[0], 0.5);
+    EXPECT_EQ(motion_count({{}, {turned}}), 1U);
+}
+
+TEST(TurningHistory, OfHeightsHasTheSameMotions)
+{
+    const ToolPath path = test::tip_path({{0, 0, 0}, {1, 0, 0}, {2, 0, 1}});
+    const StockHistory history{{{0, 0, 0}, {1, 1, 1}},
+                               {run_along(path, Cutter::flat(3))}};
+    const TurningHistory turning = turning_history(history);
+    EXPECT_EQ(turning.block.high, history.block.high);
+    ASSERT_EQ(turning.runs.size(), 1U);
+    EXPECT_EQ(motion_count(turning), sweep_count(history));
+    EXPECT_EQ(turning.runs[0].poses[1].tip, history.runs[0].tips[1]);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -207,5 +207,112 @@ TEST(TurningVerification, RefusesOppositeAxes)
         GeometryError);
 }
 
+// Straight through a block, deeper than the cutting edges are long: the cutter leaves the
+// material above them, and its neck is in it.
+TEST(TurningVerification, CutterOfFiniteLengthLeavesWhatIsAboveIt)
+{
+    ToolPath path;
+    for (const double x : {-20.0, 30.0})
+        test::add(path, x < 0 ? Move::Rapid : Move::Cut, {{x, 0, -6}, {0, 0, 1}});
+    VerificationTask task =
+        task_of(path, Cutter::flat(5), nullptr, RemovalEngine::FiveAxis);
+    task.stock = Block{{0, -8, -10}, {10, 8, 0}};
+    task.cutting_length = 4;
+    const Verification found = verify_path(task);
+    EXPECT_NEAR(found.removal.total, 10 * 10 * 4,
+                found.removed_bounds->bound + found.removed_bounds->spread);
+    EXPECT_EQ(found.verdict, Verdict::Collides);
+    EXPECT_EQ(found.contacts.collisions.first, 1U);
+    // A shank that begins at the edges' end is tested as itself.
+    task.body = {{4, 4, 30}};
+    EXPECT_EQ(verify_path(task).verdict, Verdict::Collides);
+    task.cutting_length = 6;
+    task.body.clear();
+    const Verification deep = verify_path(task);
+    EXPECT_NEAR(deep.removal.total, 10 * 10 * 6,
+                deep.removed_bounds->bound + deep.removed_bounds->spread);
+    EXPECT_EQ(deep.contacts.collisions.count, 0U);
+    EXPECT_EQ(deep.verdict, Verdict::NotJudged);
+}
+
+// On the way down the cutter clears the place of its neck, also within a single move.
+TEST(TurningVerification, NeckFollowsAPlungeWithoutAContact)
+{
+    ToolPath path;
+    for (const double z : {5.0, -8.0})
+        test::add(path, z > 0 ? Move::Rapid : Move::Plunge, {{5, 0, z}, {0, 0, 1}});
+    VerificationTask task =
+        task_of(path, Cutter::flat(5), nullptr, RemovalEngine::FiveAxis);
+    task.stock = Block{{-2, -7, -10}, {12, 7, 0}};
+    task.cutting_length = 3;
+    const Verification found = verify_path(task);
+    EXPECT_EQ(found.verdict, Verdict::NotJudged);
+    EXPECT_NEAR(found.removal.total, std::numbers::pi * 25 * 8,
+                found.removed_bounds->bound + found.removed_bounds->spread);
+}
+
+// Every place of the part is cut below the end of the edges, so the length changes nothing.
+TEST(TurningVerification, LongCuttingEdgesAreLikeEndlessOnes)
+{
+    const Cutter cutter{5, 1};
+    const ToolPath path =
+        test::plane_passes(cutter, {.count = 5, .lead = {rad(10), rad(20)}});
+    const Part part = plane_below(5, 15, 3);
+    VerificationTask task = task_of(path, cutter, &part, RemovalEngine::FiveAxis);
+    const Verification endless = verify_path(task);
+    task.cutting_length = 20;
+    const Verification finite = verify_path(task);
+    EXPECT_EQ(finite.verdict, endless.verdict);
+    EXPECT_EQ(finite.removal.total, endless.removal.total);
+    EXPECT_EQ(finite.on_part->deviation.max_scallop_mm,
+              endless.on_part->deviation.max_scallop_mm);
+    EXPECT_GE(finite.on_part->deviation.scallop_bound_mm, 0);
+}
+
+// Check [22] of docs/methods/five-axis-paths.md, section 9: a head swings from -60 to 60
+// degrees about its pivot, H above the bottom of a flat cutter, or above the reference point
+// of a bull-nose cutter. The block lies below the lowest tip, so that only poses between the
+// ends cut: a cap of the sphere on which the rim moves.
+TEST(TurningVerification, SwingingHeadCutsACapBelowItsTip)
+{
+    struct Case {
+        Cutter cutter;
+        double exact;
+    };
+    for (const auto& [cutter, exact] :
+         {Case{Cutter::flat(5), 47.2128721}, Case{Cutter{5, 2}, 7.4875022}}) {
+        const double height = 10;
+        const double corner = cutter.corner_radius();
+        const double rim = std::hypot(height, cutter.flat_radius());
+        const double cap = rim - height;
+        EXPECT_NEAR(std::numbers::pi * cap * cap * (3 * (rim + corner) - cap) / 3, exact,
+                    1e-7);
+        const Vec3 lowest{0, 0, -height - corner};
+        ToolPath path;
+        MachineMotion motion;
+        motion.interpolation = Interpolation::Joint;
+        motion.setup.machine.configuration = configuration_from_word("W/Bxyzb/T");
+        motion.setup.machine.pivot = height + corner;
+        for (const double degrees : {-60.0, 60.0}) {
+            motion.positions.push_back({{rad(degrees), 0}, lowest});
+            const CutterLocation tip =
+                tool_location(motion.setup, motion.positions.back());
+            // The pivot stays at the origin.
+            EXPECT_LE((tip.tip + (height + corner) * tip.axis).norm(), 1e-12);
+            test::add(path, degrees < 0 ? Move::Rapid : Move::Cut, tip);
+        }
+        path.machine = motion;
+        VerificationTask task = task_of(path, cutter, nullptr, RemovalEngine::FiveAxis);
+        task.stock = Block{lowest - Vec3{8, 7, 3}, lowest + Vec3{8, 7, 0}};
+        for (const double pitch : {0.2, 0.1}) {
+            task.resolution = pitch;
+            const Verification found = verify_path(task);
+            EXPECT_NEAR(found.removal.total, exact,
+                        found.removed_bounds->bound + found.removed_bounds->spread);
+            EXPECT_LT(found.removed_bounds->bound, 0.02 * exact);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace endmill

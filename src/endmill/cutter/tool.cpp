@@ -31,6 +31,8 @@ void require_sound(const Tool& tool)
     require_sound(tool.shank);
     require_sound(tool.holder);
     require(std::isfinite(tool.length) && tool.length >= 0, "Tool: need 0 <= length");
+    require(tool.cutting_length > 0 && tool.cutting_length >= tool.cutter.corner_radius(),
+            "Tool: need 0 < cutting length and corner radius <= cutting length");
     require(!tool.flutes || *tool.flutes >= 1, "Tool: need a flute");
     require(!tool.helix || std::abs(tool.helix->radians()) < std::numbers::pi / 2,
             "Tool: need a helix within 90 degrees");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,14 +38,17 @@ struct Tool {
     std::optional<int> flutes = {};   ///< number of flutes, if known
     std::optional<Angle> helix = {};  ///< helix angle between flutes and axis, if known
     double length = 0;                ///< mm, from the tip to the spindle nose
-    LoadLimits limits = {};           ///< largest loads, if known
+    /// mm, from the tip to the upper end of the cutting edges; infinite if it is not known.
+    double cutting_length = std::numeric_limits<double>::infinity();
+    LoadLimits limits = {};                 ///< largest loads, if known
     std::vector<ToolCylinder> shank = {};   ///< cylinders between cutter and holder
     std::vector<ToolCylinder> holder = {};  ///< cylinders of the tool holder
 };
 
 /// Checks a tool.
 /// \throws DomainError unless lengths are finite, diameters and limits are positive,
-///         every cylinder has 0 <= from < to, the length is not negative, the number of
+///         every cylinder has 0 <= from < to, the length is not negative, the cutting length
+///         is positive and at least the corner radius, the number of
 ///         flutes is at least 1 if it is given, and the helix angle is below 90 degrees.
 void require_sound(const Tool& tool);
 

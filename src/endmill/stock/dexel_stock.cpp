@@ -138,25 +138,26 @@ DexelVolume dexel_volume(const DexelStock& stock, int axis)
     return {sum.upper * volume, sum.lower * volume};
 }
 
-double required_dexel_bytes(const Block& block, double pitch)
+double required_dexel_bytes(const Block& block, double pitch, double extra)
 {
     const Vec3 sides = block.high - block.low;
     double rays = 0;
     for (int axis = 0; axis < 3; ++axis)
         rays += std::ceil(sides[(axis + 1) % 3] / pitch) *
                 std::ceil(sides[(axis + 2) % 3] / pitch);
-    return rays * bytes_a_ray;
+    return rays * (bytes_a_ray + extra);
 }
 
-void require_dexel_memory(const Block& block, double pitch, double memory_gib)
+void require_dexel_memory(const Block& block, double pitch, double memory_gib,
+                          double extra)
 {
     check(block, pitch);
-    const double bytes = required_dexel_bytes(block, pitch);
+    const double bytes = required_dexel_bytes(block, pitch, extra);
     const double limit = memory_gib * bytes_per_gib;
     if (bytes <= limit)
         return;
     double fitting = pitch;
-    while (required_dexel_bytes(block, fitting) > limit)
+    while (required_dexel_bytes(block, fitting, extra) > limit)
         fitting *= 1 + pitch_step;
     const double digits = std::pow(10, 1 - std::floor(std::log10(fitting)));
     throw LimitError{"a stock of dexels at a resolution of " + to_text(pitch) +

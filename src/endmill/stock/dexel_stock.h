@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -95,7 +96,7 @@ private:
 };
 
 /// A stock of three fields of dexels. Ends are whole multiples of a unit: 2^-20 mm for
-/// blocks up to 2048 mm, a larger power of two for larger ones.
+/// blocks up to 1024 mm, a larger power of two for larger ones.
 class DexelStock {
 public:
     /// A block full of material.
@@ -107,6 +108,13 @@ public:
     const Block& block() const { return block_; }  ///< the material at the start
     double pitch() const { return pitch_; }        ///< mm, as given
     double unit() const { return unit_; }          ///< mm
+
+    /// Length of the rays along x, y or z, in units.
+    std::int32_t units(int axis) const
+    {
+        return static_cast<std::int32_t>(
+            std::lround((block_.high[axis] - block_.low[axis]) / unit_));
+    }
 
     /// The rays along x, y or z.
     const DexelField& field(int axis) const { return fields_[std::size_t(axis)]; }
@@ -120,6 +128,15 @@ private:
     std::array<DexelField, 3> fields_;
 };
 
+/// Returns the dexels of a stock of heights.
+///
+/// Between the centres of four neighbouring cells the surface is assumed to lie between
+/// their lowest and their highest height, so the upper set reaches up to the highest and
+/// the lower set up to the lowest. Outside the outermost centres the nearest ones count.
+/// \param pitch distance of the rays, mm.
+/// \throws GeometryError if the stock has no material. Throws as the constructor.
+DexelStock dexels_of_heights(const HeightStock& heights, double pitch);
+
 /// Bounds of a volume by one field of rays. Between the rays the material is not known.
 struct DexelVolume {
     double upper;  ///< mm^3, of the intervals that contain all material
@@ -130,13 +147,16 @@ struct DexelVolume {
 DexelVolume dexel_volume(const DexelStock& stock, int axis);
 
 /// Returns an upper bound of the memory in bytes that a stock takes during the removal.
+/// \param extra bytes per ray for other data made from the stock.
 /// \pre the block is finite with low < high, and 0 < pitch.
-double required_dexel_bytes(const Block& block, double pitch);
+double required_dexel_bytes(const Block& block, double pitch, double extra = 0);
 
 /// Checks that a stock of dexels fits into `memory_gib` GiB. It allocates nothing.
+/// \param extra as in `required_dexel_bytes`.
 /// \throws DomainError as the constructor.
 /// \throws LimitError if it does not fit; the message states the need, the limit and a
 ///         pitch that fits.
-void require_dexel_memory(const Block& block, double pitch, double memory_gib);
+void require_dexel_memory(const Block& block, double pitch, double memory_gib,
+                          double extra = 0);
 
 }  // namespace endmill

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,6 +25,8 @@ struct ToolChange {
     std::size_t first;  ///< number of the first point to which the new tool moves
     Cutter cutter;      ///< the shape that cuts from there on
     std::vector<ToolCylinder> body = {};  ///< cylinders of shank and holder
+    /// mm, from the tip; above it the cutter does not cut. Five axes only.
+    double cutting_length = std::numeric_limits<double>::infinity();
 };
 
 /// Statistics of the moves with a common property, such as the rapids that cut.

@@ -2,6 +2,7 @@
 #include "endmill/stock/stock_history.h"
 
 #include <string>
+#include <utility>
 
 #include "endmill/core/error.h"
 
@@ -59,6 +60,47 @@ std::size_t sweep_count(const StockHistory& history)
     for (const EarlierRun& run : history.runs)
         if (!run.tips.empty())
             count += run.tips.size() - (run.stands_at_first ? 0 : 1);
+    return count;
+}
+
+EarlierTurningRun turning_run_along(const ToolPath& path, std::size_t first,
+                                    std::size_t end, const CuttingBody& cutter,
+                                    bool stands)
+{
+    EarlierTurningRun run{cutter, stands, {}};
+    run.poses.reserve(end - first);
+    for (std::size_t k = first; k < end; ++k)
+        run.poses.push_back(path.points[k].location);
+    if (path.machine) {
+        const auto begin = path.machine->positions.begin();
+        run.machine = MachineMotion{path.machine->interpolation,
+                                    path.machine->setup,
+                                    {begin + static_cast<std::ptrdiff_t>(first),
+                                     begin + static_cast<std::ptrdiff_t>(end)}};
+    }
+    return run;
+}
+
+TurningHistory turning_history(const StockHistory& history)
+{
+    TurningHistory turning{history.block, {}};
+    turning.runs.reserve(history.runs.size());
+    for (const EarlierRun& run : history.runs) {
+        EarlierTurningRun same{CuttingBody{run.cutter}, run.stands_at_first, {}};
+        same.poses.reserve(run.tips.size());
+        for (const Vec3& tip : run.tips)
+            same.poses.push_back({tip, Vec3::UnitZ()});
+        turning.runs.push_back(std::move(same));
+    }
+    return turning;
+}
+
+std::size_t motion_count(const TurningHistory& history)
+{
+    std::size_t count = 0;
+    for (const EarlierTurningRun& run : history.runs)
+        if (!run.poses.empty())
+            count += run.poses.size() - (run.stands_at_first ? 0 : 1);
     return count;
 }
 

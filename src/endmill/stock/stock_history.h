@@ -7,8 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "endmill/cutter/cutting_body.h"
 #include "endmill/cutter/straight_sweep.h"
 #include "endmill/path/tool_path.h"
+#include "endmill/stock/dexel_stock.h"
 #include "endmill/stock/height_stock.h"
 
 /// \file
@@ -36,6 +38,44 @@ struct KeptStock {
     HeightStock heights;                       ///< at the centres of its cells
     std::optional<StockHistory> history = {};  ///< none if it is not known
 };
+
+/// The moves of an earlier run whose axis may turn.
+struct EarlierTurningRun {
+    CuttingBody cutter;  ///< the shape that cut
+    /// Whether the cutter removed its volume at the first pose.
+    bool stands_at_first;
+    std::vector<CutterLocation> poses;  ///< in order; the axes are unit vectors
+    /// The machine that interpolates, with a position for each pose; without it the
+    /// motions are linear.
+    std::optional<MachineMotion> machine = {};
+};
+
+/// The origin of a stock of dexels: a block and the runs that cut it, in order.
+struct TurningHistory {
+    Block block;                          ///< the material before all runs
+    std::vector<EarlierTurningRun> runs;  ///< in the order of cutting
+};
+
+/// A stock of dexels from an earlier run, with the moves that made it.
+struct KeptDexels {
+    DexelStock dexels;       ///< over the block of the history
+    TurningHistory history;  ///< describes the stock exactly
+};
+
+/// Returns the run of a cutter along `path`, from the point `first` up to, not including,
+/// the point `end`.
+/// \param stands whether the cutter removes its volume at the first of these points.
+/// \pre first < end <= number of points; a machine has a position for each point.
+EarlierTurningRun turning_run_along(const ToolPath& path, std::size_t first,
+                                    std::size_t end, const CuttingBody& cutter,
+                                    bool stands);
+
+/// Returns the same history with runs whose axis may turn.
+TurningHistory turning_history(const StockHistory& history);
+
+/// Returns the number of motions of all runs; a cutter that stands at its first pose
+/// counts as a motion.
+std::size_t motion_count(const TurningHistory& history);
 
 /// Returns the volumes that the cutter sweeps on the moves to the points of `path`, in
 /// order. The first point has the volume of the cutter at this position. If the cutter

@@ -53,6 +53,8 @@ ChangingTool changing_tool(const VerificationTask& task)
 // Returns the kept stock of the task; null if the stock is a block.
 const KeptStock* kept_stock(const VerificationTask& task)
 {
+    require(!std::holds_alternative<const KeptDexels*>(task.stock),
+            "verify_path: three axes take no stock of dexels");
     const auto* kept = std::get_if<const KeptStock*>(&task.stock);
     return kept ? *kept : nullptr;
 }
@@ -389,8 +391,10 @@ Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter
 
 std::optional<StockHistory> history_of_rest(const VerificationTask& task)
 {
+    if (task.engine == RemovalEngine::FiveAxis)
+        return std::nullopt;
     const KeptStock* kept = kept_stock(task);
-    if ((kept && !kept->history) || task.engine == RemovalEngine::FiveAxis)
+    if (kept && !kept->history)
         return std::nullopt;
     StockHistory history =
         kept ? *kept->history : StockHistory{std::get<Block>(task.stock), {}};
@@ -398,6 +402,13 @@ std::optional<StockHistory> history_of_rest(const VerificationTask& task)
     for (const ToolRun& run : runs.list())
         history.runs.push_back(run_along(run.path, run.cutter));
     return history;
+}
+
+std::optional<TurningHistory> turning_history_of_rest(const VerificationTask& task)
+{
+    if (task.engine != RemovalEngine::FiveAxis)
+        return std::nullopt;
+    return history_of_turning_rest(task);
 }
 
 Verification verify_path(const VerificationTask& task)

@@ -78,6 +78,11 @@ Deviation deviation_of_path(const Part& part, const ToolPath& path, const Cutter
 ///         axes.
 std::optional<StockHistory> history_of_rest(const VerificationTask& task);
 
+/// Returns the same with five axes.
+/// \return nothing if the history of the stock before the path is not known, or with three
+///         axes.
+std::optional<TurningHistory> turning_history_of_rest(const VerificationTask& task);
+
 /// Removes the material along the path and measures the deviation from the part.
 ///
 /// If the history of the stock is known, the moves of earlier runs are measured together

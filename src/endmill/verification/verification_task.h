@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -44,14 +45,21 @@ struct VerificationTask {
     const ToolPath* path;                 ///< not null; ThreeAxis: tips along +z
     Cutter cutter;                        ///< the shape that cuts
     std::vector<ToolCylinder> body = {};  ///< cylinders of shank and holder
+    /// mm, from the tip; above it the cutter does not cut, and its cylinder up to the first
+    /// cylinder of the body must not touch the stock. Three axes take an endless cutter.
+    double cutting_length = std::numeric_limits<double>::infinity();
     /// The part that the path machines; nothing: only the removal is simulated.
     std::optional<JudgedPart> judged = {};
     /// The material before the path: a block, or a stock that was kept (not null), such
-    /// as the result of an earlier run or a mesh.
-    std::variant<Block, const KeptStock*> stock;
-    double resolution = 0.1;  ///< mm; cell size of a block and distance of the first rays
-    double max_memory_gib = 8;        ///< limit of the memory, GiB
-    double extra_bytes_per_cell = 0;  ///< memory for output made from the remaining stock
+    /// as the result of an earlier run or a mesh. Three axes take no dexels. Five axes take
+    /// all; heights become dexels.
+    std::variant<Block, const KeptStock*, const KeptDexels*> stock;
+    /// mm; cell size of a block and distance of the first rays. Dexels that were kept have
+    /// their own.
+    double resolution = 0.1;
+    double max_memory_gib = 8;  ///< limit of the memory, GiB
+    /// Memory for output made from the remaining stock, per cell of its heights or ray.
+    double extra_bytes_per_cell = 0;
     /// Changes to other tools, ascending by their first point. `cutter` and `body` are
     /// those of the tool before the first change.
     std::vector<ToolChange> changes = {};

@@ -280,10 +280,14 @@ double TurningTile::most_left(const BoundedCell& bounded) const
     const double in_stock =
         cell.in_stock.thickness + cell.reach * (1 + cell.in_stock.slope);
     const ToolPiece* piece = bounded.ray.piece;
-    const double most = std::min(
-        in_stock,
-        most_left_by_slope(cell, piece ? piece->body.cutter() : Cutter::flat(1)));
-    if (piece && piece->body.cutter().is_flat())
+    // At the upper end of a finite cutter no ball of the corner radius fits inside.
+    const bool is_finite = piece && std::isfinite(piece->body.length());
+    const double by_slope =
+        is_finite
+            ? infinite
+            : most_left_by_slope(cell, piece ? piece->body.cutter() : Cutter::flat(1));
+    const double most = std::min(in_stock, by_slope);
+    if (piece && (piece->body.cutter().is_flat() || is_finite))
         return std::min(most, most_left_by_pieces(bounded, {&piece, 1}));
     return most;
 }

@@ -2,6 +2,7 @@
 #include "endmill/files/detail/tool_value.h"
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -91,13 +92,28 @@ std::optional<Angle> helix(const JsonValue& root)
     return Angle::degrees(degrees);
 }
 
+// The length of the cutting edges, which hold at least the rounded corner; infinite if it
+// is not stated.
+double cutting_length(const JsonValue& root, const Cutter& cutter, double most)
+{
+    const auto value = root.find_member("cutting_length_mm");
+    if (!value)
+        return std::numeric_limits<double>::infinity();
+    const double length = positive(*value, most);
+    if (length < cutter.corner_radius())
+        throw value->complaint(value->shown(),
+                               "at least the corner radius of the cutter, " +
+                                   to_text(cutter.corner_radius()) + " mm");
+    return length;
+}
+
 }  // namespace
 
 Tool tool_in(const JsonValue& root, const ReadLimits& limits)
 {
-    constexpr std::array<std::string_view, 10> keys{
-        "format",    "name",      "source", "cutter", "flutes",
-        "helix_deg", "length_mm", "limits", "shank",  "holder"};
+    constexpr std::array<std::string_view, 11> keys{
+        "format",    "name",   "source", "cutter", "flutes",           "helix_deg",
+        "length_mm", "limits", "shank",  "holder", "cutting_length_mm"};
     root.allow_only(keys);
     Tool tool{.cutter = cutter(root)};
     tool.name = remark(root, "name");
@@ -107,6 +123,7 @@ Tool tool_in(const JsonValue& root, const ReadLimits& limits)
     tool.helix = helix(root);
     if (const auto length = root.find_member("length_mm"))
         tool.length = not_negative(*length, limits.max_extent_mm);
+    tool.cutting_length = cutting_length(root, tool.cutter, limits.max_extent_mm);
     tool.limits = tool_limits(root);
     tool.shank = cylinders(root, "shank", limits.max_extent_mm);
     tool.holder = cylinders(root, "holder", limits.max_extent_mm);

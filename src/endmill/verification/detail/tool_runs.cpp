@@ -47,7 +47,7 @@ ToolRuns::ToolRuns(const ChangingTool& task)
 {
     const auto& changes = task.changes;
     if (changes.empty()) {
-        runs_.push_back({task.path, task.cutter, task.body});
+        runs_.push_back({task.path, task.cutter, task.body, 0, task.cutting_length});
         return;
     }
     const std::size_t points = task.path.points.size();
@@ -60,12 +60,12 @@ ToolRuns::ToolRuns(const ChangingTool& task)
     parts_.push_back(ToolPath{
         {task.path.points.begin(),
          task.path.points.begin() + static_cast<std::ptrdiff_t>(changes.front().first)}});
-    runs_.push_back({parts_.back(), task.cutter, task.body});
+    runs_.push_back({parts_.back(), task.cutter, task.body, 0, task.cutting_length});
     for (std::size_t k = 0; k < changes.size(); ++k) {
         const std::size_t end = k + 1 < changes.size() ? changes[k + 1].first : points;
         parts_.push_back(part_of(task.path, changes[k].first, end));
-        runs_.push_back(
-            {parts_.back(), changes[k].cutter, changes[k].body, changes[k].first - 1});
+        runs_.push_back({parts_.back(), changes[k].cutter, changes[k].body,
+                         changes[k].first - 1, changes[k].cutting_length});
     }
 }
 

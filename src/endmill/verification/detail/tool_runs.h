@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct ToolRun {
     const Cutter& cutter;
     std::span<const ToolCylinder> body;  ///< cylinders of shank and holder
     std::size_t offset = 0;  ///< number of the first point of `path` in the whole path
+    /// mm, from the tip; above it the cutter does not cut. Five axes only.
+    double cutting_length = std::numeric_limits<double>::infinity();
 };
 
 /// A path, its first tool and the changes to others.
@@ -27,6 +30,8 @@ struct ChangingTool {
     const Cutter& cutter;                 ///< of the first tool
     std::span<const ToolCylinder> body;   ///< of the first tool
     std::span<const ToolChange> changes;  ///< ascending by their first point
+    /// mm, of the first tool. Five axes only.
+    double cutting_length = std::numeric_limits<double>::infinity();
 };
 
 /// The runs of a path, one more than changes of the tool. A run after a change begins at

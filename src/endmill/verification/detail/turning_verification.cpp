@@ -11,18 +11,16 @@
 #include "endmill/deviation/detail/turning_measurement.h"
 #include "endmill/stock/detail/dexel_removal.h"
 #include "endmill/stock/detail/removable_path.h"
+#include "endmill/verification/detail/earlier_gouge.h"
 #include "endmill/verification/detail/part_box.h"
-#include "endmill/verification/detail/stock_ray.h"
 #include "endmill/verification/detail/tool_runs.h"
 #include "endmill/verification/detail/turning_contacts.h"
+#include "endmill/verification/detail/turning_motions.h"
+#include "endmill/verification/detail/turning_stock.h"
 
 namespace endmill {
 namespace {
 
-// Greatest turn of a piece in rad. Motions that turn more are divided first, so that the
-// bounding volumes are tight; they are divided further where that is needed.
-constexpr double most_turn = 0.03;
-constexpr int most_halvings = 12;
 // A rapid, or shank or holder, is in the material for certain if more than this is
 // removed on a ray, in mm: a few units of the dexels.
 constexpr double certain_contact = 1e-5;
@@ -31,54 +29,13 @@ constexpr std::size_t most_contact_cells = 4'000'000;
 // Limit of coordinates, as for heights.
 constexpr double largest_coordinate = 1e9;  // mm
 
-const Block& block_of(const VerificationTask& task)
-{
-    const auto* block = std::get_if<Block>(&task.stock);
-    if (!block)
-        throw GeometryError{
-            "a stock of heights was given; expected a block for a path with a turning "
-            "axis (--stock block, or X0,Y0,Z0,X1,Y1,Z1)"};
-    return *block;
-}
-
 // A ball that holds the stock and the part.
-Sphere region_of(const VerificationTask& task, const Block& part)
+Sphere region_of(const VerificationTask& task, const Block& block, const Block& part)
 {
-    const Block& block = block_of(task);
     const Vec3 low = block.low.cwiseMin(part.low);
     const Vec3 high = block.high.cwiseMax(part.high);
     // Rays may start half a pitch beside the part, and end at the block.
     return {(low + high) / 2, (high - low).norm() / 2 * 1.01 + task.resolution};
-}
-
-// Adds a motion, divided until its pieces turn little.
-void add_pieces(std::vector<ToolPiece>& pieces, const ToolPiece& whole, int halvings)
-{
-    if (whole.motion.turn() <= most_turn || halvings == 0) {
-        pieces.push_back(whole);
-        pieces.back().order = static_cast<std::int32_t>(pieces.size());
-        return;
-    }
-    for (const ToolMotion& half : whole.motion.halves())
-        add_pieces(pieces, {half, whole.body, whole.point, 0}, halvings - 1);
-}
-
-// Returns the motion between two points.
-ToolMotion motion_between(const ToolPath& path, std::size_t from, std::size_t to)
-{
-    if (const auto& machine = path.machine)
-        return {machine->setup, machine->interpolation, machine->positions[from],
-                machine->positions[to]};
-    try {
-        return {path.points[from].location, path.points[to].location};
-    } catch (const DomainError&) {
-        const PathPoint& point = path.points[to];
-        throw GeometryError{"the tool axes of pass " + std::to_string(point.pass) +
-                            ", point " + std::to_string(point.point) +
-                            " and of the point before are opposite, or not unit vectors: "
-                            "the turn between them is not defined; expected points "
-                            "between them"};
-    }
 }
 
 void require_finite(const ToolPath& path)
@@ -92,40 +49,6 @@ void require_finite(const ToolPath& path)
             "verify_path: need the positions of the machine at every point");
 }
 
-// The motions of all cutters, and of all shanks and holders.
-struct Motions {
-    std::vector<ToolPiece> cutters;
-    std::vector<ToolPiece> bodies;
-};
-
-// \param path whole, with the machine that interpolates it.
-Motions motions_of(const ToolPath& path, std::span<const ToolRun> runs)
-{
-    Motions motions;
-    std::int32_t order = 0;
-    for (const ToolRun& run : runs) {
-        const CuttingBody cutter{run.cutter};
-        std::vector<CuttingBody> bodies;
-        for (const ToolCylinder& cylinder : run.body)
-            bodies.push_back(CuttingBody::of_cylinder(cylinder));
-        const bool stands = !run.path.points.empty() && cuts_at_start(run.path);
-        for (std::size_t k = stands ? 0 : 1; k < run.path.points.size(); ++k) {
-            const std::size_t to = k + run.offset;
-            const auto point = static_cast<std::int32_t>(to);
-            const ToolMotion motion = motion_between(path, k == 0 ? to : to - 1, to);
-            std::vector<ToolPiece> pieces;
-            add_pieces(pieces, {motion, cutter, point, 0}, most_halvings);
-            for (ToolPiece& piece : pieces) {
-                piece.order = ++order;
-                motions.cutters.push_back(piece);
-                for (const CuttingBody& body : bodies)
-                    motions.bodies.push_back({piece.motion, body, point, order});
-            }
-        }
-    }
-    return motions;
-}
-
 // Returns a distance in whole micrometres, rounded down.
 std::string gap_text(double gap)
 {
@@ -133,12 +56,10 @@ std::string gap_text(double gap)
 }
 
 PartFindings findings_on(const VerificationTask& task, const PartCharts& charts,
-                         const ToolPieces& cutters)
+                         const ToolPieces& cutters, const TurningStock& before)
 {
     const JudgedPart& judged = *task.judged;
-    const Block& block = block_of(task);
-    const TurnedStock stock{
-        cutters, [&block](const PartRay& ray) { return ray_in_block(block, ray); }};
+    const TurnedStock stock{cutters, before.initial_ray()};
     TurningDeviation found =
         measure_turning_deviation(charts, stock,
                                   {.limits = judged.limits,
@@ -147,16 +68,27 @@ PartFindings findings_on(const VerificationTask& task, const PartCharts& charts,
                                    .is_accessible = judged.is_accessible,
                                    .skipped_facets = judged.skipped_facets,
                                    .progress = judged.progress});
-    if (!found.deviation.is_cut)
+    // With earlier runs the gap is that of all cutters; a path that cuts elsewhere is then
+    // not refused.
+    if (!found.deviation.is_cut && !before.earlier_moves())
         throw GeometryError{
             "the path cuts nothing over the part: " +
             (std::isfinite(found.gap_mm) && found.gap_mm > 0
                  ? "cutter and part are at least " + gap_text(found.gap_mm) + " mm apart"
                  : "it has no move beside the part, or the part has no side that faces "
                    "the tool")};
-    return {.limits = judged.limits,
-            .deviation = std::move(found.deviation),
-            .collisions = {}};
+    // Moves of earlier runs are numbered behind the points of the path.
+    for (auto* place : {&found.deviation.deepest, &found.deviation.highest})
+        if (*place &&
+            (*place)->sweep >= static_cast<std::int32_t>(task.path->points.size()))
+            (*place)->sweep = by_earlier_run;
+    PartFindings findings{.limits = judged.limits,
+                          .deviation = std::move(found.deviation),
+                          .collisions = {}};
+    if (const HeightStock* heights = before.heights_only())
+        findings.earlier_gouge =
+            earlier_gouge(charts, findings.deviation.tiles, *heights);
+    return findings;
 }
 
 // Adds a contact of a move with the stock.
@@ -190,6 +122,25 @@ StockContacts contacts_of(const ToolPath& path, const DexelRemoval& removal, dou
     return contacts;
 }
 
+// The range of the upper ends of the material on the rays along z; nothing without any.
+std::optional<HeightRange> height_range(const DexelStock& stock)
+{
+    const DexelField& field = stock.field(2);
+    std::optional<HeightRange> range;
+    for (int row = 0; row < field.rows(); ++row)
+        for (int column = 0; column < field.columns(); ++column) {
+            const auto upper = field.upper(column, row);
+            if (upper.empty())
+                continue;
+            const double top = stock.block().low.z() + upper.back().to * stock.unit();
+            if (!range)
+                range = HeightRange{top, top};
+            range->low = std::min(range->low, top);
+            range->high = std::max(range->high, top);
+        }
+    return range;
+}
+
 Removal removal_of(const DexelRemoval& of, const StockContacts& contacts)
 {
     Removal removal;
@@ -211,37 +162,60 @@ Removal removal_of(const DexelRemoval& of, const StockContacts& contacts)
 
 Verification verify_turning_path(const VerificationTask& task)
 {
-    require(std::isfinite(task.resolution) && task.resolution > 0,
-            "verify_path: need 0 < resolution");
     require_finite(*task.path);
-    const Block& block = block_of(task);
-    require_dexel_memory(block, task.resolution, task.max_memory_gib);
-    const ToolRuns tools{{*task.path, task.cutter, task.body, task.changes}};
-    Motions motions = motions_of(*task.path, tools.list());
+    const TurningStock before{task};
+    const ToolRuns tools{
+        {*task.path, task.cutter, task.body, task.changes, task.cutting_length}};
+    TurningMotions motions = motions_along(*task.path, tools.list());
     const Sphere region =
-        region_of(task, task.judged ? bounding_box(*task.judged->part) : block);
-    const ToolPieces cutters{std::move(motions.cutters), region};
-    const ToolPieces bodies{std::move(motions.bodies), region};
+        region_of(task, before.box(),
+                  task.judged ? bounding_box(*task.judged->part) : before.box());
+    const ToolPieces bodies{motions.bodies, region};
     std::optional<PartFindings> on_part;
     if (task.judged) {
+        std::vector<ToolPiece> all =
+            before.earlier_motions(static_cast<std::int32_t>(task.path->points.size()));
+        all.insert(all.end(), motions.cutters.begin(), motions.cutters.end());
         const PartCharts charts = judged_charts(task);
-        on_part = findings_on(task, charts, cutters);
+        on_part = findings_on(task, charts, ToolPieces{std::move(all), region}, before);
         on_part->collisions =
             turning_contacts(charts, bodies, task.resolution, most_contact_cells);
     }
-    DexelStock rest{block, task.resolution};
+    const ToolPieces cutters{std::move(motions.cutters), region};
+    motions.bodies.insert(motions.bodies.end(), motions.necks.begin(),
+                          motions.necks.end());
+    const ToolPieces not_cutting{std::move(motions.bodies), region};
+    DexelStock rest = before.dexels();
     const DexelRemoval removed = remove_from_dexels(
-        rest, {cutters, bodies, task.path->points.size()}, task.progress);
-    const StockContacts contacts = contacts_of(*task.path, removed, task.resolution);
+        rest, {cutters, not_cutting, task.path->points.size()}, task.progress);
+    const StockContacts contacts = contacts_of(*task.path, removed, before.pitch());
     Verification found{.on_part = std::move(on_part),
                        .removal = removal_of(removed, contacts),
                        .contacts = contacts,
-                       .earlier_moves = {},
+                       .earlier_moves = before.earlier_moves(),
                        .rest = std::move(rest),
                        .removed_bounds = RemovedBounds{removed.bound, removed.spread},
                        .verdict = Verdict::Clean};
+    found.removal.left = height_range(std::get<DexelStock>(found.rest));
     found.verdict = verdict_with_contacts(found);
     return found;
+}
+
+std::optional<TurningHistory> history_of_turning_rest(const VerificationTask& task)
+{
+    const TurningStock before{task};
+    std::optional<TurningHistory> history = before.history();
+    if (!history)
+        return std::nullopt;
+    const ToolRuns tools{
+        {*task.path, task.cutter, task.body, task.changes, task.cutting_length}};
+    history->runs.reserve(history->runs.size() + tools.list().size());
+    for (const ToolRun& run : tools.list())
+        history->runs.push_back(
+            turning_run_along(*task.path, run.offset, run.offset + run.path.points.size(),
+                              CuttingBody{run.cutter, run.cutting_length},
+                              !run.path.points.empty() && cuts_at_start(run.path)));
+    return history;
 }
 
 }  // namespace endmill
