@@ -81,22 +81,33 @@ struct Removed {
     std::optional<Range> sure;
 };
 
+// A ray in both directions.
+struct TwoWays {
+    const RayOnMotion& on;
+    RayOnMotion back;
+};
+
 // Returns the part that is removed for certain, between places that are. The pose that
 // removes one end removes all up to any place that it removes too, because it is convex.
 // If that fails, F itself is convex along the ray except for the turn of its direction.
-std::optional<Range> sure_range(const RayOnMotion& on, const Range& may)
+// \param first, last the first places that may be removed, in both directions.
+std::optional<Range> sure_range(const TwoWays& ways, const RayOnMotion::Place& first,
+                                const RayOnMotion::Place& last)
 {
-    RayOnMotion::Distance at_from{};
-    const auto from = on.sure_entry(may.from, may.to, at_from);
+    const auto from = ways.on.sure_entry(first, -last.s);
     if (!from)
         return std::nullopt;
-    RayOnMotion::Distance at_to{};
-    const auto back = on.reversed().sure_entry(-may.to, -*from, at_to);
+    const auto back = ways.back.sure_entry(last, -from->s);
     if (!back)
         return std::nullopt;
-    const Range sure{*from, -*back};
-    const double middle = (sure.from + sure.to) / 2;
+    const RayOnMotion& on = ways.on;
+    const RayOnMotion::Distance& at_from = from->distance;
+    const RayOnMotion::Distance& at_to = back->distance;
+    const Range sure{from->s, -back->s};
     // Along the ray both the distance from one pose and the error are convex.
+    if (at_from.least.at == at_to.least.at)
+        return sure;
+    const double middle = (sure.from + sure.to) / 2;
     const double error = std::max(at_from.error, at_to.error);
     const bool is_whole = on.at_pose(middle, at_from.least.at) <= -error &&
                           on.at_pose(middle, at_to.least.at) <= -error;
@@ -118,14 +129,14 @@ std::optional<Range> sure_range(const RayOnMotion& on, const Range& may)
 // Returns what a motion removes on a range of a ray; nothing if it removes nothing.
 std::optional<Removed> removed_on(const RayOnMotion& on, const Range& range)
 {
-    const auto to = on.reversed().first_entry(-range.to, -range.from);
-    if (!to)
+    const TwoWays ways{on, on.reversed()};
+    const auto last = ways.back.first_entry(-range.to, -range.from);
+    if (!last)
         return std::nullopt;
-    const auto from = on.first_entry(range.from, -*to);
-    if (!from)
+    const auto first = on.first_entry(range.from, -last->s);
+    if (!first)
         return std::nullopt;
-    const Range may{*from, -*to};
-    return Removed{may, sure_range(on, may)};
+    return Removed{{first->s, -last->s}, sure_range(ways, *first, *last)};
 }
 
 // The rays of a tile while the pieces cut them.
