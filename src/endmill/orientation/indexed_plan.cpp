@@ -207,7 +207,7 @@ public:
           whole_{without_degenerate_or_duplicate(part).mesh},
           reach_{whole_, Cutter::ball(cutter.radius()), options.directions},
           distance_{reached_share * options.scallop_height},
-          spacing_{path_interval_on_plane(cutter, options.scallop_height)}
+          spacing_{path_interval_on_plane(cutter, options.scallop_height) / 4}
     {
     }
 
@@ -253,11 +253,11 @@ private:
         Vec3{0.9, 0.05, 0.05},    Vec3{0.05, 0.9, 0.05},    Vec3{0.05, 0.05, 0.9},
         Vec3{0.475, 0.475, 0.05}, Vec3{0.05, 0.475, 0.475}, Vec3{0.475, 0.05, 0.475}};
 
-    // Places of a facet: near its outline, and if it is larger than the path interval, in the
+    // Places of a facet: near its outline, and if it is larger than a quarter of the path interval, in the
     // middles of parts of about this size.
     std::vector<Vec3> places_of(std::size_t facet) const
     {
-        constexpr double most_parts = 24;  // of a side
+        constexpr double most_parts = 50;  // of a side
         std::vector<Vec3> places(outer_places.begin(), outer_places.end());
         const auto [a, b, c] = part_.corners(facet);
         const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
