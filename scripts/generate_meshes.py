@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the meshes of datasets/meshes into that folder or into FOLDER. The result is reproducible.
+"""Writes the meshes and lists of facets of datasets/meshes into that folder or into FOLDER. The result is reproducible.
 
 Usage: scripts/generate_meshes.py [FOLDER]
 Example: scripts/generate_meshes.py /tmp
@@ -22,6 +22,7 @@ MESHES = {
     "prism.ply": (mesh_texts.ply_binary, solids.prism),
     "prism.off": (mesh_texts.off, solids.prism),
     "bladed-wheel.off": (mesh_texts.off, solids.bladed_wheel),
+    "bladed-wheel-bottom.txt": (mesh_texts.bottom_facets, solids.bladed_wheel),
 }
 
 

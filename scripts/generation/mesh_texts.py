@@ -55,6 +55,13 @@ def ply_binary(name, vertices, triangles):
                      *(struct.pack("<B3i", 3, *triangle) for triangle in triangles)])
 
 
+def bottom_facets(_, vertices, triangles):
+    """The numbers of the triangles on the lowest level, on which the part stands."""
+    lowest = min(z for _, _, z in vertices)
+    numbers = [k for k, triangle in enumerate(triangles) if all(vertices[corner][2] == lowest for corner in triangle)]
+    return "".join(["# the bottom: facets for --skip-facets\n", *(f"{k}\n" for k in numbers)]).encode()
+
+
 def off(_, vertices, triangles):
     lines = ["OFF", f"{len(vertices)} {len(triangles)} 0", *map(words, vertices),
              *(f"3 {words(triangle)}" for triangle in triangles), ""]

@@ -3,6 +3,7 @@
 // a message and an exit code.
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <exception>
 #include <memory>
@@ -11,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include <gmp.h>
 #include <unistd.h>
 
 #include "build_facts.h"
@@ -105,15 +107,37 @@ bool lacks_memory()
     }
 }
 
-// Functions of libraries that must not throw, such as destructors, allocate memory. If there
-// is none, the language ends the program here.
 [[noreturn]] void end_without_memory()
 {
-    if (!lacks_memory())
-        std::abort();
     OutputFolder::abandon_all_unless_busy();
     report_lack_of_memory(std::ranges::any_of(arguments, is_json_errors));
     _exit(static_cast<int>(ExitCode::Limit));
+}
+
+// Functions of libraries that must not throw, such as destructors, allocate memory. If there
+// is none, the language ends the program here.
+[[noreturn]] void end_after_terminate()
+{
+    if (lacks_memory())
+        end_without_memory();
+    std::abort();
+}
+
+void* checked(void* some)
+{
+    if (!some)
+        end_without_memory();
+    return some;
+}
+
+// GMP, which computes exact numbers, would abort if it gets no memory.
+void end_if_numbers_lack_memory()
+{
+    mp_set_memory_functions([](std::size_t bytes) { return checked(std::malloc(bytes)); },
+                            [](void* some, std::size_t, std::size_t bytes) {
+                                return checked(std::realloc(some, bytes));
+                            },
+                            [](void* some, std::size_t) { std::free(some); });
 }
 
 }  // namespace
@@ -123,7 +147,8 @@ int main(int argc, char** argv)
 {
     using namespace endmill;
     arguments = {argv, static_cast<std::size_t>(argc)};
-    std::set_terminate(end_without_memory);
+    std::set_terminate(end_after_terminate);
+    end_if_numbers_lack_memory();
     handle_interrupts();
     const bool json_errors = std::ranges::any_of(arguments, is_json_errors);
     try {

@@ -303,8 +303,7 @@ PostedPath posted_path(const Program& program, PathSummary known,
     const auto setup =
         part_on_machine(options.path.rotary, options.path.tool_length, options.common);
     if (setup) {
-        naming(options.path.file,
-               [&] { write_machine_program(posted, *setup, options, format); });
+        write_machine_program(posted, *setup, options, format);
         return posted;
     }
     require_machine_for_turns(program, options);

@@ -11,6 +11,7 @@
 #include "cli/mesh_remarks.h"
 #include "cli/progress.h"
 #include "cli/trim_stages.h"
+#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/cutter/cutter.h"
@@ -60,6 +61,10 @@ DrivePlanes planes_over(const Interval& across, const TrimOptions& options)
 // Memory of one point of an offset: the point, its copy in the result, and its text in
 // the files.
 constexpr double bytes_a_point = 230;
+
+// Memory of one vertex of an offset mesh: point, contact, two triangles, and its place in a
+// chain.
+constexpr double bytes_an_offset_vertex = 110;
 
 // Refuses a pocket. The loops at its corners lie outside the rest of its offset, where the
 // rule for closed curves of the method `winding` cannot tell them from an outline.
@@ -131,6 +136,8 @@ void add_surface_sections(std::vector<Surface> surfaces, const TrimOptions& opti
     offset_options.grid_lines = options.grid;
     offset_options.boundary = boundary_contact(options);
     offset_options.allowance = options.allowance;
+    offset_options.most_vertices = static_cast<std::size_t>(
+        options.common.limits.max_memory_gib * bytes_per_gib / bytes_an_offset_vertex);
     const DriveFrame frame{Angle::degrees(options.direction_deg)};
     DrivePlanes planes = planes_over(extent_across(surfaces, frame), options);
     require_trimming_memory(

@@ -97,7 +97,7 @@ class FiveAxisPost(ProgramTest):
         self.refuse(4, "point 1 of the path: axis A at ", "exceeds its limit", "--retract", content=tilted,
                     options=("--machine", self.file(limited, "m.json")))
         short = {"format": "endmill-machine/1", "configuration": "W/caxyBz/T", "limits": {"x_mm": [10, 20]}}
-        self.refuse(4, "point 0 of the path: X at 0 mm exceeds its travel 10 by 10 mm", "--clamp ", content=tilted,
+        self.refuse(4, "error: p.csv: point 0 of the path: X at 0 mm exceeds its travel 10 by 10 mm", "--clamp ", content=tilted,
                     options=("--machine", self.file(short, "m.json")))
         program = "G21 G90\nG0 X0 Y0 Z5\nG1 A10 F9\nM2\n"
         self.refuse(3, "p.ngc:3: A10; expected A0, or the machine of the program", content=program, name="p.ngc")

@@ -18,7 +18,7 @@ IS_LONG = os.environ.get("ENDMILL_FAULTS") == "long"
 # Parts of each kind, from the seed 1 on.
 GRIDS = 50 if IS_LONG else 6
 MESHES = 20 if IS_LONG else 4
-GENTLE, ROUGH = 0.15, 0.7  # roughness of meshes, mm: the ball reaches all of a gentle one
+GENTLE, ROUGH, DEEP = 0.15, 0.7, 1.5  # roughness of meshes, mm: the ball reaches all of a gentle one
 INNER = 0.01  # inner tolerance, mm
 # Distances of this file's own computation agree with the exact ones to this, mm.
 ROUNDING = 1e-9
@@ -186,6 +186,16 @@ class RandomParts(ProgramTest):
             with self.subTest(seed=seed):
                 facets, diameter, height = random_mesh(seed, ROUGH)
                 status, facts, messages = self.plan(self.file(as_off(facets), "part.off"), diameter, height)
+                self.assertEqual(status, 0, messages)
+                self.assert_clean(facts, height)
+                self.assert_not_gouged(facets, diameter)
+
+    def test_passes_over_deep_creases_end(self):
+        # a stretch beside a crease could be straightened again and again, each time into more moves
+        for seed in (5, 7):
+            with self.subTest(seed=seed):
+                facets, diameter, height = random_mesh(seed, DEEP)
+                status, facts, messages = self.plan(self.file(as_off(facets), "part.off"), diameter, height, "planar")
                 self.assertEqual(status, 0, messages)
                 self.assert_clean(facts, height)
                 self.assert_not_gouged(facets, diameter)

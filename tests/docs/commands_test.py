@@ -66,6 +66,8 @@ class Commands(unittest.TestCase):
 EXIT_CODES = {
     "endmill plan datasets/surfaces/net_rot24_7D.json --mode paper --cutter ball:15 --direction v -o plan-paper": 1,
     "endmill setup datasets/meshes/prism.off --machine W/xyBz/T --max-setups 4 --incidence-deg 70 -o prism-setups": 1,
+    "endmill setup datasets/meshes/bladed-wheel.off --skip-facets datasets/meshes/bladed-wheel-bottom.txt "
+    "   --machine W/xyBz/T --max-setups 8 --incidence-deg 88 -o wheel-setups": 1,
 }
 
 

@@ -47,6 +47,16 @@ TEST(PathSummary, IsReadFromTheFileBesideThePath)
     EXPECT_EQ(summary->skipped_facets, folder.path() / "../bottom.txt");
 }
 
+// With an outer tolerance of 0 the scallop height limits what remains.
+TEST(PathSummary, OuterToleranceOfZeroIsNoTolerance)
+{
+    const TemporaryFolder folder;
+    folder.put("summary.json", R"({"inner_tolerance_mm": 0.05, "outer_tolerance_mm": 0})");
+    EXPECT_EQ(read_path_summary(folder.path() / "toolpath.csv")->tolerance_mm(), 0.05);
+    folder.put("summary.json", R"({"inner_tolerance_mm": 0, "outer_tolerance_mm": 0.05})");
+    EXPECT_EQ(read_path_summary(folder.path() / "toolpath.csv")->tolerance_mm(), 0);
+}
+
 TEST(PathSummary, MayBeMissingOrEmpty)
 {
     const TemporaryFolder folder;

@@ -23,7 +23,7 @@ Strips crease_strips(const std::vector<Surface>& part, int lines)
 {
     const std::vector<double> tool_sides(part.size(), 1);
     const auto grids = offset_grids(part, tool_sides, lines);
-    Strips strips{grid_sides(part, grids, 1e-6), {Cutter::ball(2), 1e-3, {}, {}, {}}, {}};
+    Strips strips{grid_sides(part, grids, 1e-6), {Cutter::ball(2), 1e-3, 1'000'000}, {}};
     for (const OffsetGrid& grid : grids)
         for (std::int32_t j = 0; j < grid.rows(); ++j)
             for (std::int32_t i = 0; i < grid.columns(); ++i) {

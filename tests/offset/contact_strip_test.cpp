@@ -124,7 +124,7 @@ TEST(CornerShares, AreDenserBesideTheAxis)
 
 OffsetDraft draft_with(const Vec3& point, const std::vector<Vec3>& normals)
 {
-    OffsetDraft draft{Cutter::ball(2), 1e-2, {}, {}, {}};
+    OffsetDraft draft{Cutter::ball(2), 1e-2, 1000};
     for (const Vec3& normal : normals)
         draft.add(point, {{0, 0}, normal, 0, ContactKind::Face});
     return draft;

@@ -462,6 +462,9 @@ TEST(OffsetMesh, RefusesUnsupportedInput)
     EXPECT_THROW(offset_mesh(part, ball, {.allowance = -1}), DomainError);
     EXPECT_THROW(offset_mesh(part, ball, {.arc_tolerance = 0}), DomainError);
     EXPECT_THROW(offset_mesh(part, ball, {.grid_lines = 2'000'000'000}), LimitError);
+    // at each corner the normal takes all directions of a quarter of a sphere
+    EXPECT_THROW(offset_mesh(part, ball, {.grid_lines = 3, .allowance = 1e6}),
+                 LimitError);
 }
 
 }  // namespace

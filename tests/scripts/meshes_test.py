@@ -10,6 +10,7 @@ from readme_tables import number, rounds_to, table
 
 FOLDER = ROOT / "datasets/meshes"
 README = FOLDER / "README.md"
+BOTTOM = FOLDER / "bladed-wheel-bottom.txt"  # a list of facets
 STATED = table(README, "Files")
 
 
@@ -75,7 +76,7 @@ def distance_to_triangle(corners, parts=20):
 
 class Meshes(unittest.TestCase):
     def setUp(self):
-        self.meshes = {path.name: read_mesh(path) for path in FOLDER.iterdir() if path != README}
+        self.meshes = {path.name: read_mesh(path) for path in FOLDER.iterdir() if path not in (README, BOTTOM)}
 
     def test_every_mesh_is_described(self):
         self.assertEqual(set(STATED), set(self.meshes))
@@ -112,6 +113,14 @@ class Meshes(unittest.TestCase):
             expected = CLOSED_FORMS.get(name) or integral_of_sections(vertices, triangles)
             self.assertLessEqual(abs(found / expected - 1), relative, name)
             self.assertTrue(rounds_to(expected, stated), (name, expected))
+
+    def test_bottom_of_the_wheel_is_its_lowest_level_section(self):
+        vertices, triangles = self.meshes["bladed-wheel.off"]
+        listed = [int(line) for line in BOTTOM.read_text(encoding="ascii").splitlines() if not line.startswith("#")]
+        self.assertEqual(listed, [k for k, (a, b, c) in enumerate(triangles)
+                                  if (vertices[a][2], vertices[b][2], vertices[c][2]) == (0, 0, 0)])
+        # a fan over the 60 columns of the hub, whose lower rim has a radius of 30 mm
+        self.assertEqual(len(listed), 60)
 
     def test_prism_is_the_same_in_three_formats(self):
         self.assertEqual(self.meshes["prism.obj"], self.meshes["prism.ply"])

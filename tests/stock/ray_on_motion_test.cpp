@@ -70,23 +70,22 @@ TEST(RayOnMotion, NothingIsRemovedBeforeTheFirstEntry)
             const RandomCase one{random};
             const RayOnMotion on{one.start, one.direction, one.motion, body};
             const auto entry = on.first_entry(0, 20);
-            if (entry == 0.0) {
+            if (entry && entry->s == 0) {
                 // The line begins in the cutter, or F is at most the error e there; the
                 // true distance is then at most 2 e. Samples exceed it by little.
                 EXPECT_LE(one.sampled(0, body), 2 * on.distance(0).error + 0.01);
                 continue;
             }
             EXPECT_GT(one.sampled(0, body), -1e-9);
-            const double end = entry.value_or(20);
+            const double end = entry ? entry->s : 20;
             for (int k = 0; k < 50; ++k)
                 EXPECT_GT(one.sampled(end * k / 50.0, body), -1e-9);
             if (!entry)
                 continue;
             ++found_entries;
-            RayOnMotion::Distance there{};
-            if (const auto sure = on.sure_entry(*entry, 20, there)) {
-                EXPECT_LE(one.sampled(*sure, body), 0.01);
-                EXPECT_GE(*sure, *entry);
+            if (const auto sure = on.sure_entry(*entry, 20)) {
+                EXPECT_LE(one.sampled(sure->s, body), 0.01);
+                EXPECT_GE(sure->s, entry->s);
             }
         }
     EXPECT_GT(found_entries, 200);

@@ -190,10 +190,16 @@ void add_family(CsvTable& result, CsvTable& shown, const StudiedPart& part,
     const RotaryFamily kind = family_of_word(family);
     const Study study{part, kind, run.number("feed_mm_per_min"),
                       run.number("rotary_rate_deg_per_min")};
+    std::vector<double> all_times;
+    double of_least_area = 0;
     for (const std::string& mode : run.texts("modes")) {
         const PartSetup setup = unlimited_setup(part, kind, mode);
+        const Program program = study.program(setup.shown().value());
+        all_times.push_back(program.report.time_min);
+        if (mode == "set")  // the least area over whole cones
+            of_least_area = program.report.time_min;
         add_program({&result, &shown}, std::string{family}.append(", ").append(mode),
-                    cells_of(family, study.program(setup.shown().value())));
+                    cells_of(family, program));
     }
     std::vector<double> areas;
     std::vector<double> travels;
@@ -210,6 +216,11 @@ void add_family(CsvTable& result, CsvTable& shown, const StudiedPart& part,
     add_named(result, family + ", rank correlation with the area",
               {{"rotary_travel_deg", rank_correlation(areas, travels)},
                {"time_min", rank_correlation(areas, times)}});
+    all_times.insert(all_times.end(), times.begin(), times.end());
+    const auto [shortest, longest] = std::ranges::minmax(all_times);
+    add_named(result, family + ", least area",
+              {{"time_over_shortest", of_least_area / shortest}});
+    add_named(result, family + ", longest", {{"time_over_shortest", longest / shortest}});
 }
 
 }  // namespace
@@ -222,7 +233,8 @@ int main(int argc, char** argv)
                                run.number("mm_per_unit") * Eigen::Matrix3d::Identity()),
                          run.text("grid"), Angle::degrees(run.number("incidence_deg")));
         CsvTable result{{"row", "family", "area_deg2", "width_deg", "height_deg",
-                         "rotary_travel_deg", "time_min", "branch_changes"}};
+                         "rotary_travel_deg", "time_min", "branch_changes",
+                         "time_over_shortest"}};
         CsvTable shown = result;
         for (const std::string& family : run.texts("families"))
             add_family(result, shown, part, family, run);

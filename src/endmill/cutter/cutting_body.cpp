@@ -70,50 +70,6 @@ CuttingBody::Distance CuttingBody::endless_distance(const Vec3& place) const
     return {-h - r, -Vec3::UnitZ()};
 }
 
-// Returns the parameter of the place nearest to the half line z >= R on the axis. The
-// squared distance is convex and piecewise quadratic, with a break where z = R.
-double CuttingBody::ball_parameter(const Vec3& from, const Vec3& way) const
-{
-    const double h = from.z() - cutter_.radius();
-    const double along = from.x() * way.x() + from.y() * way.y();
-    const double square = way.x() * way.x() + way.y() * way.y();
-    const bool is_level = way.z() == 0;
-    // Whether the minimum lies where the height is below R.
-    bool is_below = h < 0;
-    if (!is_level) {
-        const double at_break = -h / way.z();
-        const double slope = along + at_break * square;
-        if (slope == 0)
-            return std::clamp(at_break, 0.0, 1.0);
-        is_below = (slope > 0) == (way.z() > 0);
-    }
-    const double steep = is_below ? square + way.z() * way.z() : square;
-    if (!(steep > 0))
-        return 0;
-    const double slope = is_below ? along + h * way.z() : along;
-    return std::clamp(-slope / steep, 0.0, 1.0);
-}
-
-CuttingBody::Least CuttingBody::least_on_segment(const Vec3& from, const Vec3& to,
-                                                 double enough) const
-{
-    if (!cutter_.is_ball())
-        return searched(from, to, enough);
-    const Vec3 way = to - from;
-    const double u = ball_parameter(from, way);
-    const Vec3 place = from + u * way;
-    const double h = place.z() - cutter_.radius();
-    const double d2 = place.x() * place.x() + place.y() * place.y();
-    const double below = std::min(h, 0.0);
-    const double length = std::sqrt(d2 + below * below);
-    const double value = length - cutter_.radius();
-    if (place.z() - length_ > value)
-        return searched(from, to, enough);
-    const Vec3 gradient = length > 0 ? Vec3{Vec3{place.x(), place.y(), below} / length}
-                                     : Vec3{Vec3::Zero()};
-    return {value, u, value, gradient};
-}
-
 CuttingBody::Least CuttingBody::searched(const Vec3& from, const Vec3& to,
                                          double enough) const
 {

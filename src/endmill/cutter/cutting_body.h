@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -90,12 +92,39 @@ public:
 
 private:
     Distance endless_distance(const Vec3& place) const;
-    double ball_parameter(const Vec3& from, const Vec3& way) const;
     Least searched(const Vec3& from, const Vec3& to, double enough) const;
 
     Cutter cutter_;
     double base_ = 0;
     double length_;
 };
+
+// In the header, because removal asks this a billion times.
+inline CuttingBody::Least CuttingBody::least_on_segment(const Vec3& from, const Vec3& to,
+                                                        double enough) const
+{
+    if (!cutter_.is_ball())
+        return searched(from, to, enough);
+    // The squared distance from the half line z >= R on the axis is convex and piecewise
+    // quadratic, with a break where z = R.
+    const Vec3 way = to - from;
+    const double radius = cutter_.radius();
+    const double h = from.z() - radius;
+    const double along = from.x() * way.x() + from.y() * way.y();
+    const double square = way.x() * way.x() + way.y() * way.y();
+    const bool is_below = way.z() == 0 ? h < 0 : along * way.z() > h * square;
+    const double steep = is_below ? square + way.z() * way.z() : square;
+    const double slope = is_below ? along + h * way.z() : along;
+    const double u = steep > 0 ? std::clamp(-slope / steep, 0.0, 1.0) : 0.0;
+    const Vec3 place = from + u * way;
+    const double below = std::min(place.z() - radius, 0.0);
+    const double length =
+        std::sqrt(place.x() * place.x() + place.y() * place.y() + below * below);
+    const double value = length - radius;
+    if (place.z() - length_ > value)
+        return searched(from, to, enough);
+    const double share = length > 0 ? 1 / length : 0;
+    return {value, u, value, Vec3{share * place.x(), share * place.y(), share * below}};
+}
 
 }  // namespace endmill

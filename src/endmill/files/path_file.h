@@ -167,7 +167,8 @@ struct PathSummary {
     /// List of facets of the part that the path leaves uncut.
     std::optional<std::filesystem::path> skipped_facets = {};
 
-    /// The smallest of the three tolerances; nothing if none is known.
+    /// The smallest of the three tolerances, without an outer one of 0: the scallop height then
+    /// limits all remaining stock. Nothing if none is known.
     std::optional<double> tolerance_mm() const;
 };
 

@@ -213,9 +213,10 @@ std::optional<InaccessibleStock> inaccessible(const JsonValue& root)
 
 std::optional<double> PathSummary::tolerance_mm() const
 {
+    // an outer tolerance of 0 says that the scallop height limits all remaining stock
+    const auto outer = outer_tolerance_mm == 0.0 ? std::nullopt : outer_tolerance_mm;
     std::optional<double> narrowest;
-    for (const auto& tolerance :
-         {chord_tolerance_mm, inner_tolerance_mm, outer_tolerance_mm})
+    for (const auto& tolerance : {chord_tolerance_mm, inner_tolerance_mm, outer})
         if (tolerance)
             narrowest = std::min(*tolerance, narrowest.value_or(*tolerance));
     return narrowest;

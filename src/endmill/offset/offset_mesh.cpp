@@ -260,8 +260,8 @@ OffsetMesh offset_mesh(std::span<const Surface> surfaces, const Cutter& cutter,
     const auto tool_sides = tool_side_signs(surfaces, Vec3::UnitZ());
     require_reachable(surfaces, Vec3::UnitZ(), tool_sides);
     const auto grids = offset_grids(surfaces, tool_sides, options.grid_lines);
-    OffsetDraft draft{
-        with_allowance(cutter, options.allowance), options.arc_tolerance, {}, {}, {}};
+    OffsetDraft draft{with_allowance(cutter, options.allowance), options.arc_tolerance,
+                      options.most_vertices};
     const double same_point = same_end_mm(surfaces);
     auto sides = grid_sides(surfaces, grids, same_point);
     make_room(grids, sides, options.boundary, draft);

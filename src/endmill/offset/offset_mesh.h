@@ -39,7 +39,7 @@ struct OffsetOptions {
     /// error is 1/N_z times as large, with N_z of the contact.
     /// Source: docs/methods/interference.md, section 2.5.
     double arc_tolerance = 1.25e-4;
-    /// Upper limit of the number of vertices of all grids.
+    /// Upper limit of the number of vertices of all grids and strips.
     std::size_t most_vertices = 100'000'000;
 };
 
@@ -86,7 +86,8 @@ struct OffsetMesh {
 /// \param options sampling, contacts on the boundary, allowance and limits.
 /// \throws DomainError unless there is a surface, grid_lines >= 2, and 0 <= allowance and
 ///     0 < arc_tolerance are finite.
-/// \throws LimitError if there may be more than `most_vertices` vertices.
+/// \throws LimitError if the grids may have more than `most_vertices` vertices, or have more
+///     with the strips.
 /// \throws GeometryError with the place where N_z <= 0 or the surface has no normal.
 OffsetMesh offset_mesh(std::span<const Surface> surfaces, const Cutter& cutter,
                        const OffsetOptions& options = {});

@@ -206,7 +206,8 @@ public:
           options_{options},
           whole_{without_degenerate_or_duplicate(part).mesh},
           reach_{whole_, Cutter::ball(cutter.radius()), options.directions},
-          distance_{reached_share * options.scallop_height}
+          distance_{reached_share * options.scallop_height},
+          spacing_{path_interval_on_plane(cutter, options.scallop_height) / 4}
     {
     }
 
@@ -221,8 +222,8 @@ public:
                               }});
     }
 
-    // For each direction the facets of other directions that have a place near a corner or a
-    // side that the ball reaches from here, but not from the facet's own direction. Of several
+    // For each direction the facets of other directions that have a place that the ball reaches
+    // from here, but not from the facet's own direction. Of several
     // directions the first one that sees the facet has it.
     std::vector<std::vector<std::size_t>> shared_facets(
         const SetupRegions& regions, std::span<const std::size_t> used) const
@@ -231,7 +232,7 @@ public:
         for (std::size_t facet = 0; facet < regions.direction_of.size(); ++facet) {
             if (!regions.direction_of[facet])
                 continue;
-            for (const Vec3& place : outer_places) {
+            for (const Vec3& place : places_of(facet)) {
                 if (reaches(*regions.direction_of[facet], facet, place))
                     continue;
                 const auto other = std::ranges::find_if(used, [&](std::size_t k) {
@@ -252,6 +253,27 @@ private:
         Vec3{0.9, 0.05, 0.05},    Vec3{0.05, 0.9, 0.05},    Vec3{0.05, 0.05, 0.9},
         Vec3{0.475, 0.475, 0.05}, Vec3{0.05, 0.475, 0.475}, Vec3{0.475, 0.05, 0.475}};
 
+    // Places of a facet: near its outline, and if it is larger than a quarter of the path interval, in the
+    // middles of parts of about this size.
+    std::vector<Vec3> places_of(std::size_t facet) const
+    {
+        constexpr double most_parts = 50;  // of a side
+        std::vector<Vec3> places(outer_places.begin(), outer_places.end());
+        const auto [a, b, c] = part_.corners(facet);
+        const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+        const auto parts =
+            static_cast<int>(std::min(most_parts, std::ceil(longest / spacing_)));
+        for (int i = 0; parts > 1 && i < parts; ++i)
+            for (int j = 0; i + j < parts; ++j) {
+                const Vec3 upright{i + 1 / 3.0, j + 1 / 3.0, parts - i - j - 2 / 3.0};
+                places.emplace_back(upright / parts);
+                const Vec3 inverted{i + 2 / 3.0, j + 2 / 3.0, parts - i - j - 4 / 3.0};
+                if (i + j + 1 < parts)
+                    places.emplace_back(inverted / parts);
+            }
+        return places;
+    }
+
     bool reaches(std::size_t direction, std::size_t facet, const Vec3& place) const
     {
         const auto [a, b, c] = part_.corners(facet);
@@ -265,6 +287,7 @@ private:
     TriangleMesh whole_;
     AxisReach reach_;
     double distance_;
+    double spacing_;
 };
 
 }  // namespace

@@ -58,8 +58,8 @@ struct IndexedPlan {
 /// Plans a part from several directions.
 ///
 /// `setup_regions` assigns the facets, and prefers directions from which the ball comes within
-/// half the scallop height of the middle of a facet. A facet with a place near its sides that the
-/// ball reaches from another direction only is cut from there too. The facets of a direction, and a strip of one path
+/// half the scallop height of the middle of a facet. A facet with a place that the ball reaches
+/// from another direction only is cut from there too. The facets of a direction, and a strip of one path
 /// interval over their border, are planned as a part that stands with the direction upright,
 /// by `plan_in_frame`; the whole mesh is protected. Each plan is judged as a three-axis path
 /// that starts from the full block. One that is not good is made again for 0.8 of the scallop

@@ -22,3 +22,14 @@
 #else
 #define ENDMILL_NOT_UNROLLED
 #endif
+
+namespace endmill {
+
+/// Chooses one of two numbers that are both computed, so that the compiler needs no
+/// branch.
+[[gnu::always_inline]] inline double select(bool is_first, double first, double second)
+{
+    return is_first ? first : second;
+}
+
+}  // namespace endmill

@@ -43,8 +43,10 @@ double gouge_entry(const RayOnMotion& on)
     double s = 0;
     for (int step = 0; step < most_steps && s >= -deepest_gouge; ++step) {
         const RayOnMotion::Distance here = on.distance(s);
-        if (here.gap() > 0)
-            return on.first_entry(s, 0).value_or(0);
+        if (here.gap() > 0) {
+            const auto entry = on.first_entry(s, 0);
+            return entry ? entry->s : 0;
+        }
         const double rise = std::max(-on.rate(here.least), least_rise);
         s -= (first_step - here.gap()) / rise;
     }
@@ -63,11 +65,11 @@ struct SurePlace {
 SurePlace sure_gouge(const RayOnMotion& on, const RayOnMotion::Distance& at_point,
                      double low)
 {
-    RayOnMotion::Distance there{};
-    const auto sure = on.sure_entry(low, 0, there);
-    const double error = std::max(at_point.error, on.distance(low).error);
-    if (sure && on.at_pose(0, there.least.at) <= -error)
-        return {*sure, there.least};
+    const RayOnMotion::Place lowest = on.place(low);
+    const auto sure = on.sure_entry(lowest, 0);
+    const double error = std::max(at_point.error, lowest.distance.error);
+    if (sure && on.at_pose(0, sure->distance.least.at) <= -error)
+        return {sure->s, sure->distance.least};
     double inside = 0;
     double outside = low;
     for (int step = 0; step < most_halvings_of_depth; ++step) {
@@ -81,9 +83,8 @@ SurePlace sure_gouge(const RayOnMotion& on, const RayOnMotion::Distance& at_poin
 // \param from lower bound of the thickness.
 std::optional<SurePlace> sure_place(const RayOnMotion& on, double from, double most)
 {
-    RayOnMotion::Distance there{};
-    const auto sure = on.sure_entry(std::max(0.0, from), most, there);
-    return sure ? std::optional{SurePlace{*sure, there.least}} : std::nullopt;
+    const auto sure = on.sure_entry(on.place(std::max(0.0, from)), most);
+    return sure ? std::optional{SurePlace{sure->s, sure->distance.least}} : std::nullopt;
 }
 
 // How the bounds of a ray are lowered by a piece.
@@ -104,7 +105,8 @@ void cut(BoundedRay& bounded, const BoundedCut& by, const ToolMotion& motion,
     if (at_point.gap() <= 0) {
         low = gouge_entry(on);
     } else if (at_point.gap() < bounded.low) {
-        low = on.first_entry(0, bounded.low);
+        if (const auto entry = on.first_entry(0, bounded.low))
+            low = entry->s;
     }
     if (!low || !(*low < bounded.low))
         return;
@@ -174,8 +176,8 @@ std::optional<double> thickness_by(const ToolPiece& piece, const PartRay& ray,
     const auto low = on.first_entry(0, before);
     if (!low)
         return std::nullopt;
-    RayOnMotion::Distance there{};
-    return on.sure_entry(*low, before, there, margin);
+    const auto sure = on.sure_entry(*low, before, margin);
+    return sure ? std::optional{sure->s} : std::nullopt;
 }
 
 HalfSpace half_space_of(const ToolPiece& piece, const Vec3& normal)

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <string>
 
 #include <Eigen/Geometry>
 
+#include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
 #include "endmill/cutter/cutter.h"
 
@@ -220,12 +222,21 @@ NormalArc arc_over_border(const Vec3& normal, const Vec3& along)
     return {normal, outwards, std::atan2(normal.z(), -outwards.z())};
 }
 
+namespace {
+
+// The largest step of the equal ones into which an arc of normals is divided first, rad.
+double even_step(const Cutter& cutter, double tolerance)
+{
+    return cutter.is_ball() ? chord_angle(cutter.radius(), tolerance)
+                            : chord_angle(cutter.corner_radius(), tolerance / 2);
+}
+
+}  // namespace
+
 std::vector<double> arc_shares(const NormalArc& arc, const Cutter& cutter,
                                double tolerance)
 {
-    const double step = cutter.is_ball()
-                            ? chord_angle(cutter.radius(), tolerance)
-                            : chord_angle(cutter.corner_radius(), tolerance / 2);
+    const double step = even_step(cutter, tolerance);
     const int steps = std::max(1, static_cast<int>(std::ceil(arc.angle / step)));
     std::vector<double> shares{0};
     if (cutter.is_ball()) {
@@ -279,6 +290,7 @@ ContactChain OffsetDraft::add_chain(std::int32_t from, const NormalArc& arc,
     const Vec3 point = contact_point(from);
     OffsetContact contact = contacts[from];
     contact.kind = kind;
+    require_room(std::floor(arc.angle / even_step(cutter, arc_tolerance)));
     ContactChain chain{{from}, arc_shares(arc, cutter, arc_tolerance)};
     for (std::size_t k = 1; k < chain.shares.size(); ++k) {
         const bool is_last = k + 1 == chain.shares.size();
@@ -293,6 +305,17 @@ ContactChain OffsetDraft::add_chain(std::int32_t from, const NormalArc& arc,
     return chain;
 }
 
+void OffsetDraft::require_room(double more) const
+{
+    const double count = static_cast<double>(points.size()) + more;
+    if (count > static_cast<double>(most_vertices))
+        throw LimitError{
+            "the offset with its strips over borders and creases would have at least " +
+            std::to_string(static_cast<long long>(count)) +
+            " vertices; expected at most " + std::to_string(most_vertices) +
+            ", with a smaller cutter or allowance"};
+}
+
 // 1. The shares of all chains are computed on all threads.
 // 2. The sums of their numbers give each chain its range of vertex numbers.
 // 3. The vertices are computed on all threads.
@@ -300,6 +323,11 @@ ContactChain OffsetDraft::add_chain(std::int32_t from, const NormalArc& arc,
 std::vector<ContactChain> OffsetDraft::add_chains(std::span<const ChainPlan> plans,
                                                   ContactKind kind)
 {
+    const double step = even_step(cutter, arc_tolerance);
+    double least = 0;
+    for (const ChainPlan& plan : plans)
+        least += std::floor(plan.arc.angle / step);
+    require_room(least);
     std::vector<ContactChain> chains(plans.size());
     parallel_for(plans.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)

@@ -93,9 +93,10 @@ Vec3 level_end(const NormalArc& arc);
 struct OffsetDraft {
     Cutter cutter;
     double arc_tolerance;
-    std::vector<Vec3> points;
-    std::vector<OffsetContact> contacts;
-    std::vector<Triangle> triangles;
+    std::size_t most_vertices;  ///< more throw LimitError
+    std::vector<Vec3> points = {};
+    std::vector<OffsetContact> contacts = {};
+    std::vector<Triangle> triangles = {};
 
     /// Adds the vertex over the contact `point`. \return its number.
     std::int32_t add(const Vec3& point, const OffsetContact& contact);
@@ -108,6 +109,7 @@ struct OffsetDraft {
 
     /// Adds several chains on all threads. Their last vertices are new. The result equals
     /// that of adding one after the other.
+    /// \throws LimitError before it begins if they would have too many vertices.
     std::vector<ContactChain> add_chains(std::span<const ChainPlan> plans,
                                          ContactKind kind);
 
@@ -125,6 +127,7 @@ struct OffsetDraft {
     Vec3 contact_point(std::int32_t vertex) const;
 
 private:
+    void require_room(double more) const;
     void fill_chain(const ChainPlan& plan, ContactKind kind, std::size_t first,
                     ContactChain& chain);
 };

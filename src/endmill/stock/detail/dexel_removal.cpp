@@ -2,12 +2,15 @@
 #include "endmill/stock/detail/dexel_removal.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "endmill/core/parallel.h"
+#include "endmill/stock/detail/ball_chords.h"
 #include "endmill/stock/detail/ray_on_motion.h"
 
 namespace endmill {
@@ -81,22 +84,33 @@ struct Removed {
     std::optional<Range> sure;
 };
 
+// A ray in both directions.
+struct TwoWays {
+    const RayOnMotion& on;
+    RayOnMotion back;
+};
+
 // Returns the part that is removed for certain, between places that are. The pose that
 // removes one end removes all up to any place that it removes too, because it is convex.
 // If that fails, F itself is convex along the ray except for the turn of its direction.
-std::optional<Range> sure_range(const RayOnMotion& on, const Range& may)
+// \param first, last the first places that may be removed, in both directions.
+std::optional<Range> sure_range(const TwoWays& ways, const RayOnMotion::Place& first,
+                                const RayOnMotion::Place& last)
 {
-    RayOnMotion::Distance at_from{};
-    const auto from = on.sure_entry(may.from, may.to, at_from);
+    const auto from = ways.on.sure_entry(first, -last.s);
     if (!from)
         return std::nullopt;
-    RayOnMotion::Distance at_to{};
-    const auto back = on.reversed().sure_entry(-may.to, -*from, at_to);
+    const auto back = ways.back.sure_entry(last, -from->s);
     if (!back)
         return std::nullopt;
-    const Range sure{*from, -*back};
-    const double middle = (sure.from + sure.to) / 2;
+    const RayOnMotion& on = ways.on;
+    const RayOnMotion::Distance& at_from = from->distance;
+    const RayOnMotion::Distance& at_to = back->distance;
+    const Range sure{from->s, -back->s};
     // Along the ray both the distance from one pose and the error are convex.
+    if (at_from.least.at == at_to.least.at)
+        return sure;
+    const double middle = (sure.from + sure.to) / 2;
     const double error = std::max(at_from.error, at_to.error);
     const bool is_whole = on.at_pose(middle, at_from.least.at) <= -error &&
                           on.at_pose(middle, at_to.least.at) <= -error;
@@ -118,14 +132,14 @@ std::optional<Range> sure_range(const RayOnMotion& on, const Range& may)
 // Returns what a motion removes on a range of a ray; nothing if it removes nothing.
 std::optional<Removed> removed_on(const RayOnMotion& on, const Range& range)
 {
-    const auto to = on.reversed().first_entry(-range.to, -range.from);
-    if (!to)
+    const TwoWays ways{on, on.reversed()};
+    const auto last = ways.back.first_entry(-range.to, -range.from);
+    if (!last)
         return std::nullopt;
-    const auto from = on.first_entry(range.from, -*to);
-    if (!from)
+    const auto first = on.first_entry(range.from, -last->s);
+    if (!first)
         return std::nullopt;
-    const Range may{*from, -*to};
-    return Removed{may, sure_range(on, may)};
+    return Removed{{first->s, -last->s}, sure_range(ways, *first, *last)};
 }
 
 // The rays of a tile while the pieces cut them.
@@ -170,31 +184,22 @@ public:
         if (!near)
             return;
         const double error = middle.largest_error(*near, radius_);
-        const double within = middle.spread(*near, error, radius_);
-        const Vec3 along = middle.middle_direction();
-        const Eigen::Matrix3d to_start = piece.motion.from().axes.transpose();
-        const Eigen::Matrix3d to_end = piece.motion.to().axes.transpose();
-        for (std::size_t ray = 0; ray < dexels_.size(); ++ray) {
-            const std::vector<Interval32>& upper = dexels_[ray].upper;
-            if (upper.empty() || upper.front().from * unit_ > near->to ||
-                upper.back().to * unit_ < near->from)
-                continue;
-            const Vec3 movement = starts_[ray] - middle_;
-            const RayOnMotion on =
-                middle.moved(movement, to_start * movement, to_end * movement);
-            const auto reached =
-                piece.body.near_stretch(on.middle_start(), along, within);
-            if (reached)
-                add_chords(ray, piece, on, error,
-                           {std::max(near->from, reached->from),
-                            std::min(near->to, reached->to)});
-            if (chords_.empty())
-                continue;
-            for (const Chord& chord : chords_)
-                use(ray, chord);
-            chords_.clear();
-            material_.reset();
-        }
+        const NearTile tile{piece,
+                            middle,
+                            {near->from, near->to},
+                            error,
+                            middle.spread(*near, error, radius_)};
+        const bool is_ball = piece.body.cutter().is_ball();
+        if (is_ball && std::isinf(piece.body.length()))
+            add_chords_of_ball(tile);
+        else
+            add_all_chords(tile);
+        if (chords_.empty())
+            return;
+        for (const auto& [ray, chord] : chords_)
+            use(ray, chord);
+        chords_.clear();
+        material_.reset();
     }
 
 private:
@@ -214,34 +219,173 @@ private:
         return *material_;
     }
 
-    // Adds the chords of a piece with the material of a ray.
-    // \param error of all places within `reached`, outside of which nothing is removed.
-    void add_chords(std::size_t ray, const ToolPiece& piece, const RayOnMotion& on,
-                    double error, const Range& reached)
+    // A piece that comes near the rays.
+    struct NearTile {
+        const ToolPiece& piece;
+        const RayOnMotion& middle;  // the line in the middle of the rays
+        Range near;                 // on all rays nothing is removed outside
+        double error;               // mm, largest one on all of them
+        double within;              // mm, as CuttingBody::near_stretch needs it
+    };
+
+    bool has_material(std::size_t ray, const Range& within) const
     {
-        RayOnMotion quick = on;
-        quick.set_error(error, chord_accuracy);
-        for (const Interval32& one : dexels_[ray].upper) {
-            const Range range{one.from * unit_, one.to * unit_};
-            const Range search{std::max(range.from, reached.from),
-                               std::min(range.to, reached.to)};
-            if (!(search.from <= search.to))
+        const std::vector<Interval32>& upper = dexels_[ray].upper;
+        return !upper.empty() && upper.front().from * unit_ <= within.to &&
+               upper.back().to * unit_ >= within.from;
+    }
+
+    Range range_of(const Interval32& one) const
+    {
+        return {one.from * unit_, one.to * unit_};
+    }
+
+    // Adds the chords of a piece with all rays.
+    void add_all_chords(const NearTile& tile)
+    {
+        const ToolPiece& piece = tile.piece;
+        const Vec3 along = tile.middle.middle_direction();
+        const Eigen::Matrix3d to_start = piece.motion.from().axes.transpose();
+        const Eigen::Matrix3d to_end = piece.motion.to().axes.transpose();
+        for (std::size_t ray = 0; ray < dexels_.size(); ++ray) {
+            if (!has_material(ray, tile.near))
                 continue;
-            const auto removed = removed_on(quick, search);
-            if (removed)
-                add_chord(ray, piece, piece.motion, range, *removed, most_halvings);
+            const Vec3 movement = starts_[ray] - middle_;
+            RayOnMotion on =
+                tile.middle.moved(movement, to_start * movement, to_end * movement);
+            const auto reached =
+                piece.body.near_stretch(on.middle_start(), along, tile.within);
+            if (!reached)
+                continue;
+            on.set_error(tile.error, chord_accuracy);
+            const Range within{std::max(tile.near.from, reached->from),
+                               std::min(tile.near.to, reached->to)};
+            for (const Interval32& one : dexels_[ray].upper) {
+                const Range range = range_of(one);
+                const Range search{std::max(range.from, within.from),
+                                   std::min(range.to, within.to)};
+                if (!(search.from <= search.to))
+                    continue;
+                if (const auto removed = removed_on(on, search))
+                    add_chord(ray, piece, piece.motion, range, *removed, most_halvings);
+            }
         }
     }
 
+    // Eight rays whose chords are computed together.
+    struct Lanes {
+        EightRays rays;
+        EightStretches search;
+        std::array<std::size_t, 8> ray;
+        std::array<Range, 8> range;
+        std::size_t count = 0;
+    };
+
+    // The same for an endless ball.
+    void add_chords_of_ball(const NearTile& tile)
+    {
+        const ToolPiece& piece = tile.piece;
+        const BallOnRays ball{middle_, direction_, piece.motion,
+                              piece.body.cutter().radius()};
+        Lanes lanes;
+        for (std::size_t first = 0; first < dexels_.size();) {
+            // the next eight rays with material; the last one is repeated
+            std::array<std::size_t, 8> numbers{};
+            EightPlaces movements;
+            std::size_t count = 0;
+            for (; first < dexels_.size() && count < numbers.size(); ++first)
+                if (has_material(first, tile.near))
+                    numbers[count++] = first;
+            if (count == 0)
+                break;
+            for (std::size_t k = 0; k < numbers.size(); ++k) {
+                const Vec3 movement = starts_[numbers[std::min(k, count - 1)]] - middle_;
+                for (std::size_t c = 0; c < 3; ++c)
+                    movements[c][k] = movement[static_cast<Eigen::Index>(c)];
+            }
+            const EightRays rays = moved_rays(ball, movements);
+            const EightStretches near = near_stretches(ball, rays, tile.within);
+            for (std::size_t k = 0; k < count; ++k) {
+                const Range within{std::max(tile.near.from, near.from[k]),
+                                   std::min(tile.near.to, near.to[k])};
+                for (const Interval32& one : dexels_[numbers[k]].upper) {
+                    const Range range = range_of(one);
+                    const Range search{std::max(range.from, within.from),
+                                       std::min(range.to, within.to)};
+                    if (search.from <= search.to) {
+                        put(lanes, rays, k, search, numbers[k], range);
+                        if (lanes.count == 8)
+                            add_chords(lanes, ball, tile);
+                    }
+                }
+            }
+        }
+        if (lanes.count > 0)
+            add_chords(lanes, ball, tile);
+    }
+
+    // Puts a stretch of the ray in a lane of `rays` into the next lane.
+    static void put(Lanes& lanes, const EightRays& rays, std::size_t from,
+                    const Range& search, std::size_t ray, const Range& range)
+    {
+        const std::size_t k = lanes.count++;
+        for (std::size_t c = 0; c < 3; ++c) {
+            lanes.rays.from[c][k] = rays.from[c][from];
+            lanes.rays.to[c][k] = rays.to[c][from];
+        }
+        lanes.search.from[k] = search.from;
+        lanes.search.to[k] = search.to;
+        lanes.ray[k] = ray;
+        lanes.range[k] = range;
+    }
+
+    // Adds the chords of the rays in the lanes, and clears them.
+    void add_chords(Lanes& lanes, const BallOnRays& ball, const NearTile& tile)
+    {
+        const std::size_t count = lanes.count;
+        while (lanes.count < 8) {
+            const std::size_t last = lanes.count - 1;
+            put(lanes, lanes.rays, last, {lanes.search.from[last], lanes.search.to[last]},
+                lanes.ray[last], lanes.range[last]);
+        }
+        const EightChords chords =
+            ball_chords(ball, lanes.rays, lanes.search, tile.error, chord_accuracy);
+        for (std::size_t k = 0; k < count; ++k) {
+            if (!(chords.may.from[k] <= chords.may.to[k]))
+                continue;
+            Removed removed{{chords.may.from[k], chords.may.to[k]}, {}};
+            const bool has_sure = chords.sure.from[k] <= chords.sure.to[k];
+            if (has_sure && chords.is_whole[k] > 0)
+                removed.sure = Range{chords.sure.from[k], chords.sure.to[k]};
+            else if (has_sure)
+                removed = by_one_ray(tile, lanes.ray[k],
+                                     {lanes.search.from[k], lanes.search.to[k]})
+                              .value_or(removed);
+            add_chord(lanes.ray[k], tile.piece, tile.piece.motion, lanes.range[k],
+                      removed, most_halvings);
+        }
+        lanes.count = 0;
+    }
+
+    std::optional<Removed> by_one_ray(const NearTile& tile, std::size_t ray,
+                                      const Range& search) const
+    {
+        RayOnMotion on{starts_[ray], direction_, tile.piece.motion, tile.piece.body};
+        on.set_error(tile.error, chord_accuracy);
+        return removed_on(on, search);
+    }
+
+    // \param may outside which the whole motion removes nothing.
     void add_halves(std::size_t ray, const ToolPiece& piece, const ToolMotion& motion,
-                    const Range& range, int halvings)
+                    const Range& range, const Range& may, int halvings)
     {
         for (const ToolMotion& half : motion.halves()) {
-            const RayOnMotion on{starts_[ray], direction_, half, piece.body};
-            const auto near = on.near_stretch(range.from, range.to);
-            const auto removed =
-                near ? removed_on(on, {near->from, near->to}) : std::nullopt;
-            if (removed)
+            RayOnMotion on{starts_[ray], direction_, half, piece.body};
+            const auto near = on.near_stretch(may.from, may.to);
+            if (!near)
+                continue;
+            on.set_error(on.largest_error(*near, 0), chord_accuracy);
+            if (const auto removed = removed_on(on, {near->from, near->to}))
                 add_chord(ray, piece, half, range, *removed, halvings);
         }
     }
@@ -257,22 +401,22 @@ private:
         if (doubt > chord_sharpness && halvings > 0 &&
             std::max(motion.chord_error(at(ray, may.from)),
                      motion.chord_error(at(ray, may.to))) > small_error) {
-            add_halves(ray, piece, motion, range, halvings - 1);
+            add_halves(ray, piece, motion, range, may, halvings - 1);
             return;
         }
-        chords_.push_back(rounded(removed, range));
+        chords_.emplace_back(ray, rounded(removed, range));
     }
 
     // Returns a chord whose ends are rounded outwards to whole units.
     Chord rounded(const Removed& removed, const Range& range) const
     {
         const auto& [may, sure] = removed;
+        // units are powers of two, so that quotients are exact
         const auto down = [&](double s) {
-            return static_cast<std::int32_t>(std::floor(s / unit_));
+            const auto whole = static_cast<std::int32_t>(s / unit_);
+            return whole * unit_ > s ? whole - 1 : whole;
         };
-        const auto up = [&](double s) {
-            return static_cast<std::int32_t>(std::ceil(s / unit_));
-        };
+        const auto up = [&](double s) { return -down(-s); };
         Chord chord{{down(may.from), up(may.to)}, {0, 0}};
         if (sure)
             chord.sure = {up(sure->from), down(sure->to)};
@@ -294,7 +438,7 @@ private:
     double length_;
     std::vector<Dexel> dexels_;
     std::vector<Vec3> starts_;
-    std::vector<Chord> chords_;
+    std::vector<std::pair<std::size_t, Chord>> chords_;  // with the numbers of their rays
     Vec3 middle_;
     double radius_;
     std::optional<Range> material_ = {};  // of all rays, if it is known

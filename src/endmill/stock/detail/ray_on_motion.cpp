@@ -102,32 +102,38 @@ RayOnMotion RayOnMotion::moved(const Vec3& movement, const Vec3& seen_from_start
     return other;
 }
 
-std::optional<double> RayOnMotion::first_entry(double s, double most) const
+std::optional<RayOnMotion::Place> RayOnMotion::first_entry(double s, double most) const
 {
     const double slack = motion_->turn() * (1 + motion_->turn() / 4);
     for (int step = 0; step < most_entry_steps; ++step) {
         const Distance here = distance(s, most - s);
         if (here.gap() <= accuracy_)
-            return s;
+            return Place{s, here};
         const double fall = std::min(1.0, slack - rate(here.least));
         if (!(fall > 0) || !(s + here.gap() / fall < most))
             return std::nullopt;
         s += here.gap() / fall;
     }
-    return s;
+    return place(s);
 }
 
-std::optional<double> RayOnMotion::sure_entry(double s, double most, Distance& distance,
-                                              double margin) const
+std::optional<RayOnMotion::Place> RayOnMotion::sure_entry(const Place& from, double most,
+                                                          double margin) const
 {
-    for (int step = 0; step < most_sure_steps && s <= most; ++step) {
-        distance = this->distance(s);
-        if (distance.is_removed(margin))
-            return s;
-        const double fall = std::max(-rate(distance.least), least_fall);
-        s += (distance.least.value + distance.error + margin + accuracy_) / fall;
+    if (!(from.s <= most))
+        return std::nullopt;
+    Place at = from;
+    for (int step = 1;; ++step) {
+        const Distance& here = at.distance;
+        if (here.is_removed(margin))
+            return at;
+        const double fall = std::max(-rate(here.least), least_fall);
+        const double s =
+            at.s + (here.least.value + here.error + margin + accuracy_) / fall;
+        if (step == most_sure_steps || !(s <= most))
+            return std::nullopt;
+        at = place(s);
     }
-    return std::nullopt;
 }
 
 RayOnMotion RayOnMotion::reversed() const

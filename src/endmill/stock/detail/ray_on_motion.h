@@ -32,6 +32,12 @@ public:
         }
     };
 
+    /// A place on the line.
+    struct Place {
+        double s;           ///< mm
+        Distance distance;  ///< there
+    };
+
     /// Motion and body must outlive the object.
     /// \param start mm. \param direction unit.
     RayOnMotion(const Vec3& start, const Vec3& direction, const ToolMotion& motion,
@@ -91,15 +97,17 @@ public:
     /// Returns a place such that nothing from s up to it is removed, as close as possible
     /// to the first place that may be removed.
     /// \return nothing if it is not below `most`.
-    std::optional<double> first_entry(double s, double most) const;
+    std::optional<Place> first_entry(double s, double most) const;
 
-    /// Returns the first place found from s up that is removed for certain. Grazing lines
-    /// may be missed.
-    /// \param distance receives F there.
+    /// Returns the first place found from a place up that is removed for certain. Grazing
+    /// lines may be missed.
     /// \param margin mm, by which F must be less than needed.
     /// \return nothing if none is found up to `most`.
-    std::optional<double> sure_entry(double s, double most, Distance& distance,
-                                     double margin = 0) const;
+    std::optional<Place> sure_entry(const Place& from, double most,
+                                    double margin = 0) const;
+
+    /// The place at s.
+    Place place(double s) const { return {s, distance(s)}; }
 
     /// Returns the angle by which the direction turns as seen from the tool, at most; rad.
     double turn() const { return motion_->turn(); }

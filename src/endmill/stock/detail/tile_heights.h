@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "endmill/core/detail/widest_registers.h"
 #include "endmill/cutter/cutter.h"
 #include "endmill/stock/detail/swept_move.h"
 #include "endmill/stock/height_stock.h"
@@ -21,13 +22,6 @@ TilePlace tile_place(const StockGrid& grid, int tile_column, int tile_row);
 
 /// One number per cell of a tile, row by row.
 using TileHeights = std::array<double, HeightStock::tile_size>;
-
-/// Chooses one of two numbers that are both computed, so that the compiler needs no
-/// branch.
-inline double select(bool is_first, double first, double second)
-{
-    return is_first ? first : second;
-}
 
 /// A cell in the coordinates of a move: s along it and e across it, both from its start
 /// as in `StraightSweep`.

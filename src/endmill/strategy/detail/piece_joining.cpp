@@ -37,6 +37,8 @@ constexpr double least_bend_length = 0.004;
 constexpr int trimming_halvings = 5;
 // Detours of a piece that are tried.
 constexpr std::size_t tried_detours = 12;
+// A straightened stretch has to become shorter by this part of what it would on a plane.
+constexpr double least_gain_share = 0.5;
 // Halvings of the way to the straight line in search of the place that can be reached.
 constexpr int straightening_halvings = 3;
 
@@ -209,13 +211,29 @@ private:
                                 {number, first + 1, last, along_surface(*targets)})))
                 by = linked(*targets);
             const std::size_t count = by ? by->size() : 0;
-            if (by && covering_.make({number, first + 1, last, std::move(*by)})) {
+            if (by && shortens(old, *by, share) &&
+                covering_.make({number, first + 1, last, std::move(*by)})) {
                 far_enough = share;
                 last = first + 1 + count;
             } else {
                 too_far = share;
             }
         }
+    }
+
+    // Whether a stretch becomes shorter by enough. On a plane, a share of the way to the straight
+    // line takes more than this share of what the stretch is longer. Beside creases of a mesh the
+    // moves between the new contacts may be as long as the old ones.
+    static bool shortens(std::span<const PassContact> old,
+                         std::span<const PassContact> by, double share)
+    {
+        std::vector<PassContact> now{old.front()};
+        now.insert(now.end(), by.begin(), by.end());
+        now.push_back(old.back());
+        const double before = pass_length({{old.begin(), old.end()}, false});
+        const double bend = before - distance(old.front(), old.back());
+        return before - pass_length({std::move(now), false}) >=
+               least_gain_share * share * bend;
     }
 
     // The contacts of a stretch of a piece, moved by a share of the way to the straight one
