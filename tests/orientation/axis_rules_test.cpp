@@ -73,6 +73,39 @@ TEST_F(RulesBesideAWall, StripLeadAndCurvatureAreRules)
     EXPECT_EQ(broken(tool, -20, 0, 0), AxisRule::Curvature);
 }
 
+// Visibility is eroded by a cell: an axis that just passes the wall's top is refused, though a thin
+// cutter would be clear.
+TEST_F(RulesBesideAWall, VisibilityIsARuleOfPreparedContacts)
+{
+    RuledTool tool{Cutter::ball(0.5)};
+    tool.deepest_gouge = 1e-3;
+    tool.greatest_lean = Angle::degrees(45);
+    const ToolClearance clearance{floor_and_wall()};
+    const ContactCones cones{floor_and_wall(), 1e-3};
+    const AxisRules rules{tool, clearance, &cones};
+    const CutterContact contact{{0, -4, 0}, Vec3::UnitZ()};
+    RuledContact at{contact, {}, 0, 1};
+    const auto broken = [&](double tilt_deg) {
+        const Inclination inclination{Angle::radians(0), Angle::degrees(tilt_deg)};
+        return rules
+            .judge(at, inclined_axis(contact.normal, Vec3::UnitX(), inclination),
+                   inclination)
+            .broken;
+    };
+    // the top of the wall is 8 mm beside the contact and 30 mm above
+    const double top = std::atan2(8, 30) * 180 / std::numbers::pi;
+    const double cell = Angle::radians(cones.cell_radius()).degrees();
+    EXPECT_FALSE(broken(top - 2));
+    rules.prepare(at);
+    EXPECT_EQ(broken(top - 0.2), AxisRule::Visibility);
+    EXPECT_FALSE(broken(top - 1.2 - cell));
+    EXPECT_FALSE(broken(-30));
+    // far from the wall no axis within the lean is hidden, and no ray is needed
+    RuledContact far{{{0, -45, 0}, Vec3::UnitZ()}, {}, 0, 1};
+    rules.prepare(far);
+    EXPECT_FALSE(far.hidden);
+}
+
 TEST_F(RulesBesideAWall, MachineReachesSomeDirections)
 {
     PartOnMachine setup;
