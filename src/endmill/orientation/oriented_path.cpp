@@ -94,8 +94,10 @@ public:
             std::sqrt(cutter_.radius() * cutter_.radius() - half * half) +
             skewed_way(last_);
         if (!cutter_.is_ball() && last_.inclination.lead.radians() >= 0) {
-            last_ = moved_along(last_, clear_way(last_, behind));
-            add_point(last_.location, Move::Cut, {});
+            const double way = clear_way(last_, behind);
+            last_ = moved_along(last_, way);
+            if (way > 0)
+                add_point(last_.location, Move::Cut, {});
         }
         ++result_.passes;
     }
@@ -314,7 +316,7 @@ std::vector<PassRows> rows_of_passes(std::span<const OrientedPart* const> parts,
 
 // The path over the passes of all parts.
 // \param tested clearance of a mesh whose links are tested; null: they are not tested.
-OrientedPath linked(std::vector<PassRows> passes, const Cutter& cutter,
+OrientedPath linked(const std::vector<PassRows>& passes, const Cutter& cutter,
                     const OrientedOptions& options, const ToolClearance* tested)
 {
     OrientedPath result;
@@ -374,7 +376,7 @@ OrientedPath plan_oriented(std::span<const Surface> surfaces, const Cutter& cutt
         const ContactCones cones{sampling, options.inner_tolerance};
         gap = turn_by_field({parts, clearance, cutter, options, &cones}, passes);
     }
-    OrientedPath result = linked(std::move(passes), cutter, options, nullptr);
+    OrientedPath result = linked(passes, cutter, options, nullptr);
     result.least_gap_mm = gap;
     return result;
 }
@@ -392,12 +394,14 @@ OrientedPath plan_oriented(const TriangleMesh& mesh, const Cutter& cutter,
     const OrientedContacts part = oriented_contacts({shape, clearance, cutter, laying});
     const std::vector<const OrientedPart*> parts{&part};
     std::vector<PassRows> passes = rows_of_passes(parts, posing);
+    if (passes.empty())
+        throw GeometryError{"the cutter reaches no place of the mesh along +z"};
     std::optional<double> gap;
     if (options.mode == AxisMode::Field) {
         const ContactCones cones{mesh, options.inner_tolerance};
         gap = turn_by_field({parts, clearance, cutter, posing, &cones}, passes);
     }
-    OrientedPath result = linked(std::move(passes), cutter, options, &clearance);
+    OrientedPath result = linked(passes, cutter, options, &clearance);
     result.least_gap_mm = gap;
     return result;
 }

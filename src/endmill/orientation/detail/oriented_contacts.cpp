@@ -25,6 +25,8 @@ namespace {
 // Share of the scallop height for which passes are laid. The rest is for what the motion
 // between two rows leaves.
 constexpr double between_passes = 0.95;
+// Share of the inner tolerance that the path of the ball has. The rest is for leaning axes.
+constexpr double ball_tolerance = 0.5;
 // Share of a strip that a field must keep, as on surfaces.
 constexpr double used_field_strip = 0.9;
 // Greatest scallop height of the ball in its radii.
@@ -281,7 +283,7 @@ ToolPath ball_path(const ContactTask& task, double height)
     const BallCutter ball{task.cutter.radius()};
     StrategyOptions options;
     options.scallop_height = height;
-    options.inner_tolerance = task.options.inner_tolerance;
+    options.inner_tolerance = ball_tolerance * task.options.inner_tolerance;
     options.link.order = task.options.order;
     options.link.safe_height = task.options.safe_height;
     options.direction = laid.direction;
