@@ -100,10 +100,6 @@ TEST_F(RulesBesideAWall, VisibilityIsARuleOfPreparedContacts)
     EXPECT_EQ(broken(top - 0.2), AxisRule::Visibility);
     EXPECT_FALSE(broken(top - 1.2 - cell));
     EXPECT_FALSE(broken(-30));
-    // far from the wall no axis within the lean is hidden, and no ray is needed
-    RuledContact far{{{0, -45, 0}, Vec3::UnitZ()}, {}, 0, 1};
-    rules.prepare(far);
-    EXPECT_FALSE(far.hidden);
 }
 
 TEST_F(RulesBesideAWall, MachineReachesSomeDirections)

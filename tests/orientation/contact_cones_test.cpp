@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/visibility/sphere_grid.h"
 #include "random.h"
