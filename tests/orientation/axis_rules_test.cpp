@@ -80,8 +80,9 @@ TEST_F(RulesBesideAWall, VisibilityIsARuleOfPreparedContacts)
     RuledTool tool{Cutter::ball(0.5)};
     tool.deepest_gouge = 1e-3;
     tool.greatest_lean = Angle::degrees(45);
-    const ToolClearance clearance{floor_and_wall()};
-    const ContactCones cones{floor_and_wall(), 1e-3};
+    const TriangleMesh part = floor_and_wall();
+    const ToolClearance clearance{part};
+    const ContactCones cones{part, 1e-3};
     const AxisRules rules{tool, clearance, &cones};
     const CutterContact contact{{0, -4, 0}, Vec3::UnitZ()};
     RuledContact at{contact, {}, 0, 1};

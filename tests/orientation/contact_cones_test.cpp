@@ -63,8 +63,9 @@ TEST(ContactCones, AreThoseOfBruteForceBesideAWall)
                                       (centre.z() <= 0 || meets_wall(centre)));
         EXPECT_EQ(cones.is_seen(hidden, axis), !is_hidden);
         // an axis that is seen is not in the wall
-        if (!is_hidden)
+        if (!is_hidden) {
             EXPECT_FALSE(meets_wall(axis));
+        }
         seen += is_hidden ? 0 : 1;
         ++tests;
     }

@@ -291,8 +291,9 @@ TEST(PlanOrientedOnAMesh, LeansAgainstTheNormalsOfTheSurface)
                     (a * place.x() * place.x() + b * place.y() * place.y()) / 2, 0.012);
         EXPECT_NEAR((point.location.axis - at->contact.normal).norm(), 0, 1e-9);
         // a border is rounded by the ball, whose normals lean outwards there
-        if (std::abs(place.x()) < 14.9 && std::abs(place.y()) < 9.9)
+        if (std::abs(place.x()) < 14.9 && std::abs(place.y()) < 9.9) {
             EXPECT_NEAR((at->contact.normal - normal).norm(), 0, 0.01);
+        }
         ++contacts;
     }
     EXPECT_GT(contacts, 100U);

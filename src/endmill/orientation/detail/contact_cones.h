@@ -22,6 +22,8 @@ public:
     /// \param offset distance in mm of a ray's start from its contact along the normal, positive;
     ///        at least that of the contacts from the mesh.
     ContactCones(const TriangleMesh& mesh, double offset);
+    // deleted: the mesh would not outlive the object
+    ContactCones(TriangleMesh&&, double) = delete;
 
     /// Centres of cells outside the cone.
     using Hidden = std::vector<Vec3>;
@@ -36,10 +38,8 @@ public:
     /// \param axis unit, with a lean of at most that of the hidden cells.
     bool is_seen(const Hidden& hidden, const Vec3& axis) const;
 
-    double cell_radius() const
-    {
-        return cell_radius_;
-    }  ///< rad, that of the largest cell
+    /// The radius of the largest cell in rad.
+    double cell_radius() const { return cell_radius_; }
 
 private:
     TriangleTree tree_;

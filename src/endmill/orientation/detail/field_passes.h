@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "endmill/orientation/detail/contact_cones.h"
 #include "endmill/orientation/detail/oriented_part.h"
 #include "endmill/orientation/detail/tool_clearance.h"
 
@@ -23,6 +24,8 @@ struct FieldTask {
     const ToolClearance& clearance;              ///< of the whole part
     const Cutter& cutter;                        ///< of the tool
     const OrientedOptions& options;              ///< of the path
+    const ContactCones* cones =
+        nullptr;  ///< of the whole part; null: visibility is no rule
 };
 
 /// Gives the rows of all passes the axes of a field over the whole path, and inserts rows until

@@ -40,6 +40,8 @@ public:
     /// \param mesh consistently oriented, without facets that have no area; it must outlive
     ///        the object.
     explicit MeshShape(const TriangleMesh& mesh);
+    // deleted: the mesh would not outlive the object
+    explicit MeshShape(TriangleMesh&&) = delete;
 
     /// The place of the mesh nearest to a place.
     /// \pre the mesh has a facet.
