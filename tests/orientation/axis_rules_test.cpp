@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/orientation/detail/axis_rules.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include <gtest/gtest.h>
+
+#include "endmill/visibility/sphere_grid.h"
 
 namespace endmill {
 namespace {
@@ -73,8 +76,8 @@ TEST_F(RulesBesideAWall, StripLeadAndCurvatureAreRules)
     EXPECT_EQ(broken(tool, -20, 0, 0), AxisRule::Curvature);
 }
 
-// Visibility is eroded by a cell: an axis that just passes the wall's top is refused, though a thin
-// cutter would be clear.
+// Visibility is eroded by a cell: an axis near a cell behind the wall is refused, though a thin cutter
+// would be clear. The cells are tested one by one.
 TEST_F(RulesBesideAWall, VisibilityIsARuleOfPreparedContacts)
 {
     RuledTool tool{Cutter::ball(0.5)};
@@ -94,13 +97,33 @@ TEST_F(RulesBesideAWall, VisibilityIsARuleOfPreparedContacts)
             .broken;
     };
     // the top of the wall is 8 mm beside the contact and 30 mm above
-    const double top = std::atan2(8, 30) * 180 / std::numbers::pi;
-    const double cell = Angle::radians(cones.cell_radius()).degrees();
-    EXPECT_FALSE(broken(top - 2));
-    rules.prepare(at);
-    EXPECT_EQ(broken(top - 0.2), AxisRule::Visibility);
-    EXPECT_FALSE(broken(top - 1.2 - cell));
-    EXPECT_FALSE(broken(-30));
+    const double top = std::atan2(8, 30);
+    const SphereGrid grid = sphere_grid("hex:10");
+    const auto is_near_a_hidden_cell = [&](const Vec3& axis) {
+        return std::ranges::any_of(grid.centres, [&](const Vec3& centre) {
+            return centre.z() > 0 && std::atan2(centre.y(), centre.z()) > top &&
+                   centre.dot(axis) > std::cos(cones.cell_radius());
+        });
+    };
+    const double spare = 2;  // degrees, for the radius of the shaft
+    int refused = 0;
+    int allowed = 0;
+    for (double tilt = -30; tilt < Angle::radians(top).degrees() - spare; tilt += 0.25) {
+        at.hidden.reset();
+        EXPECT_FALSE(broken(tilt));
+        rules.prepare(at);
+        const Inclination inclination{Angle::radians(0), Angle::degrees(tilt)};
+        if (is_near_a_hidden_cell(
+                inclined_axis(contact.normal, Vec3::UnitX(), inclination))) {
+            EXPECT_EQ(broken(tilt), AxisRule::Visibility);
+            ++refused;
+        } else {
+            EXPECT_FALSE(broken(tilt));
+            ++allowed;
+        }
+    }
+    EXPECT_GT(refused, 0);
+    EXPECT_GT(allowed, 120);
 }
 
 TEST_F(RulesBesideAWall, MachineReachesSomeDirections)

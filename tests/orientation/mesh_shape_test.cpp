@@ -68,7 +68,7 @@ TEST(MeshShape, HasTheCurvaturesOfASaddle)
     const TriangleMesh mesh =
         graph(40, [](double x, double y) { return 0.01 * x * x - 0.02 * y * y; });
     const MeshShape shape{mesh};
-    const ShapePlace top = shape.nearest({0, 0, 1});
+    const ShapePlace top = shape.nearest({0, 0, 0});
     EXPECT_NEAR(top.point.norm(), 0, 1e-12);
     EXPECT_NEAR((top.normal - Vec3::UnitZ()).norm(), 0, 1e-3);
     // concave along x, convex along y

@@ -127,9 +127,13 @@ TEST(OrientedContacts, AreLaidForTheStripsOfTheCutter)
     options.mesh_passes.direction = Angle::degrees(0);
     const Cutter ball = Cutter::ball(4);
     const Cutter bull{4, 1};
-    const OrientedContacts of_ball = oriented_contacts({shape, clearance, ball, options});
-    const OrientedContacts of_bull = oriented_contacts({shape, clearance, bull, options});
-    EXPECT_LT(of_bull.passes().size(), 0.75 * of_ball.passes().size());
+    const LaidContacts laid_for_ball =
+        oriented_contacts({shape, clearance, ball, options});
+    const LaidContacts laid_for_bull =
+        oriented_contacts({shape, clearance, bull, options});
+    EXPECT_LT(static_cast<double>(laid_for_bull.passes),
+              0.75 * static_cast<double>(laid_for_ball.passes));
+    const OrientedContacts& of_bull = laid_for_bull.part;
     for (const PassLine& line : of_bull.passes())
         for (const PassPose& row : of_bull.rows(line))
             EXPECT_GE(row.strip_mm, 0.9 * of_bull.ruled(row.place, line).needed_strip_mm);

@@ -371,5 +371,45 @@ TEST(PlanOrientedOnAMesh, RefusesTrianglesThatFaceOppositeSides)
         DomainError);
 }
 
+// Facets of 5 mm on a radius of 50 mm are 0.06 mm below the surface: a flat cutter that leans
+// against the normals of the surface gouges them.
+TEST(PlanOrientedOnAMesh, RefusesAWideCutterOnACoarseMeshThatItGouges)
+{
+    OrientedOptions options = planar_options(AxisMode::Lead, 0);
+    options.inner_tolerance = 0.01;
+    options.scallop_height = 0.1;
+    try {
+        plan_judged_oriented(graph(-0.05, -0.05, 6), Cutter{5, 0}, options);
+        FAIL();
+    } catch (const GeometryError& error) {
+        EXPECT_NE(std::string{error.what()}.find("expected a finer mesh"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+// A block beside the graph bears a face that no passes from above reach. That its stock stays is
+// known after two trials.
+TEST(PlanOrientedOnAMesh, EndsWithTheStockThatIsBeyondReach)
+{
+    const TriangleMesh floor = test::flat_mesh(12, 12);
+    std::vector<Vec3> points = test::points_of(floor);
+    std::vector<Triangle> triangles = test::triangles_of(floor);
+    const auto first = static_cast<std::int32_t>(points.size());
+    const TriangleMesh roof = test::box_mesh({6, -1, 3}, {13, 13, 4});
+    for (const Vec3& point : roof.points())
+        points.push_back(point);
+    for (const Triangle& triangle : roof.triangles())
+        triangles.push_back(
+            {triangle[0] + first, triangle[1] + first, triangle[2] + first});
+    OrientedOptions options = planar_options(AxisMode::Lead, 0);
+    options.scallop_height = 0.2;
+    options.inner_tolerance = 0.05;
+    const JudgedOrientedPath judged =
+        plan_judged_oriented(TriangleMesh{points, triangles}, Cutter::ball(1.5), options);
+    EXPECT_EQ(judged.verification.verdict, Verdict::Uncut);
+    EXPECT_GT(judged.verification.on_part->deviation.max_scallop_mm, 0.5);
+}
+
 }  // namespace
 }  // namespace endmill

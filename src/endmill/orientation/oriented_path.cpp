@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "endmill/core/error.h"
+#include "endmill/core/text.h"
 #include "endmill/cutter/cutting_body.h"
 #include "endmill/machine/kinematics.h"
 #include "endmill/machine/tool_motion.h"
@@ -46,6 +48,9 @@ constexpr double tested_step = 0.2;
 constexpr int most_trials = 8;
 constexpr double lower_height = 0.8;
 constexpr double closer_rows = 0.5;
+// Share by which the greatest remaining stock of a mesh falls with closer passes; else it is
+// beyond reach.
+constexpr double reached_share = 0.95;
 // Distance of the first rays of a judgement, as a share of the cutter's radius.
 constexpr double ray_share = 0.2;
 // Share of laying passes in the planning of a mesh.
@@ -340,6 +345,37 @@ void require_consistent(const TriangleMesh& mesh)
             "triangles that are all counter-clockwise seen from outside"};
 }
 
+std::string rounded_text(double value)
+{
+    return to_text(std::round(value * 1e3) / 1e3);
+}
+
+// Refuses a mesh on which a wide cutter gouges in the poses of modes Fixed and Lead. The normals
+// of a coarse mesh are not those of its facets, and no row between two poses mends that.
+void require_clear_poses(const TriangleMesh& mesh, const ToolPath& path,
+                         const Cutter& cutter, double deepest)
+{
+    const ToolClearance clearance{mesh};
+    const CuttingBody body{cutter};
+    const double least = -deepest - ToolClearance::accuracy;
+    for (const PathPoint& point : path.points) {
+        const SurfaceContact* at = point.contact();
+        const ToolFrame tool = frame_at(point.location);
+        if (!at || clearance.is_clear(body, tool, least))
+            continue;
+        const Vec3& place = at->contact.point;
+        std::ostringstream message;
+        message
+            << "the cutter gouges the mesh by "
+            << rounded_text(-clearance.gap(body, tool, 0)) << " mm at ("
+            << rounded_text(place.x()) << ", " << rounded_text(place.y()) << ", "
+            << rounded_text(place.z())
+            << ") mm; expected a finer mesh, a greater lead, a ball-end cutter or the "
+               "mode field";
+        throw GeometryError{message.str()};
+    }
+}
+
 OrientedOptions with_progress(const OrientedOptions& options, double from, double to)
 {
     OrientedOptions result = options;
@@ -391,8 +427,8 @@ OrientedPath plan_oriented(const TriangleMesh& mesh, const Cutter& cutter,
     const ToolClearance clearance{mesh};
     const OrientedOptions laying = with_progress(options, 0, laying_share);
     const OrientedOptions posing = with_progress(options, laying_share, 1);
-    const OrientedContacts part = oriented_contacts({shape, clearance, cutter, laying});
-    const std::vector<const OrientedPart*> parts{&part};
+    const LaidContacts laid = oriented_contacts({shape, clearance, cutter, laying});
+    const std::vector<const OrientedPart*> parts{&laid.part};
     std::vector<PassRows> passes = rows_of_passes(parts, posing);
     if (passes.empty())
         throw GeometryError{"the cutter reaches no place of the mesh along +z"};
@@ -402,6 +438,7 @@ OrientedPath plan_oriented(const TriangleMesh& mesh, const Cutter& cutter,
         gap = turn_by_field({parts, clearance, cutter, posing, &cones}, passes);
     }
     OrientedPath result = linked(passes, cutter, options, &clearance);
+    result.passes = laid.passes;
     result.least_gap_mm = gap;
     return result;
 }
@@ -410,9 +447,13 @@ JudgedOrientedPath plan_judged_oriented(const Part& part, const Cutter& cutter,
                                         const OrientedOptions& options)
 {
     OrientedOptions aimed = with_progress(options, 0, planning_share);
+    const auto* mesh = std::get_if<TriangleMesh>(&part);
+    std::optional<double> left_before;  // on a mesh, by passes that were farther apart
     for (int trial = 1;; ++trial) {
         OrientedPath plan = std::visit(
             [&](const auto& kind) { return plan_oriented(kind, cutter, aimed); }, part);
+        if (mesh && trial == 1 && options.mode != AxisMode::Field && !cutter.is_ball())
+            require_clear_poses(*mesh, plan.path, cutter, options.inner_tolerance);
         VerificationTask task{.path = &plan.path,
                               .cutter = cutter,
                               .stock = default_block(&part, plan.path, cutter)};
@@ -426,18 +467,26 @@ JudgedOrientedPath plan_judged_oriented(const Part& part, const Cutter& cutter,
         task.resolution = ray_share * cutter.radius();
         task.engine = RemovalEngine::FiveAxis;
         Verification verification = verify_path(task);
-        if (verification.verdict == Verdict::Clean || trial == most_trials)
-            return {std::move(plan), std::move(verification)};
         const Deviation& found = verification.on_part->deviation;
+        const bool is_beyond_reach =
+            left_before && verification.verdict == Verdict::Uncut &&
+            !(found.max_scallop_mm < reached_share * *left_before);
+        if (verification.verdict == Verdict::Clean || trial == most_trials ||
+            is_beyond_reach)
+            return {std::move(plan), std::move(verification)};
         const bool may_gouge =
             found.max_gouge_mm + found.gouge_bound_mm > options.inner_tolerance;
         const bool may_leave =
             found.max_scallop_mm + found.scallop_bound_mm > options.scallop_height;
         if (may_gouge && (verification.verdict == Verdict::Gouged || !may_leave))
             aimed.inner_tolerance *= closer_rows;
+        left_before.reset();
         if (may_leave && (verification.verdict != Verdict::Gouged ||
-                          found.max_scallop_mm > options.scallop_height))
+                          found.max_scallop_mm > options.scallop_height)) {
             aimed.scallop_height *= lower_height;
+            if (mesh)
+                left_before = found.max_scallop_mm;
+        }
     }
 }
 

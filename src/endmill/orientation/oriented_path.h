@@ -30,10 +30,10 @@ struct AngleExtent {
 struct OrientedPath {
     ToolPath
         path;  ///< contacts are known at all cuts but those beyond the ends of passes
-    std::size_t passes = 0;         ///< number of passes
-    double cut_contact_mm = 0;      ///< length of the cuts by contacts
-    AngleExtent lead;               ///< leads of all contacts
-    AngleExtent tilt;               ///< tilts of all contacts
+    std::size_t passes = 0;     ///< number of passes; on a mesh as its strategy laid them
+    double cut_contact_mm = 0;  ///< length of the cuts by contacts
+    AngleExtent lead;           ///< leads of all contacts
+    AngleExtent tilt;           ///< tilts of all contacts
     double narrowest_strip_mm = 0;  ///< least width of a strip
     double widest_strip_mm = 0;     ///< greatest width of a strip
     /// Sum of the turns of the axis in the part, on all moves.
@@ -96,8 +96,11 @@ struct JudgedOrientedPath {
 /// Plans an oriented path on surfaces or a mesh and verifies it. Stock on the skipped facets of a
 /// mesh is not judged. If it is not clean, it is planned again: for less
 /// scallop height if more remains than allowed, with closer rows if it gouges. After eight
-/// trials the last one is returned.
+/// trials the last one is returned; before, if the greatest remaining stock of a mesh does not
+/// fall, because the tool does not reach its place.
 /// \throws as plan_oriented and verify_path.
+/// \throws GeometryError if a cutter that is no ball gouges a mesh by more than the inner
+///         tolerance in a pose of mode Fixed or Lead, for example because the mesh is coarse.
 JudgedOrientedPath plan_judged_oriented(const Part& part, const Cutter& cutter,
                                         const OrientedOptions& options);
 

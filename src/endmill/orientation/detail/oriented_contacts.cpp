@@ -277,7 +277,7 @@ TriangleMesh without(const TriangleMesh& mesh, std::span<const std::size_t> skip
     return {{mesh.points().begin(), mesh.points().end()}, std::move(kept)};
 }
 
-ToolPath ball_path(const ContactTask& task, double height)
+CoveringPath ball_path(const ContactTask& task, double height)
 {
     const MeshPassOptions& laid = task.options.mesh_passes;
     const BallCutter ball{task.cutter.radius()};
@@ -292,11 +292,11 @@ ToolPath ball_path(const ContactTask& task, double height)
     options.progress = task.options.progress;
     const Part whole{task.shape.mesh()};
     if (laid.skipped_facets.empty())
-        return covering_by_strategy(laid.strategy, whole, ball, options).path;
+        return covering_by_strategy(laid.strategy, whole, ball, options);
     options.protected_part =
         std::make_shared<const ProtectedPart>(whole, ball, options.inner_tolerance);
     const Part cut{without(task.shape.mesh(), laid.skipped_facets)};
-    return covering_by_strategy(laid.strategy, cut, ball, options).path;
+    return covering_by_strategy(laid.strategy, cut, ball, options);
 }
 
 // Continues curves on the mesh.
@@ -373,10 +373,11 @@ private:
 
 }  // namespace
 
-OrientedContacts oriented_contacts(const ContactTask& task)
+LaidContacts oriented_contacts(const ContactTask& task)
 {
     const double height = ball_height(task);
-    std::vector<ContactCurve> curves = contact_curves(ball_path(task, height));
+    const CoveringPath laid = ball_path(task, height);
+    std::vector<ContactCurve> curves = contact_curves(laid.path);
     if (!task.cutter.is_ball()) {
         const OrientedContacts part{task.shape, {}, height, task.cutter, task.options};
         const double reach = std::sqrt(height * (2 * task.cutter.radius() - height));
@@ -384,7 +385,7 @@ OrientedContacts oriented_contacts(const ContactTask& task)
         for (ContactCurve& curve : curves)
             curve = continuation.continued(curve);
     }
-    return {task.shape, curves, height, task.cutter, task.options};
+    return {{task.shape, curves, height, task.cutter, task.options}, laid.passes};
 }
 
 }  // namespace endmill

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -72,6 +73,13 @@ struct ContactTask {
     const OrientedOptions& options;  ///< of the path
 };
 
+/// The passes on a mesh, and how many the strategy laid. A curve may have several, as the tool
+/// stays in contact between them.
+struct LaidContacts {
+    OrientedContacts part;
+    std::size_t passes;
+};
+
 /// Lays passes on a mesh by the strategy of the options, for a ball of the cutter's radius.
 ///
 /// Another cutter covers wider strips than the ball. So the passes are laid for the scallop
@@ -80,6 +88,6 @@ struct ContactTask {
 /// because the ball covers as much ahead of its contact, and the other cutter does not.
 /// Source: docs/methods/five-axis-planning.md, section 4.
 /// \throws GeometryError, LimitError as covering_by_strategy.
-OrientedContacts oriented_contacts(const ContactTask& task);
+LaidContacts oriented_contacts(const ContactTask& task);
 
 }  // namespace endmill
