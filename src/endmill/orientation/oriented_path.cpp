@@ -50,7 +50,7 @@ constexpr double lower_height = 0.8;
 constexpr double closer_rows = 0.5;
 // Share by which the greatest remaining stock of a mesh falls with closer passes; else it is
 // beyond reach.
-constexpr double reached_share = 0.95;
+constexpr double steady_share = 0.95;
 // Distance of the first rays of a judgement, as a share of the cutter's radius.
 constexpr double ray_share = 0.2;
 // Share of laying passes in the planning of a mesh.
@@ -376,6 +376,23 @@ void require_clear_poses(const TriangleMesh& mesh, const ToolPath& path,
     }
 }
 
+// The aims after a path that is not clean. \param asked the limits of the path.
+OrientedOptions aimed_closer(OrientedOptions aimed, const Verification& verification,
+                             const OrientedOptions& asked)
+{
+    const Deviation& found = verification.on_part->deviation;
+    const bool may_gouge =
+        found.max_gouge_mm + found.gouge_bound_mm > asked.inner_tolerance;
+    const bool may_leave =
+        found.max_scallop_mm + found.scallop_bound_mm > asked.scallop_height;
+    if (may_gouge && (verification.verdict == Verdict::Gouged || !may_leave))
+        aimed.inner_tolerance *= closer_rows;
+    if (may_leave && (verification.verdict != Verdict::Gouged ||
+                      found.max_scallop_mm > asked.scallop_height))
+        aimed.scallop_height *= lower_height;
+    return aimed;
+}
+
 OrientedOptions with_progress(const OrientedOptions& options, double from, double to)
 {
     OrientedOptions result = options;
@@ -448,7 +465,9 @@ JudgedOrientedPath plan_judged_oriented(const Part& part, const Cutter& cutter,
 {
     OrientedOptions aimed = with_progress(options, 0, planning_share);
     const auto* mesh = std::get_if<TriangleMesh>(&part);
-    std::optional<double> left_before;  // on a mesh, by passes that were farther apart
+    // On a mesh, whether passes are closer than before, and the stock that remained, mm.
+    bool is_closer = false;
+    double left_before = 0;
     for (int trial = 1;; ++trial) {
         OrientedPath plan = std::visit(
             [&](const auto& kind) { return plan_oriented(kind, cutter, aimed); }, part);
@@ -468,25 +487,17 @@ JudgedOrientedPath plan_judged_oriented(const Part& part, const Cutter& cutter,
         task.engine = RemovalEngine::FiveAxis;
         Verification verification = verify_path(task);
         const Deviation& found = verification.on_part->deviation;
-        const bool is_beyond_reach =
-            left_before && verification.verdict == Verdict::Uncut &&
-            !(found.max_scallop_mm < reached_share * *left_before);
+        const bool is_beyond_reach = is_closer &&
+                                     verification.verdict != Verdict::Gouged &&
+                                     found.max_scallop_mm > options.scallop_height &&
+                                     !(found.max_scallop_mm < steady_share * left_before);
         if (verification.verdict == Verdict::Clean || trial == most_trials ||
             is_beyond_reach)
             return {std::move(plan), std::move(verification)};
-        const bool may_gouge =
-            found.max_gouge_mm + found.gouge_bound_mm > options.inner_tolerance;
-        const bool may_leave =
-            found.max_scallop_mm + found.scallop_bound_mm > options.scallop_height;
-        if (may_gouge && (verification.verdict == Verdict::Gouged || !may_leave))
-            aimed.inner_tolerance *= closer_rows;
-        left_before.reset();
-        if (may_leave && (verification.verdict != Verdict::Gouged ||
-                          found.max_scallop_mm > options.scallop_height)) {
-            aimed.scallop_height *= lower_height;
-            if (mesh)
-                left_before = found.max_scallop_mm;
-        }
+        OrientedOptions closer = aimed_closer(aimed, verification, options);
+        is_closer = mesh && closer.scallop_height < aimed.scallop_height;
+        left_before = found.max_scallop_mm;
+        aimed = std::move(closer);
     }
 }
 
