@@ -388,27 +388,26 @@ TEST(PlanOrientedOnAMesh, RefusesAWideCutterOnACoarseMeshThatItGouges)
     }
 }
 
-// A block beside the graph bears a face that no passes from above reach. That its stock stays is
-// known after two trials.
+// A ball of radius R stays R / cos(a) - R above the bottom of a valley whose sides rise by the angle
+// a. Closer passes do not lower that.
 TEST(PlanOrientedOnAMesh, EndsWithTheStockThatIsBeyondReach)
 {
-    const TriangleMesh floor = test::flat_mesh(12, 12);
-    std::vector<Vec3> points = test::points_of(floor);
-    std::vector<Triangle> triangles = test::triangles_of(floor);
-    const auto first = static_cast<std::int32_t>(points.size());
-    const TriangleMesh roof = test::box_mesh({6, -1, 3}, {13, 13, 4});
-    for (const Vec3& point : roof.points())
-        points.push_back(point);
-    for (const Triangle& triangle : roof.triangles())
-        triangles.push_back(
-            {triangle[0] + first, triangle[1] + first, triangle[2] + first});
+    const double slope = 0.5;
+    const TriangleMesh valley = test::grid_mesh(20, 20, [&](int i, int j) {
+        return Vec3{double(i - 10), double(j - 10), slope * std::abs(i - 10)};
+    });
     OrientedOptions options = planar_options(AxisMode::Lead, 0);
     options.scallop_height = 0.2;
     options.inner_tolerance = 0.05;
+    options.safe_height = 20;
     const JudgedOrientedPath judged =
-        plan_judged_oriented(TriangleMesh{points, triangles}, Cutter::ball(1.5), options);
+        plan_judged_oriented(valley, Cutter::ball(3), options);
     EXPECT_EQ(judged.verification.verdict, Verdict::Uncut);
-    EXPECT_GT(judged.verification.on_part->deviation.max_scallop_mm, 0.5);
+    const double left = judged.verification.on_part->deviation.max_scallop_mm;
+    const double beyond_reach = 3 * std::hypot(1, slope) - 3;
+    EXPECT_GT(left, beyond_reach - 0.01);
+    // between two passes a scallop is above the bottom too
+    EXPECT_LT(left, beyond_reach + options.scallop_height);
 }
 
 }  // namespace
