@@ -131,6 +131,17 @@ std::optional<Part> guard_of(const PlanOptions& options)
     return part;
 }
 
+// Removes degenerate and repeated triangles, with remarks on the mesh.
+void clean_mesh(PartFile& file, const PlanOptions& options)
+{
+    auto& mesh = std::get<TriangleMesh>(file.part);
+    CleanedMesh cleaned = without_degenerate_or_duplicate(mesh);
+    const std::string place = options.part.path + ": ";
+    for (std::string remark : mesh_remarks(cleaned))
+        warn(options.common, remark.insert(0, place));
+    mesh = std::move(cleaned.mesh);
+}
+
 // The context of a mesh, without degenerate and repeated triangles.
 // \param least_clear the default of the safe height is at least this, mm.
 PlanContext mesh_context(PartFile& file, PlanOptions& options, double least_clear)
@@ -151,12 +162,7 @@ PlanContext mesh_context(PartFile& file, PlanOptions& options, double least_clea
         throw DomainError{path +
                           ": found a mesh, whose curvature is not known; expected "
                           "--cutter ball:DIAMETER"};
-    auto& mesh = std::get<TriangleMesh>(file.part);
-    CleanedMesh cleaned = without_degenerate_or_duplicate(mesh);
-    const std::string place = path + ": ";
-    for (std::string remark : mesh_remarks(cleaned))
-        warn(options.common, remark.insert(0, place));
-    mesh = std::move(cleaned.mesh);
+    clean_mesh(file, options);
     complete(options, 2 * options.cutter->radius(),
              std::max(least_clear, clear_height(file.part, options.planning.link.axis)));
     return {file.name, file.source, {}, {}, *options.cutter, false, true};
@@ -185,19 +191,19 @@ PlanContext surface_context(const PartFile& file, PlanOptions& options,
             is_several};
 }
 
-// The context of surfaces for a tool whose axis turns.
-PlanContext oriented_context(const PartFile& file, PlanOptions& options,
+// The context of a part for a tool whose axis turns.
+PlanContext oriented_context(PartFile& file, PlanOptions& options,
                              const SurfaceContinuity& continuity)
 {
     const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
+    complete_for_oriented_part(options, surfaces == nullptr);
     if (!surfaces)
-        throw DomainError{options.part.path +
-                          ": found a mesh; --axis-mode expects a surface file "
-                          "(endmill-surface/1)"};
+        clean_mesh(file, options);
     complete(options, 2 * options.cutter->radius(),
              clear_height(file.part, options.planning.link.axis));
     return {file.name, file.source,     continuity,
-            {},        *options.cutter, surfaces->size() > 1};
+            {},        *options.cutter, surfaces && surfaces->size() > 1,
+            !surfaces};
 }
 
 // How the part stands while it is planned: as in the setup, or turned by the smallest angle
@@ -260,16 +266,40 @@ std::optional<TriangleMesh> mesh_for_setups(const PartFile& file,
     return mesh_with_file_numbers(file);
 }
 
-// The part without the facets that stay uncut; nothing if all are cut, or with several setups.
+// The part without the facets that stay uncut; nothing if all are cut, or if the planner leaves
+// them out.
 std::optional<Part> part_to_cut(const PartFile& file,
                                 std::span<const std::size_t> skipped,
                                 const PlanOptions& options)
 {
-    if (skipped.empty() || !options.setups.empty())
+    if (skipped.empty() || !options.setups.empty() || options.axis_mode)
         return std::nullopt;
     const TriangleMesh cut =
         without_facets(std::get<TriangleMesh>(file.part), facets_in_mesh(skipped, file));
     return without_degenerate_or_duplicate(cut).mesh;
+}
+
+// Those of the triangles `facets` of a mesh that are left after it was cleaned, by their new
+// numbers. \param facets ascending.
+std::vector<std::size_t> numbers_after(const TriangleMesh& before,
+                                       std::span<const std::size_t> facets,
+                                       const TriangleMesh& after)
+{
+    std::vector<std::size_t> found;
+    found.reserve(facets.size());
+    std::size_t left = 0;  // triangles that are left so far
+    auto next = facets.begin();
+    for (std::size_t k = 0; k < before.triangles().size() && next != facets.end(); ++k) {
+        const bool is_left = left < after.triangles().size() &&
+                             before.triangles()[k] == after.triangles()[left];
+        if (*next == k) {
+            if (is_left)
+                found.push_back(left);
+            ++next;
+        }
+        left += is_left ? 1 : 0;
+    }
+    return found;
 }
 
 // Continuity of the surfaces; a break is refused or a warning.
@@ -328,6 +358,10 @@ ExitCode run_plan(PlanOptions options)
     require_setup_of(file, options);
     const std::optional<TriangleMesh> numbered = mesh_for_setups(file, options);
     std::optional<Part> cut = part_to_cut(file, skipped, options);
+    const std::vector<std::size_t> skipped_as_read =
+        skipped.empty() ? skipped : facets_in_mesh(skipped, file);
+    const TriangleMesh as_read =
+        skipped.empty() ? TriangleMesh{} : std::get<TriangleMesh>(file.part);
     const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
     const PlanContext context = options.axis_mode ? oriented_context(file, options, found)
                                 : surfaces
@@ -335,6 +369,11 @@ ExitCode run_plan(PlanOptions options)
                                     : mesh_context(file, options, least_clear);
     if (cut)
         guard = std::exchange(file.part, *std::move(cut));
+
+    std::vector<std::size_t> skipped_in_mesh;
+    if (options.axis_mode && !skipped.empty())
+        skipped_in_mesh =
+            numbers_after(as_read, skipped_as_read, std::get<TriangleMesh>(file.part));
 
     OutputFolder folder{output_folder(options.part.path, "plan", options.common),
                         options.common.full_folder};
@@ -346,7 +385,8 @@ ExitCode run_plan(PlanOptions options)
         options,
         guard ? &*guard : nullptr,
         frame,
-        std::move(skipped)};
+        std::move(skipped),
+        std::move(skipped_in_mesh)};
     const PlanResult result = numbered ? write_setups_plan(task, *numbered, folder)
                               : options.axis_mode ? write_oriented_plan(task, folder)
                               : options.strategy == StrategyChoice::Iso

@@ -34,7 +34,7 @@ constexpr double default_feed_mm_per_min = 1000;
 // Tape length of the plain program of this path: one feed, no tool length, no dwell.
 std::optional<double> tape_length(const ToolPath& path, const PlanTask& task)
 {
-    const auto& [part, surfaces, context, options, guard, frame, skipped] = task;
+    const auto& [part, surfaces, context, options, guard, frame, skipped, in_mesh] = task;
     if (options.planning.link.axis != Vec3::UnitZ())
         return std::nullopt;
     GcodeOptions program;
@@ -102,7 +102,7 @@ struct MeasuredPath {
 
 MeasuredPath plan_direction(const PlanTask& task, Parameter along, PlanProgress& progress)
 {
-    const auto& [part, surfaces, context, options, guard, frame, skipped] = task;
+    const auto& [part, surfaces, context, options, guard, frame, skipped, in_mesh] = task;
     const BallCutter ball = context.ball();
     PlannerOptions planner = planner_options(options, along);
     std::visit([&](auto& own) { own.progress = progress.of(along, PlanWork::Passes); },
@@ -154,7 +154,7 @@ struct DirectionResult {
 DirectionResult write_direction(const PlanTask& task, MeasuredPath plan,
                                 OutputFolder& folder, const std::string& prefix)
 {
-    const auto& [part, surfaces, context, options, guard, frame, skipped] = task;
+    const auto& [part, surfaces, context, options, guard, frame, skipped, in_mesh] = task;
     warn_of_uncovered(plan.planned, options.common);
     number_points(plan.path);
     Json summary = direction_summary(context, options, plan.planned);

@@ -25,6 +25,8 @@ struct PlanTask {
     /// Rotation of the part for the plan; its third row is the tool axis in the part.
     Eigen::Matrix3d part_to_machine = Eigen::Matrix3d::Identity();
     std::vector<std::size_t> skipped = {};  ///< facets of the file that stay uncut
+    /// The same by their numbers in a mesh that is planned for five axes.
+    std::vector<std::size_t> skipped_in_mesh = {};
 };
 
 /// A gouge deeper than the inner tolerance.

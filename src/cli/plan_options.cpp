@@ -248,11 +248,14 @@ void add_axis_mode(CLI::App& command, PlanOptions& options)
 {
     add_choice<AxisMode>(
         command, "--axis-mode", options.axis_mode, axis_modes,
-        "plan passes along parameter lines for five axes, with any cutter. The axis "
+        "plan for five axes, with any cutter: along parameter lines of a surface, or on "
+        "a "
+        "mesh by --strategy planar, iso-scallop (default for a ball) or field. The axis "
         "leans against the normal of the part. fixed: by --lead-deg and --tilt-deg; "
         "lead: by the least lead at which the cutter does not gouge, plus one degree, "
         "and at least --lead-deg; field: on the passes of lead, by the axes within "
-        "--lead-range and --tilt-range that keep off the part and turn least")
+        "--lead-range and --tilt-range that see the contacts, keep off the part and "
+        "turn least")
         ->group("Options of five axes");
     add_lean(command, "--lead-deg",
              "lead of the axis: how far it leans forward, in the direction of the feed "
@@ -424,9 +427,9 @@ void refuse_for_strategy(const PlanOptions& options)
 void refuse_for_five_axes(const PlanOptions& options)
 {
     constexpr std::array three_axes{
-        "--strategy",    "--mode",          "--bound",           "--protect",
-        "--axis",        "--direction-deg", "--outer-tolerance", "--stop-at-borders",
-        "--count-links", "--distance",      "--skip-facets",     "--setups"};
+        "--mode",        "--bound",           "--protect",
+        "--axis",        "--outer-tolerance", "--stop-at-borders",
+        "--count-links", "--distance",        "--setups"};
     refuse_idle_options(options.common, three_axes, "--axis-mode", "a fixed axis");
     refuse_idle_options(options.common, paper_options, "--axis-mode", "--mode paper");
     if (options.direction == PlanDirection::Best)
@@ -444,6 +447,30 @@ void refuse_for_five_axes(const PlanOptions& options)
     if (options.rotary.machine.empty())
         refuse_idle_options(options.common, std::array{"--clamp"}, "no --machine",
                             "--machine");
+}
+
+// What passes on a mesh cannot do for five axes.
+void refuse_for_oriented_mesh(const PlanOptions& options)
+{
+    refuse_idle_options(options.common, std::array{"--direction"},
+                        "--axis-mode on a mesh", "--direction-deg");
+    if (options.required != RequiredContinuity::None)
+        throw DomainError{options.part.path +
+                          ": found a mesh; --require g1 expects a surface file"};
+    switch (options.strategy) {
+        case StrategyChoice::Planar:
+            return;
+        case StrategyChoice::IsoScallop:
+        case StrategyChoice::Field:
+            refuse_idle_options(options.common, std::array{"--direction-deg"},
+                                "--strategy " + strategy_word(options.strategy),
+                                "--strategy planar");
+            return;
+        default:
+            throw DomainError{"--strategy " + strategy_word(options.strategy) +
+                              ": with --axis-mode a mesh expects planar, iso-scallop or "
+                              "field"};
+    }
 }
 
 // What a plan from several setups cannot do.
@@ -516,7 +543,8 @@ bool has_iso_option(const PlanOptions& options)
 void complete_strategy(PlanOptions& options)
 {
     if (options.axis_mode) {
-        options.strategy = StrategyChoice::Iso;
+        if (!options.common.given.contains("--strategy"))
+            options.strategy = StrategyChoice::Iso;
         return;
     }
     if (options.common.given.contains("--strategy"))
@@ -527,6 +555,19 @@ void complete_strategy(PlanOptions& options)
         options.strategy = StrategyChoice::Best;
     else if (has_iso_option(options))
         options.strategy = StrategyChoice::Iso;
+}
+
+void complete_for_oriented_part(PlanOptions& options, bool is_mesh)
+{
+    constexpr std::array mesh_options{"--strategy", "--direction-deg", "--skip-facets"};
+    if (!is_mesh)
+        return refuse_idle_options(options.common, mesh_options,
+                                   "--axis-mode on a surface", "a mesh");
+    if (!options.common.given.contains("--strategy"))
+        options.strategy = options.cutter->is_ball() && !options.pass_direction
+                               ? StrategyChoice::IsoScallop
+                               : StrategyChoice::Planar;
+    refuse_for_oriented_mesh(options);
 }
 
 void refuse_idle_plan_options(const PlanOptions& options)

@@ -78,6 +78,11 @@ void add_plan_options(CLI::App& command, PlanOptions& options);
 /// Best for a protected part.
 void complete_strategy(PlanOptions& options);
 
+/// Chooses the strategy of a part for --axis-mode, unless it was given: on a mesh Planar for a
+/// direction or a cutter that is no ball, else IsoScallop.
+/// \throws DomainError naming an option that has no effect on such a part.
+void complete_for_oriented_part(PlanOptions& options, bool is_mesh);
+
 /// \throws DomainError naming an option that has no effect in the mode or with the
 /// others, or a tolerance of 0 that the mode cannot keep.
 void refuse_idle_plan_options(const PlanOptions& options);

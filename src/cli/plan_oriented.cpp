@@ -2,6 +2,7 @@
 #include "cli/plan_oriented.h"
 
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "build_facts.h"
 #include "cli/console.h"
 #include "cli/path_facts.h"
+#include "cli/plan_strategy.h"
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
@@ -21,14 +23,15 @@
 #include "endmill/files/path_file.h"
 #include "endmill/files/vtk.h"
 #include "endmill/orientation/oriented_path.h"
+#include "endmill/strategy/strategy.h"
 #include "endmill/verification/verification.h"
 
 namespace endmill {
 namespace {
 
-// A judged path and the parameter along its passes.
+// A judged path, and the parameter along its passes on surfaces.
 struct DirectedPath {
-    Parameter along;
+    std::optional<Parameter> along;
     JudgedOrientedPath judged;
 };
 
@@ -75,13 +78,18 @@ FieldSetup field_setup(const PlanTask& task, OutputFolder& folder)
     return setup;
 }
 
-OrientedOptions oriented_options(const PlanOptions& options, const FieldSetup& setup,
-                                 Parameter along)
+OrientedOptions oriented_options(const PlanTask& task, const FieldSetup& setup)
 {
+    const PlanOptions& options = task.options;
     OrientedOptions oriented;
     oriented.mode = *options.axis_mode;
     oriented.inclination = options.inclination;
-    oriented.along = along;
+    if (const auto strategy = chosen_strategy(options.strategy))
+        oriented.mesh_passes.strategy = *strategy;
+    oriented.mesh_passes.direction = options.pass_direction;
+    oriented.mesh_passes.skipped_facets = task.skipped_in_mesh;
+    oriented.mesh_passes.most_samples =
+        most_part_samples(options.common.limits.max_memory_gib);
     oriented.scallop_height = options.planning.scallop_height;
     oriented.inner_tolerance = options.motion.inner;
     oriented.order = options.planning.link.order;
@@ -94,14 +102,10 @@ OrientedOptions oriented_options(const PlanOptions& options, const FieldSetup& s
     return oriented;
 }
 
-// The path along the asked parameter; otherwise the shorter clean one of both. It is planned
-// for the part as it stands on the machine.
-DirectedPath chosen_path(const PlanTask& task, const FieldSetup& setup,
-                         ProgressLine& progress)
+// The path along the asked parameter; otherwise the shorter clean one of both.
+DirectedPath along_parameters(const PlanTask& task, const Part& standing,
+                              OrientedOptions options, ProgressLine& progress)
 {
-    const bool is_turned = !task.options.setup.empty();
-    const Part standing = is_turned ? turned(task.part, task.part_to_machine) : task.part;
-    const auto& surfaces = std::get<std::vector<Surface>>(standing);
     const PlanDirection direction = task.options.direction;
     std::vector<Parameter> parameters{Parameter::U, Parameter::V};
     if (direction != PlanDirection::Both)
@@ -111,10 +115,10 @@ DirectedPath chosen_path(const PlanTask& task, const FieldSetup& setup,
         progress.begin(
             fmt::format("planning along {}", along == Parameter::U ? "u" : "v"),
             along == parameters.back() ? 0 : 1);
-        OrientedOptions options = oriented_options(task.options, setup, along);
+        options.along = along;
         options.progress = progress.shower();
         DirectedPath path{along,
-                          plan_judged_oriented(surfaces, task.context.cutter, options)};
+                          plan_judged_oriented(standing, task.context.cutter, options)};
         const bool is_better =
             !best || (is_clean(path) && !is_clean(*best)) ||
             (is_clean(path) == is_clean(*best) &&
@@ -122,10 +126,26 @@ DirectedPath chosen_path(const PlanTask& task, const FieldSetup& setup,
         if (is_better)
             best = std::move(path);
     }
-    ToolPath& made = best->judged.plan.path;
+    return std::move(*best);
+}
+
+// The path, planned for the part as it stands on the machine.
+DirectedPath chosen_path(const PlanTask& task, const FieldSetup& setup,
+                         ProgressLine& progress)
+{
+    const bool is_turned = !task.options.setup.empty();
+    const Part standing = is_turned ? turned(task.part, task.part_to_machine) : task.part;
+    OrientedOptions options = oriented_options(task, setup);
+    options.progress = progress.shower();
+    DirectedPath path =
+        task.context.is_mesh
+            ? DirectedPath{{},
+                           plan_judged_oriented(standing, task.context.cutter, options)}
+            : along_parameters(task, standing, options, progress);
+    ToolPath& made = path.judged.plan.path;
     if (is_turned)
         made = turned(made, task.part_to_machine.transpose());
-    return std::move(*best);
+    return path;
 }
 
 Json extent_json(const AngleExtent& extent)
@@ -149,7 +169,9 @@ Json summary_of(const PlanTask& task, const DirectedPath& path)
         {"source", task.context.source},
         {"endmill", program_version},
         {"axis_mode", axis_mode_word(*options.axis_mode)},
-        {"along", path.along == Parameter::U ? "u" : "v"},
+        {path.along ? "along" : "strategy",
+         path.along ? (*path.along == Parameter::U ? "u" : "v")
+                    : strategy_word(options.strategy)},
         {"cutter", cutter_word(task.context.cutter)},
         {"passes", plan.passes},
         {"cut_contact_mm", plan.cut_contact_mm},
@@ -176,7 +198,8 @@ Json summary_of(const PlanTask& task, const DirectedPath& path)
         if (!options.rotary.machine.empty())
             summary["machine_of_field"] = printable(options.rotary.machine);
     }
-    add_continuity(summary, task.context.continuity, task.context.several);
+    if (path.along)
+        add_continuity(summary, task.context.continuity, task.context.several);
     return summary;
 }
 
@@ -192,15 +215,16 @@ std::string report(const Json& s, const PlanOptions& options)
 {
     const auto number = [&](const char* key) { return s[key].get<double>(); };
     return fmt::format(
-        "  along {}       {} passes, {} points; cut {} mm by contacts; lead {:.3g} to "
+        "  {:<13} {} passes, {} points; cut {} mm by contacts; lead {:.3g} to "
         "{:.3g} degrees, tilt {}; strips of {} mm and more\n"
         "  axis turns    {} degrees in all, at most {:.3g} degrees per mm on cuts\n"
         "  judged        {}: gouge {} mm (limit {}), remaining {} mm (limit {})\n",
-        s["along"].get<std::string>(), s["passes"].get<std::size_t>(),
-        s["path"]["points"].get<std::size_t>(), shown(number("cut_contact_mm")),
-        s["lead_range_deg"][0].get<double>(), s["lead_range_deg"][1].get<double>(),
-        tilt_text(s["tilt_range_deg"]), shown(number("narrowest_strip_mm")),
-        shown_degrees(number("rotary_travel_deg")),
+        s.contains("along") ? "along " + s["along"].get<std::string>()
+                            : s["strategy"].get<std::string>(),
+        s["passes"].get<std::size_t>(), s["path"]["points"].get<std::size_t>(),
+        shown(number("cut_contact_mm")), s["lead_range_deg"][0].get<double>(),
+        s["lead_range_deg"][1].get<double>(), tilt_text(s["tilt_range_deg"]),
+        shown(number("narrowest_strip_mm")), shown_degrees(number("rotary_travel_deg")),
         number("max_turn_deg_per_mm") > least_turn ? number("max_turn_deg_per_mm") : 0.0,
         s["verdict"].get<std::string>(),
         shown_against(number("max_gouge_mm"), options.motion.inner),
@@ -226,6 +250,10 @@ PlanResult write_oriented_plan(const PlanTask& task, OutputFolder& folder)
     name_part(summary, task.options.part, folder.path());
     if (!task.options.setup.empty())
         name_part(summary, {task.options.setup}, folder.path(), "setup");
+    if (!task.options.skip_facets.empty()) {
+        name_part(summary, {task.options.skip_facets}, folder.path(), "skip_facets");
+        summary["skipped"] = task.skipped.size();
+    }
     const std::string table = tool_path_csv(tool_path);
     identify_path(summary, tool_path.points.size(), content_sha256(table));
     folder.write("toolpath.csv", table);

@@ -5,7 +5,7 @@
 
 namespace endmill {
 
-/// Plans a path whose axis turns, along u or v as asked, or along the one with the shorter
+/// Plans a path whose axis turns, on surfaces along u or v as asked, or along the one with the shorter
 /// cuts of the clean paths. Writes path, picture and summary into `folder`.
 /// \throws as plan_judged_oriented.
 PlanResult write_oriented_plan(const PlanTask& task, OutputFolder& folder);

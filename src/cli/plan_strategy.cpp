@@ -85,7 +85,7 @@ Json tried_json(const std::vector<TriedStrategy>& tried)
 Json summary_of(const PlanTask& task, const BestPlan& chosen,
                 const StrategyOptions& limits)
 {
-    const auto& [part, surfaces, context, options, guard, frame, skipped] = task;
+    const auto& [part, surfaces, context, options, guard, frame, skipped, in_mesh] = task;
     const auto& [strategy, covering, economy, deviation, verdict, of_protected] =
         chosen.plan;
     const AirTravel air = air_travel(covering.path);
@@ -470,7 +470,7 @@ std::optional<Strategy> chosen_strategy(StrategyChoice strategy)
 
 PlanResult write_strategy_plan(const PlanTask& task, OutputFolder& folder)
 {
-    const auto& [part, surfaces, context, options, guard, frame, skipped] = task;
+    const auto& [part, surfaces, context, options, guard, frame, skipped, in_mesh] = task;
     replace_earlier_plans(folder);
     StrategyOptions strategy;
     strategy.scallop_height = options.planning.scallop_height;

@@ -117,10 +117,57 @@ class PlanFiveAxis(ProgramTest):
         done = endmill("plan", part, "--axis-mode", "lead", "-o", "no", cwd=self.folder)
         self.assert_refused(done, 2, "--cutter")
 
-    def test_mesh_is_refused(self):
-        done = endmill("plan", self.file("OFF\n3 1 0\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2\n", "m.off"), "--cutter", "ball:4",
-                       "--axis-mode", "lead", "-o", "no", cwd=self.folder)
-        self.assert_refused(done, 2, "found a mesh", "--axis-mode")
+    def dome_mesh(self, cells=60, size=24, radius=40):
+        """A cap of a sphere as an open mesh."""
+        points, triangles = [], []
+        for j in range(cells + 1):
+            for i in range(cells + 1):
+                x, y = size * (i / cells - 0.5), size * (j / cells - 0.5)
+                points.append(f"{x} {y} {math.sqrt(radius ** 2 - x * x - y * y) - radius}")
+        for j in range(cells):
+            for i in range(cells):
+                a = j * (cells + 1) + i
+                triangles += [f"3 {a} {a + 1} {a + cells + 2}", f"3 {a} {a + cells + 2} {a + cells + 1}"]
+        return self.file("\n".join(["OFF", f"{len(points)} {len(triangles)} 0", *points, *triangles]) + "\n", "cap.off")
+
+    def test_mesh_is_cut_clean_with_leads_and_fields(self):
+        part = self.dome_mesh()
+        lead = self.plan(part, "ball:10", "--axis-mode", "lead")
+        self.assertEqual((lead["verdict"], lead["strategy"]), ("clean", "iso-scallop"))
+        field = self.plan(part, "ball:10", "--axis-mode", "field")
+        self.assertEqual(field["verdict"], "clean")
+        self.assertLess(field["rotary_travel_deg"], 0.5 * lead["rotary_travel_deg"])
+        seen = self.summary("verify", self.folder / "out/toolpath.csv", "--resolution", "0.5", "-o", "seen")
+        self.assertEqual((seen["verdict"], seen["engine"]), ("clean", "five-axis"))
+
+    def test_mesh_with_a_bull_nose_cutter_needs_fewer_passes(self):
+        part = self.dome_mesh()
+        planar = ["--axis-mode", "lead", "--lead-deg", "5", "--direction-deg", "0"]
+        ball = self.plan(part, "ball:10", *planar)
+        bull = self.plan(part, "bull:10:1", *planar)
+        self.assertEqual((bull["verdict"], bull["strategy"]), ("clean", "planar"))
+        self.assertLess(bull["passes"], 0.8 * ball["passes"])
+
+    def test_options_of_surfaces_and_meshes_are_refused_by_name(self):
+        mesh = self.file("OFF\n3 1 0\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2\n", "m.off")
+        facets = self.file("0\n", "facets.txt")
+        for part, options, words in (
+                (mesh, ["--direction", "u"], ("--direction", "--direction-deg")),
+                (mesh, ["--strategy", "best"], ("--strategy best", "planar, iso-scallop or field")),
+                (mesh, ["--strategy", "field", "--direction-deg", "0"], ("--direction-deg", "--strategy planar")),
+                (mesh, ["--require", "g1"], ("--require g1", "surface file")),
+                (self.file(plane()), ["--strategy", "planar"], ("--strategy", "a mesh")),
+                (self.file(plane()), ["--skip-facets", facets], ("--skip-facets", "expected a mesh"))):
+            with self.subTest(options=options):
+                done = endmill("plan", part, "--cutter", "ball:4", "--axis-mode", "lead", *options, "-o", "no",
+                               cwd=self.folder)
+                self.assert_refused(done, 2, *words)
+
+    def test_mesh_with_a_triangle_turned_over_is_mended_with_a_warning(self):
+        mesh = self.file("OFF\n4 2 0\n0 0 0\n9 0 0\n0 9 0\n9 9 0\n3 0 1 2\n3 1 2 3\n", "m.off")
+        done = endmill("plan", mesh, "--cutter", "ball:4", "--axis-mode", "lead", *LIMITS, "-o", "no", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 triangle was turned over", done.stderr)
 
 
 if __name__ == "__main__":

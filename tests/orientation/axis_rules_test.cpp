@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/orientation/detail/axis_rules.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
 
 #include <gtest/gtest.h>
+
+#include "endmill/visibility/sphere_grid.h"
 
 namespace endmill {
 namespace {
@@ -71,6 +74,57 @@ TEST_F(RulesBesideAWall, StripLeadAndCurvatureAreRules)
     EXPECT_FALSE(broken(tool, -20, 4, 0, 0.99 * width));
     // without a lean the flat bottom leaves nothing: D is not positive
     EXPECT_EQ(broken(tool, -20, 0, 0), AxisRule::Curvature);
+}
+
+// Visibility is eroded by a cell: an axis near a cell behind the wall is refused, though a thin cutter
+// would be clear. The cells are tested one by one.
+TEST_F(RulesBesideAWall, VisibilityIsARuleOfPreparedContacts)
+{
+    RuledTool tool{Cutter::ball(0.5)};
+    tool.deepest_gouge = 1e-3;
+    tool.greatest_lean = Angle::degrees(45);
+    const TriangleMesh part = floor_and_wall();
+    const ToolClearance clearance{part};
+    const ContactCones cones{part, 1e-3};
+    const AxisRules rules{tool, clearance, &cones};
+    const CutterContact contact{{0, -4, 0}, Vec3::UnitZ()};
+    RuledContact at{contact, {}, 0, 1};
+    const auto broken = [&](const Inclination& inclination) {
+        return rules
+            .judge(at, inclined_axis(contact.normal, Vec3::UnitX(), inclination),
+                   inclination)
+            .broken;
+    };
+    // the top of the wall is 8 mm beside the contact and 30 mm above
+    const double top = std::atan2(8, 30);
+    const SphereGrid grid = sphere_grid("hex:10");
+    const auto is_near_a_hidden_cell = [&](const Vec3& axis) {
+        return std::ranges::any_of(grid.centres, [&](const Vec3& centre) {
+            return centre.z() > 0 && std::atan2(centre.y(), centre.z()) > top &&
+                   centre.dot(axis) > std::cos(cones.cell_radius());
+        });
+    };
+    const double spare = 2;  // degrees, for the radius of the shaft
+    int refused = 0;
+    int allowed = 0;
+    const double most_tilt = Angle::radians(top).degrees() - spare;
+    for (double lead = -30; lead <= 30; lead += 5)
+        for (double tilt = most_tilt; tilt > -30; tilt -= 1) {
+            const Inclination inclination{Angle::degrees(lead), Angle::degrees(tilt)};
+            at.hidden.reset();
+            EXPECT_FALSE(broken(inclination));
+            rules.prepare(at);
+            if (is_near_a_hidden_cell(
+                    inclined_axis(contact.normal, Vec3::UnitX(), inclination))) {
+                EXPECT_EQ(broken(inclination), AxisRule::Visibility);
+                ++refused;
+            } else {
+                EXPECT_FALSE(broken(inclination));
+                ++allowed;
+            }
+        }
+    EXPECT_GT(refused, 0);
+    EXPECT_GT(allowed, 300);
 }
 
 TEST_F(RulesBesideAWall, MachineReachesSomeDirections)

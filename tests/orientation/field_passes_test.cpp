@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/machine/kinematics.h"
+#include "endmill/orientation/detail/oriented_surface.h"
 
 namespace endmill {
 namespace {
@@ -39,7 +40,8 @@ TEST(TurnByField, KeepsRangesGapAndStripAtAllRows)
         std::vector<PassRows> passes;
         for (const PassLine& line : oriented.front().passes())
             passes.push_back({0, line, oriented.front().rows(line)});
-        const double gap = turn_by_field({oriented, clearance, cutter, options}, passes);
+        const std::vector<const OrientedPart*> parts{&oriented.front()};
+        const double gap = turn_by_field({parts, clearance, cutter, options}, passes);
         const CuttingBody body{cutter};
         double least = 5;
         for (const PassRows& pass : passes)

@@ -12,6 +12,7 @@
 #include "endmill/core/parallel.h"
 #include "endmill/cutter/cutting_body.h"
 #include "endmill/machine/tool_motion.h"
+#include "test_meshes.h"
 
 namespace endmill {
 namespace {
@@ -156,7 +157,7 @@ TEST(PlanOriented, RefusesACutterThatDoesNotFitAndNamesTheLead)
     wrong = options_of(AxisMode::Lead, 1);
     wrong.most_points = 10;
     EXPECT_THROW(plan_oriented(bowl, Cutter{5, 1}, wrong), LimitError);
-    EXPECT_THROW(plan_oriented({}, Cutter{5, 1}, wrong), DomainError);
+    EXPECT_THROW(plan_oriented(std::vector<Surface>{}, Cutter{5, 1}, wrong), DomainError);
 }
 
 // The turns of the axis over all moves, added up here.
@@ -248,6 +249,165 @@ TEST(PlanOriented, AFieldWithoutAxesNamesPlaceAndRule)
                   std::string::npos)
             << error.what();
     }
+}
+
+// The graph z = (a x^2 + b y^2) / 2 over [-15, 15] x [-10, 10] as a mesh with cells of 30 / `cells`
+// mm. Its points are on the surface of `paraboloid`.
+TriangleMesh graph(double a, double b, int cells = 90)
+{
+    const int rows = 2 * cells / 3;
+    return test::grid_mesh(cells, rows, [&](int i, int j) {
+        const double x = 30.0 * i / cells - 15;
+        const double y = 20.0 * j / rows - 10;
+        return Vec3{x, y, (a * x * x + b * y * y) / 2};
+    });
+}
+
+OrientedOptions planar_options(AxisMode mode, double lead_deg)
+{
+    OrientedOptions options = options_of(mode, lead_deg);
+    options.mesh_passes.strategy = Strategy::Planar;
+    options.mesh_passes.direction = Angle::degrees(0);
+    return options;
+}
+
+// On a mesh the ball touches the surface that the mesh approximates, and its axis is the normal of
+// that surface, within the errors of the mesh.
+TEST(PlanOrientedOnAMesh, LeansAgainstTheNormalsOfTheSurface)
+{
+    const double a = -0.02;
+    const double b = -0.01;
+    const OrientedPath plan =
+        plan_oriented(graph(a, b), Cutter::ball(5), planar_options(AxisMode::Lead, 0));
+    std::size_t contacts = 0;
+    for (const PathPoint& point : plan.path.points) {
+        const SurfaceContact* at = point.contact();
+        if (!at)
+            continue;
+        const Vec3& place = at->contact.point;
+        const Vec3 normal = Vec3{-a * place.x(), -b * place.y(), 1}.normalized();
+        // chords of moves are within the inner tolerance
+        EXPECT_NEAR(place.z(),
+                    (a * place.x() * place.x() + b * place.y() * place.y()) / 2, 0.012);
+        EXPECT_NEAR((point.location.axis - at->contact.normal).norm(), 0, 1e-9);
+        // a border is rounded by the ball, whose normals lean outwards there
+        if (std::abs(place.x()) < 14.9 && std::abs(place.y()) < 9.9) {
+            EXPECT_NEAR((at->contact.normal - normal).norm(), 0, 0.01);
+        }
+        ++contacts;
+    }
+    EXPECT_GT(contacts, 100U);
+    EXPECT_GT(plan.cut_contact_mm, 30.0 * 10);
+}
+
+// Ball and bull-nose cutter cut meshes of smooth parts clean, with leads and with fields.
+TEST(PlanOrientedOnAMesh, IsCleanOnDomesAndSaddles)
+{
+    for (const auto& [a, b] : {std::pair{-0.02, -0.01}, std::pair{0.015, -0.03}})
+        for (const AxisMode mode : {AxisMode::Lead, AxisMode::Field}) {
+            OrientedOptions options = planar_options(mode, 5);
+            options.inner_tolerance = 0.02;
+            options.scallop_height = 0.1;
+            const JudgedOrientedPath judged =
+                plan_judged_oriented(graph(a, b), Cutter::ball(5), options);
+            EXPECT_EQ(judged.verification.verdict, Verdict::Clean);
+        }
+    OrientedOptions options = planar_options(AxisMode::Lead, 5);
+    options.inner_tolerance = 0.03;
+    options.scallop_height = 0.1;
+    EXPECT_EQ(plan_judged_oriented(graph(-0.02, -0.01), Cutter{5, 1}, options)
+                  .verification.verdict,
+              Verdict::Clean);
+}
+
+// The field of a mesh keeps its ranges and gap, and turns about as much as that of the surface:
+// on this dome neither has to turn much.
+TEST(PlanOrientedOnAMesh, AFieldTurnsLittleOnADome)
+{
+    const OrientedPath lead = plan_oriented(graph(-0.02, -0.01), Cutter::ball(5),
+                                            planar_options(AxisMode::Lead, 0));
+    const OrientedPath field = plan_oriented(graph(-0.02, -0.01), Cutter::ball(5),
+                                             planar_options(AxisMode::Field, 0));
+    EXPECT_EQ(field.passes, lead.passes);
+    EXPECT_LT(travel_deg(field.path), 0.2 * travel_deg(lead.path));
+    EXPECT_GE(field.lead.least.degrees(), -30 - 1e-6);
+    EXPECT_LE(field.tilt.greatest.degrees(), 30 + 1e-6);
+    ASSERT_TRUE(field.least_gap_mm);
+    EXPECT_GE(*field.least_gap_mm, -0.01);
+}
+
+TEST(PlanOrientedOnAMesh, IsTheSameWithAnyNumberOfThreads)
+{
+    const TriangleMesh saddle = graph(0.015, -0.03, 45);
+    ToolPath first;
+    for (const int threads : {1, 2, 3, 8}) {
+        set_thread_count(threads);
+        const ToolPath path =
+            plan_oriented(saddle, Cutter{5, 1}, planar_options(AxisMode::Field, 0)).path;
+        if (first.points.empty())
+            first = path;
+        ASSERT_EQ(path.points.size(), first.points.size());
+        for (std::size_t k = 0; k < path.points.size(); ++k) {
+            EXPECT_EQ(path.points[k].location.tip, first.points[k].location.tip);
+            EXPECT_EQ(path.points[k].location.axis, first.points[k].location.axis);
+        }
+    }
+}
+
+TEST(PlanOrientedOnAMesh, RefusesTrianglesThatFaceOppositeSides)
+{
+    const TriangleMesh mesh = test::with_turned(
+        graph(-0.02, -0.01, 9), [](std::size_t number) { return number == 40; });
+    try {
+        plan_oriented(mesh, Cutter::ball(5), planar_options(AxisMode::Lead, 0));
+        FAIL();
+    } catch (const GeometryError& error) {
+        EXPECT_NE(std::string{error.what()}.find("at 3 edges of the mesh"),
+                  std::string::npos)
+            << error.what();
+    }
+    EXPECT_THROW(
+        plan_oriented(TriangleMesh{}, Cutter::ball(5), planar_options(AxisMode::Lead, 0)),
+        DomainError);
+}
+
+// Facets of 5 mm on a radius of 50 mm are 0.06 mm below the surface: a flat cutter that leans
+// against the normals of the surface gouges them.
+TEST(PlanOrientedOnAMesh, RefusesAWideCutterOnACoarseMeshThatItGouges)
+{
+    OrientedOptions options = planar_options(AxisMode::Lead, 0);
+    options.inner_tolerance = 0.01;
+    options.scallop_height = 0.1;
+    try {
+        plan_judged_oriented(graph(-0.05, -0.05, 6), Cutter{5, 0}, options);
+        FAIL();
+    } catch (const GeometryError& error) {
+        EXPECT_NE(std::string{error.what()}.find("expected a finer mesh"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+// A ball of radius R stays R / cos(a) - R above the bottom of a valley whose sides rise by the angle
+// a. Closer passes do not lower that.
+TEST(PlanOrientedOnAMesh, EndsWithTheStockThatIsBeyondReach)
+{
+    const double slope = 0.5;
+    const TriangleMesh valley = test::grid_mesh(20, 20, [&](int i, int j) {
+        return Vec3{double(i - 10), double(j - 10), slope * std::abs(i - 10)};
+    });
+    OrientedOptions options = planar_options(AxisMode::Lead, 0);
+    options.scallop_height = 0.2;
+    options.inner_tolerance = 0.05;
+    options.safe_height = 20;
+    const JudgedOrientedPath judged =
+        plan_judged_oriented(valley, Cutter::ball(3), options);
+    EXPECT_EQ(judged.verification.verdict, Verdict::Uncut);
+    const double left = judged.verification.on_part->deviation.max_scallop_mm;
+    const double beyond_reach = 3 * std::hypot(1, slope) - 3;
+    EXPECT_GT(left, beyond_reach - 0.01);
+    // between two passes a scallop is above the bottom too
+    EXPECT_LT(left, beyond_reach + options.scallop_height);
 }
 
 }  // namespace

@@ -140,6 +140,21 @@ TEST(ToolClearance, FrontsGiveTheSameAnswers)
     }
 }
 
+// Beside a wall that is 10 mm high and 20 mm away a front rises by atan(1 / 2).
+TEST(ToolClearance, FrontsRiseAsHighAsTheWallsAround)
+{
+    const TriangleMesh mesh{
+        {{-5, -20, 0}, {5, -20, 0}, {5, 20, 0}, {-5, 20, 0}, {5, 20, 10}, {-5, 20, 10}},
+        {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}}};
+    const ToolClearance clearance{mesh};
+    const CutterContact contact{{0, 0, 0}, Vec3::UnitZ()};
+    const auto front = clearance.front(contact, -0.01);
+    const double wall = std::atan(0.5);
+    EXPECT_TRUE(clearance.rises_above(wall - 0.01, contact, front));
+    // the bound is wide: balls around the triangles rise higher than the wall
+    EXPECT_FALSE(clearance.rises_above(1.3, contact, front));
+}
+
 TEST(ToolClearance, HasNoGapBelowAnEndlessAxisInside)
 {
     // a triangle that the upper part of an endless cutter crosses

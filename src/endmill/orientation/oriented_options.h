@@ -3,13 +3,16 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "endmill/core/angle.h"
 #include "endmill/cutter/cutter.h"
 #include "endmill/cutter/tool.h"
 #include "endmill/orientation/axis_field.h"
 #include "endmill/orientation/inclination.h"
 #include "endmill/planning/linking.h"
+#include "endmill/strategy/strategy_options.h"
 #include "endmill/surface/surface.h"
 
 namespace endmill {
@@ -25,16 +28,27 @@ enum class AxisMode {
     Field,
 };
 
+/// How passes are laid on a mesh.
+struct MeshPassOptions {
+    /// Planar, IsoScallop or Field. Passes are those of a ball of the cutter's radius along +z.
+    Strategy strategy = Strategy::IsoScallop;
+    std::optional<Angle> direction = {};  ///< of planar passes; nothing: the best
+    /// Triangles that are not cut, ascending. The tool keeps off them.
+    std::vector<std::size_t> skipped_facets = {};
+    std::size_t most_samples = 20'000'000;  ///< a part that needs more throws LimitError
+};
+
 /// How an oriented path is planned.
 struct OrientedOptions {
     AxisMode mode = AxisMode::Lead;        ///< how the tool leans
     Inclination inclination = {};          ///< given lead and tilt
-    Parameter along = Parameter::U;        ///< the parameter that changes along a pass
+    Parameter along = Parameter::U;        ///< the parameter along passes of surfaces
     double scallop_height = 0.05;          ///< mm along the normal, above 0
     double inner_tolerance = 0.01;         ///< mm, greatest depth of a gouge; above 0
     PassOrder order = PassOrder::ZigZag;   ///< direction of neighbouring passes
     double safe_height = 0;                ///< mm, z of lifted tools; above the part
     std::size_t most_points = 40'000'000;  ///< a longer path throws LimitError
+    MeshPassOptions mesh_passes = {};      ///< of a mesh
     /// Of mode Field: ranges and machine, which must outlive the options.
     AxisFieldOptions field = {};
     /// Shank and holder, which mode Field keeps off the part.

@@ -4,14 +4,25 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
+#include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/cutter/cutting_body.h"
 #include "endmill/machine/kinematics.h"
+#include "endmill/machine/tool_motion.h"
+#include "endmill/mesh/mesh_checks.h"
+#include "endmill/orientation/detail/contact_cones.h"
 #include "endmill/orientation/detail/field_passes.h"
+#include "endmill/orientation/detail/mesh_shape.h"
+#include "endmill/orientation/detail/oriented_contacts.h"
 #include "endmill/orientation/detail/oriented_surface.h"
 #include "endmill/orientation/detail/tool_clearance.h"
+#include "endmill/surface/sampling.h"
 #include "endmill/surface/tool_side.h"
 #include "endmill/verification/verification.h"
 
@@ -20,6 +31,8 @@ namespace {
 
 // Distance of a field's triangles from the part, as a share of the inner tolerance.
 constexpr double triangle_share = 0.25;
+// Triangles of surfaces for visibility cones.
+constexpr std::size_t most_cone_triangles = 3'000'000;
 // Height of a small lift, and way to the next pass up to which it is enough, in radii.
 constexpr double small_lift = 0.5;
 constexpr double near_pass = 2;
@@ -28,23 +41,35 @@ constexpr double least_upright = 0.1736;
 // The line on which a tilted cutter touches bends: with R 5, r 1, lead 10 and tilt 8 degrees its end
 // is 1.18 times as far from the contact as its tangent there at the border of the strip.
 constexpr double bent_line = 1.25;
+// Parts of the way beyond the end of a pass that are tested, and steps of a tested link in radii.
+constexpr int way_parts = 4;
+constexpr double tested_step = 0.2;
 // Trials for a clean path, and how the aims change between them.
 constexpr int most_trials = 8;
 constexpr double lower_height = 0.8;
 constexpr double closer_rows = 0.5;
+// Share by which the greatest remaining stock of a mesh falls with closer passes; else it is
+// beyond reach.
+constexpr double steady_share = 0.95;
 // Distance of the first rays of a judgement, as a share of the cutter's radius.
 constexpr double ray_share = 0.2;
+// Share of laying passes in the planning of a mesh.
+constexpr double laying_share = 0.7;
 // Share of planning in the work of a trial.
 constexpr double planning_share = 0.3;
 
 // Joins passes to one path.
 class OrientedLinking {
 public:
+    // \param clearance of a mesh, whose links and ends of passes are tested; null: they are
+    //        not tested.
     OrientedLinking(const Cutter& cutter, const OrientedOptions& options,
-                    OrientedPath& result)
+                    const ToolClearance* clearance, OrientedPath& result)
         : cutter_{cutter},
           options_{options},
-          result_{result}
+          clearance_{clearance},
+          result_{result},
+          body_{cutter}
     {
     }
 
@@ -52,7 +77,7 @@ public:
     {
         patch_ = patch;
         const PassPose& first = rows.front();
-        const double ahead = skewed_way(first);
+        const double ahead = -clear_way(first, -skewed_way(first));
         if (ahead > 0) {
             approach(moved_along(first, -ahead), {});
             add(first, Move::Cut);
@@ -74,8 +99,10 @@ public:
             std::sqrt(cutter_.radius() * cutter_.radius() - half * half) +
             skewed_way(last_);
         if (!cutter_.is_ball() && last_.inclination.lead.radians() >= 0) {
-            last_ = moved_along(last_, behind);
-            add_point(last_.location, Move::Cut, {});
+            const double way = clear_way(last_, behind);
+            last_ = moved_along(last_, way);
+            if (way > 0)
+                add_point(last_.location, Move::Cut, {});
         }
         ++result_.passes;
     }
@@ -105,6 +132,41 @@ private:
     {
         pose.location.tip += way * pose.place.feed;
         return pose;
+    }
+
+    // The greatest part of a way along the feed on which a cutter is clear of the mesh.
+    double clear_way(const PassPose& pose, double way) const
+    {
+        if (!clearance_)
+            return way;
+        double clear = 0;
+        for (int k = 1; k <= way_parts; ++k) {
+            const double part = way * k / way_parts;
+            if (!is_clear(moved_along(pose, part).location))
+                break;
+            clear = part;
+        }
+        return clear;
+    }
+
+    bool is_clear(const CutterLocation& location) const
+    {
+        return clearance_->is_clear(body_, frame_at(location), -options_.inner_tolerance);
+    }
+
+    // Whether a lifted tool is clear of the mesh on its way, at places in steps of a share of
+    // the radius.
+    bool is_clear(const ToolMotion& motion) const
+    {
+        if (!clearance_)
+            return true;
+        const double way = (motion.to().tip - motion.from().tip).norm();
+        const int steps =
+            1 + static_cast<int>(std::ceil(way / (tested_step * cutter_.radius())));
+        for (int k = 0; k <= steps; ++k)
+            if (!is_clear(motion.location(double(k) / steps)))
+                return false;
+        return true;
     }
 
     static void widen(AngleExtent& extent, const Angle& angle)
@@ -144,10 +206,15 @@ private:
     }
 
     // The tool lifted along its axis by `height` mm.
-    void raise(const PassPose& pose, double height, Move move)
+    static CutterLocation raised(const PassPose& pose, double height)
     {
         const auto& [tip, axis] = pose.location;
-        add_point({tip + height * axis, axis}, move, {});
+        return {tip + height * axis, axis};
+    }
+
+    void raise(const PassPose& pose, double height, Move move)
+    {
+        add_point(raised(pose, height), move, {});
     }
 
     // Height in mm of the lift along the axis to the safe height.
@@ -174,9 +241,10 @@ private:
         const double way = contact_way(last_, pose);
         const double turn =
             std::acos(std::clamp(last_.location.axis.dot(pose.location.axis), -1.0, 1.0));
+        const double height = cutter_.radius() * (small_lift + std::sin(turn));
         if (options_.order == PassOrder::ZigZag && turn < std::numbers::pi / 2 &&
-            way <= near_pass * cutter_.radius()) {
-            const double height = cutter_.radius() * (small_lift + std::sin(turn));
+            way <= near_pass * cutter_.radius() &&
+            is_clear(ToolMotion{raised(last_, height), raised(pose, height)})) {
             raise(last_, height, Move::Retract);
             raise(pose, height, Move::Link);
         } else {
@@ -188,7 +256,9 @@ private:
 
     const Cutter& cutter_;
     const OrientedOptions& options_;
+    const ToolClearance* clearance_;
     OrientedPath& result_;
+    CuttingBody body_;
     PassPose last_{};
     int patch_ = 0;
     bool is_first_ = true;
@@ -227,15 +297,15 @@ void measure_turns(OrientedPath& result)
 }
 
 // The rows of all passes by the modes Fixed and Lead.
-std::vector<PassRows> rows_of_passes(std::span<const OrientedSurface> surfaces,
+std::vector<PassRows> rows_of_passes(std::span<const OrientedPart* const> parts,
                                      const OrientedOptions& options)
 {
     std::vector<PassRows> passes;
     std::size_t points = 0;
-    for (std::size_t number = 0; number < surfaces.size(); ++number) {
-        const std::vector<PassLine> lines = surfaces[number].passes();
+    for (std::size_t number = 0; number < parts.size(); ++number) {
+        const std::vector<PassLine> lines = parts[number]->passes();
         for (std::size_t k = 0; k < lines.size(); ++k) {
-            passes.push_back({number, lines[k], surfaces[number].rows(lines[k])});
+            passes.push_back({number, lines[k], parts[number]->rows(lines[k])});
             points += passes.back().rows.size();
             if (points > options.most_points)
                 throw LimitError{"the path needs more points than allowed"};
@@ -243,10 +313,94 @@ std::vector<PassRows> rows_of_passes(std::span<const OrientedSurface> surfaces,
                 options.progress(
                     (static_cast<double>(number) +
                      static_cast<double>(k + 1) / static_cast<double>(lines.size())) /
-                    static_cast<double>(surfaces.size()));
+                    static_cast<double>(parts.size()));
         }
     }
     return passes;
+}
+
+// The path over the passes of all parts.
+// \param tested clearance of a mesh whose links are tested; null: they are not tested.
+OrientedPath linked(const std::vector<PassRows>& passes, const Cutter& cutter,
+                    const OrientedOptions& options, const ToolClearance* tested)
+{
+    OrientedPath result;
+    OrientedLinking linking{cutter, options, tested, result};
+    for (const PassRows& pass : passes)
+        linking.add_pass(pass.rows, static_cast<int>(pass.surface));
+    linking.finish();
+    number_rows(result.path);
+    measure_turns(result);
+    return result;
+}
+
+// Refuses a mesh whose normals contradict each other.
+void require_consistent(const TriangleMesh& mesh)
+{
+    const std::size_t edges = mesh_report(mesh).inconsistent_edges;
+    if (edges > 0)
+        throw GeometryError{
+            "at " + std::to_string(edges) + (edges == 1 ? " edge" : " edges") +
+            " of the mesh the two triangles face opposite sides; expected "
+            "triangles that are all counter-clockwise seen from outside"};
+}
+
+std::string rounded_text(double value)
+{
+    return to_text(std::round(value * 1e3) / 1e3);
+}
+
+// Refuses a mesh on which a wide cutter gouges in the poses of modes Fixed and Lead. The normals
+// of a coarse mesh are not those of its facets, and no row between two poses mends that.
+void require_clear_poses(const TriangleMesh& mesh, const ToolPath& path,
+                         const Cutter& cutter, double deepest)
+{
+    const ToolClearance clearance{mesh};
+    const CuttingBody body{cutter};
+    const double least = -deepest - ToolClearance::accuracy;
+    for (const PathPoint& point : path.points) {
+        const SurfaceContact* at = point.contact();
+        const ToolFrame tool = frame_at(point.location);
+        if (!at || clearance.is_clear(body, tool, least))
+            continue;
+        const Vec3& place = at->contact.point;
+        std::ostringstream message;
+        message
+            << "the cutter gouges the mesh by "
+            << rounded_text(-clearance.gap(body, tool, 0)) << " mm at ("
+            << rounded_text(place.x()) << ", " << rounded_text(place.y()) << ", "
+            << rounded_text(place.z())
+            << ") mm; expected a finer mesh, a greater lead, a ball-end cutter or the "
+               "mode field";
+        throw GeometryError{message.str()};
+    }
+}
+
+// The aims after a path that is not clean. \param asked the limits of the path.
+OrientedOptions aimed_closer(OrientedOptions aimed, const Verification& verification,
+                             const OrientedOptions& asked)
+{
+    const Deviation& found = verification.on_part->deviation;
+    const bool may_gouge =
+        found.max_gouge_mm + found.gouge_bound_mm > asked.inner_tolerance;
+    const bool may_leave =
+        found.max_scallop_mm + found.scallop_bound_mm > asked.scallop_height;
+    if (may_gouge && (verification.verdict == Verdict::Gouged || !may_leave))
+        aimed.inner_tolerance *= closer_rows;
+    if (may_leave && (verification.verdict != Verdict::Gouged ||
+                      found.max_scallop_mm > asked.scallop_height))
+        aimed.scallop_height *= lower_height;
+    return aimed;
+}
+
+OrientedOptions with_progress(const OrientedOptions& options, double from, double to)
+{
+    OrientedOptions result = options;
+    if (options.progress)
+        result.progress = [whole = options.progress, from, to](double share) {
+            whole(std::lerp(from, to, share));
+        };
+    return result;
 }
 
 }  // namespace
@@ -261,38 +415,70 @@ OrientedPath plan_oriented(std::span<const Surface> surfaces, const Cutter& cutt
     oriented.reserve(surfaces.size());
     for (std::size_t number = 0; number < surfaces.size(); ++number)
         oriented.emplace_back(surfaces[number], sides[number], number, cutter, options);
-    std::vector<PassRows> passes = rows_of_passes(oriented, options);
-    OrientedPath result;
+    std::vector<const OrientedPart*> parts;
+    parts.reserve(oriented.size());
+    for (const OrientedSurface& surface : oriented)
+        parts.push_back(&surface);
+    std::vector<PassRows> passes = rows_of_passes(parts, options);
+    std::optional<double> gap;
     if (options.mode == AxisMode::Field) {
         const ToolClearance clearance{surfaces, sides,
                                       triangle_share * options.inner_tolerance};
-        result.least_gap_mm =
-            turn_by_field({oriented, clearance, cutter, options}, passes);
+        const TriangleMesh sampling =
+            sampled(surfaces, sides, options.inner_tolerance, most_cone_triangles).mesh;
+        const ContactCones cones{sampling, options.inner_tolerance};
+        gap = turn_by_field({parts, clearance, cutter, options, &cones}, passes);
     }
-    OrientedLinking linking{cutter, options, result};
-    for (const PassRows& pass : passes)
-        linking.add_pass(pass.rows, static_cast<int>(pass.surface));
-    linking.finish();
-    number_rows(result.path);
-    measure_turns(result);
+    OrientedPath result = linked(passes, cutter, options, nullptr);
+    result.least_gap_mm = gap;
     return result;
 }
 
-JudgedOrientedPath plan_judged_oriented(std::span<const Surface> surfaces,
-                                        const Cutter& cutter,
+OrientedPath plan_oriented(const TriangleMesh& mesh, const Cutter& cutter,
+                           const OrientedOptions& options)
+{
+    require(!mesh.triangles().empty(), "plan_oriented: need a triangle");
+    require_sound(options, cutter);
+    require_consistent(mesh);
+    const MeshShape shape{mesh};
+    const ToolClearance clearance{mesh};
+    const OrientedOptions laying = with_progress(options, 0, laying_share);
+    const OrientedOptions posing = with_progress(options, laying_share, 1);
+    const LaidContacts laid = oriented_contacts({shape, clearance, cutter, laying});
+    const std::vector<const OrientedPart*> parts{&laid.part};
+    std::vector<PassRows> passes = rows_of_passes(parts, posing);
+    if (passes.empty())
+        throw GeometryError{"the cutter reaches no place of the mesh along +z"};
+    std::optional<double> gap;
+    if (options.mode == AxisMode::Field) {
+        const ContactCones cones{mesh, options.inner_tolerance};
+        gap = turn_by_field({parts, clearance, cutter, posing, &cones}, passes);
+    }
+    OrientedPath result = linked(passes, cutter, options, &clearance);
+    result.passes = laid.passes;
+    result.least_gap_mm = gap;
+    return result;
+}
+
+JudgedOrientedPath plan_judged_oriented(const Part& part, const Cutter& cutter,
                                         const OrientedOptions& options)
 {
-    const Part part{std::vector<Surface>(surfaces.begin(), surfaces.end())};
-    OrientedOptions aimed = options;
-    if (options.progress)
-        aimed.progress = [&](double share) { options.progress(planning_share * share); };
+    OrientedOptions aimed = with_progress(options, 0, planning_share);
+    const auto* mesh = std::get_if<TriangleMesh>(&part);
+    // On a mesh, whether passes are closer than before, and the stock that remained, mm.
+    bool is_closer = false;
+    double left_before = 0;
     for (int trial = 1;; ++trial) {
-        OrientedPath plan = plan_oriented(surfaces, cutter, aimed);
+        OrientedPath plan = std::visit(
+            [&](const auto& kind) { return plan_oriented(kind, cutter, aimed); }, part);
+        if (mesh && trial == 1 && options.mode != AxisMode::Field && !cutter.is_ball())
+            require_clear_poses(*mesh, plan.path, cutter, options.inner_tolerance);
         VerificationTask task{.path = &plan.path,
                               .cutter = cutter,
                               .stock = default_block(&part, plan.path, cutter)};
         task.judged = JudgedPart{
             .part = &part, .limits = {options.inner_tolerance, options.scallop_height}};
+        task.judged->skipped_facets = options.mesh_passes.skipped_facets;
         if (options.progress)
             task.judged->progress = [&](double share) {
                 options.progress(std::lerp(planning_share, 1.0, share));
@@ -300,18 +486,18 @@ JudgedOrientedPath plan_judged_oriented(std::span<const Surface> surfaces,
         task.resolution = ray_share * cutter.radius();
         task.engine = RemovalEngine::FiveAxis;
         Verification verification = verify_path(task);
-        if (verification.verdict == Verdict::Clean || trial == most_trials)
-            return {std::move(plan), std::move(verification)};
         const Deviation& found = verification.on_part->deviation;
-        const bool may_gouge =
-            found.max_gouge_mm + found.gouge_bound_mm > options.inner_tolerance;
-        const bool may_leave =
-            found.max_scallop_mm + found.scallop_bound_mm > options.scallop_height;
-        if (may_gouge && (verification.verdict == Verdict::Gouged || !may_leave))
-            aimed.inner_tolerance *= closer_rows;
-        if (may_leave && (verification.verdict != Verdict::Gouged ||
-                          found.max_scallop_mm > options.scallop_height))
-            aimed.scallop_height *= lower_height;
+        const bool is_beyond_reach = is_closer &&
+                                     verification.verdict != Verdict::Gouged &&
+                                     found.max_scallop_mm > options.scallop_height &&
+                                     !(found.max_scallop_mm < steady_share * left_before);
+        if (verification.verdict == Verdict::Clean || trial == most_trials ||
+            is_beyond_reach)
+            return {std::move(plan), std::move(verification)};
+        OrientedOptions closer = aimed_closer(aimed, verification, options);
+        is_closer = mesh && closer.scallop_height < aimed.scallop_height;
+        left_before = found.max_scallop_mm;
+        aimed = std::move(closer);
     }
 }
 

@@ -7,8 +7,10 @@
 
 #include "endmill/core/angle.h"
 #include "endmill/cutter/cutter.h"
+#include "endmill/mesh/triangle_mesh.h"
 #include "endmill/orientation/oriented_options.h"
 #include "endmill/path/tool_path.h"
+#include "endmill/surface/part.h"
 #include "endmill/surface/surface.h"
 #include "endmill/verification/verification_result.h"
 
@@ -28,10 +30,10 @@ struct AngleExtent {
 struct OrientedPath {
     ToolPath
         path;  ///< contacts are known at all cuts but those beyond the ends of passes
-    std::size_t passes = 0;         ///< number of passes
-    double cut_contact_mm = 0;      ///< length of the cuts by contacts
-    AngleExtent lead;               ///< leads of all contacts
-    AngleExtent tilt;               ///< tilts of all contacts
+    std::size_t passes = 0;     ///< number of passes; on a mesh as its strategy laid them
+    double cut_contact_mm = 0;  ///< length of the cuts by contacts
+    AngleExtent lead;           ///< leads of all contacts
+    AngleExtent tilt;           ///< tilts of all contacts
     double narrowest_strip_mm = 0;  ///< least width of a strip
     double widest_strip_mm = 0;     ///< greatest width of a strip
     /// Sum of the turns of the axis in the part, on all moves.
@@ -68,18 +70,38 @@ struct OrientedPath {
 OrientedPath plan_oriented(std::span<const Surface> surfaces, const Cutter& cutter,
                            const OrientedOptions& options);
 
+/// Plans passes on a mesh. A strategy lays them for a ball of the cutter's radius along +z; the
+/// tool leans against the normals of the smooth part that the mesh approximates. For another
+/// cutter than a ball the strategy has a greater scallop height, for which the strips of the ball
+/// are nowhere wider than those of the cutter, and the passes are continued by half a strip.
+/// Facets that the ball cannot reach along +z are not cut. Rows, links and the rules of mode
+/// Field are as above; near links are also tested against the mesh.
+///
+/// Nothing here proves that the path is clean; see plan_judged_oriented.
+/// Source: docs/methods/five-axis-planning.md, section 4.
+/// \param mesh without triangles that have no area.
+/// \throws GeometryError as above and as covering_by_strategy, and if two neighbouring
+///         triangles face opposite sides.
+/// \throws LimitError as above and as covering_by_strategy.
+/// \throws DomainError for options out of range.
+OrientedPath plan_oriented(const TriangleMesh& mesh, const Cutter& cutter,
+                           const OrientedOptions& options);
+
 /// An oriented path and its simulated cut.
 struct JudgedOrientedPath {
     OrientedPath plan;
     Verification verification;
 };
 
-/// Plans an oriented path and verifies it. If it is not clean, it is planned again: for less
+/// Plans an oriented path on surfaces or a mesh and verifies it. Stock on the skipped facets of a
+/// mesh is not judged. If it is not clean, it is planned again: for less
 /// scallop height if more remains than allowed, with closer rows if it gouges. After eight
-/// trials the last one is returned.
+/// trials the last one is returned; before, if the greatest remaining stock of a mesh does not
+/// fall, because the tool does not reach its place.
 /// \throws as plan_oriented and verify_path.
-JudgedOrientedPath plan_judged_oriented(std::span<const Surface> surfaces,
-                                        const Cutter& cutter,
+/// \throws GeometryError if a cutter that is no ball gouges a mesh by more than the inner
+///         tolerance in a pose of mode Fixed or Lead, for example because the mesh is coarse.
+JudgedOrientedPath plan_judged_oriented(const Part& part, const Cutter& cutter,
                                         const OrientedOptions& options);
 
 }  // namespace endmill

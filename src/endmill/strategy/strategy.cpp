@@ -557,6 +557,14 @@ StrategyPlan plan_by_strategy(Strategy strategy, const Part& part,
                   with_progress(options, made_share, 1));
 }
 
+CoveringPath covering_by_strategy(Strategy strategy, const Part& part,
+                                  const BallCutter& cutter,
+                                  const StrategyOptions& options)
+{
+    require_sound(cutter.radius(), options);
+    return covering_by(strategy, part, cutter, options);
+}
+
 StrategyPlan plan_by_strategy(Strategy strategy, const Part& part, const Cutter& cutter,
                               const StrategyOptions& options)
 {

@@ -75,6 +75,14 @@ StrategyPlan plan_by_strategy(Strategy strategy, const Part& part,
 StrategyPlan plan_by_strategy(Strategy strategy, const Part& part, const Cutter& cutter,
                               const StrategyOptions& options);
 
+/// The path that a strategy plans for a ball, before it is judged: the same as
+/// plan_by_strategy, without the simulated removal.
+/// \param strategy, part, cutter, options as above.
+/// \throws as plan_by_strategy.
+CoveringPath covering_by_strategy(Strategy strategy, const Part& part,
+                                  const BallCutter& cutter,
+                                  const StrategyOptions& options);
+
 /// A strategy that was tried, and its result.
 struct TriedStrategy {
     Strategy strategy;

@@ -2,6 +2,7 @@
 #include "endmill/orientation/detail/axis_rules.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace endmill {
 namespace {
@@ -11,9 +12,11 @@ constexpr double lead_slack = 1e-9;
 
 }  // namespace
 
-AxisRules::AxisRules(const RuledTool& tool, const ToolClearance& clearance)
+AxisRules::AxisRules(const RuledTool& tool, const ToolClearance& clearance,
+                     const ContactCones* cones)
     : tool_{tool},
       clearance_{clearance},
+      cones_{cones},
       cutter_{tool.cutter}
 {
     body_.reserve(tool.body.size());
@@ -35,6 +38,8 @@ JudgedAxis AxisRules::judge(const RuledContact& at, const Vec3& axis,
         return {.broken = AxisRule::RearLead};
     if (!is_reached(axis))
         return {.broken = AxisRule::Machine};
+    if (at.hidden && !cones_->is_seen(*at.hidden, axis))
+        return {.broken = AxisRule::Visibility};
     const ToolFrame frame = frame_at(
         {control_point(tool_.cutter, at.contact, ControlPoint::Tip, axis), axis});
     if (!is_cutter_clear(at, frame))
@@ -44,9 +49,17 @@ JudgedAxis AxisRules::judge(const RuledContact& at, const Vec3& axis,
     return {.lost_width = std::max(0.0, 1 - *strip / at.wanted_strip_mm)};
 }
 
-ToolClearance::Front AxisRules::front(const CutterContact& contact) const
+void AxisRules::prepare(RuledContact& at) const
 {
-    return clearance_.front(contact, least_gap());
+    at.front = clearance_.front(at.contact, least_gap());
+    if (!cones_)
+        return;
+    // Rays are dear. On most parts nothing rises so high that it hides an axis.
+    const double lean = tool_.greatest_lean.radians();
+    const double elevation =
+        std::max(0.0, std::numbers::pi / 2 - lean - 2 * cones_->cell_radius());
+    if (clearance_.rises_above(elevation, at.contact, *at.front))
+        at.hidden = cones_->hidden(at.contact, lean);
 }
 
 bool AxisRules::is_cutter_clear(const RuledContact& at, const ToolFrame& frame) const

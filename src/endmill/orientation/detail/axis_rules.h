@@ -7,6 +7,7 @@
 #include "endmill/cutter/cutting_body.h"
 #include "endmill/cutter/tool.h"
 #include "endmill/orientation/axis_field.h"
+#include "endmill/orientation/detail/contact_cones.h"
 #include "endmill/orientation/detail/tool_clearance.h"
 
 namespace endmill {
@@ -17,8 +18,11 @@ struct RuledContact {
     ContactCurvature curvature;  ///< of the part, along the feed and across
     double needed_strip_mm = 0;  ///< least width of the strip
     double wanted_strip_mm = 0;  ///< that of the wanted inclination, positive
-    /// From AxisRules::front; it makes tests of several axes faster.
+    /// From AxisRules::prepare; it makes tests of several axes faster.
     std::optional<ToolClearance::Front> front = {};
+    /// From AxisRules::prepare; nothing if the part hides no direction near an axis within the
+    /// greatest lean, or without visibility cones.
+    std::optional<ContactCones::Hidden> hidden = {};
 };
 
 /// What a tool axis must keep, apart from the contact.
@@ -29,20 +33,24 @@ struct RuledTool {
     double deepest_gouge = 0;             ///< mm
     /// mm, how much closer to the part than at a row the tool may be between two rows.
     double spare_gap = 0;
-    Angle rear_lead = Angle::radians(0);     ///< least lead of a cutter that is no ball
-    const PartOnMachine* machine = nullptr;  ///< that reaches the direction, if set
+    Angle rear_lead = Angle::radians(0);       ///< least lead of a cutter that is no ball
+    const PartOnMachine* machine = nullptr;    ///< that reaches the direction, if set
+    Angle greatest_lean = Angle::degrees(89);  ///< of all axes against the normal
 };
 
 /// The rules of the axes of one tool and one part. Tests may run on several threads.
 class AxisRules {
 public:
     /// \param clearance of the part; it must outlive the rules.
-    AxisRules(const RuledTool& tool, const ToolClearance& clearance);
+    /// \param cones     of the part, likewise; null: visibility is no rule.
+    AxisRules(const RuledTool& tool, const ToolClearance& clearance,
+              const ContactCones* cones = nullptr);
 
-    /// The front of the part at a contact.
-    ToolClearance::Front front(const CutterContact& contact) const;
+    /// Finds the front of the part at a contact, and its hidden cells.
+    void prepare(RuledContact& at) const;
 
-    /// The first rule that an axis at a contact breaks, if any.
+    /// The first rule that an axis at a contact breaks, if any. Visibility is tested at prepared
+    /// contacts only.
     JudgedAxis judge(const RuledContact& at, const Vec3& axis,
                      const Inclination& inclination) const;
 
@@ -60,6 +68,7 @@ private:
 
     RuledTool tool_;
     const ToolClearance& clearance_;
+    const ContactCones* cones_;
     CuttingBody cutter_;
     std::vector<CuttingBody> body_;
 };

@@ -2,6 +2,7 @@
 #include "endmill/orientation/detail/field_passes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
@@ -19,6 +20,16 @@ Angle mean(const Angle& a, const Angle& b)
     return Angle::radians((a.radians() + b.radians()) / 2);
 }
 
+// The greatest angle between axis and normal within the ranges.
+Angle greatest_lean(const AxisFieldOptions& options)
+{
+    const auto most = [](const LeanRange& range) {
+        return std::max(std::abs(std::tan(range.from.radians())),
+                        std::abs(std::tan(range.to.radians())));
+    };
+    return Angle::radians(std::atan(std::hypot(most(options.lead), most(options.tilt))));
+}
+
 class FieldPasses {
 public:
     FieldPasses(const FieldTask& task, std::vector<PassRows>& passes)
@@ -26,17 +37,18 @@ public:
           field_{task.options.field},
           passes_{passes}
     {
-        rules_.reserve(task.surfaces.size());
-        for (const OrientedSurface& surface : task.surfaces)
+        rules_.reserve(task.parts.size());
+        for (const OrientedPart* surface : task.parts)
             rules_.emplace_back(
                 RuledTool{.cutter = task.cutter,
                           .body = task.options.tool_body,
                           .scallop_height = task.options.scallop_height,
                           .deepest_gouge = task.options.inner_tolerance,
                           .spare_gap = spare_share * task.options.inner_tolerance,
-                          .rear_lead = surface.rear_lead(),
-                          .machine = field_.machine},
-                task.clearance);
+                          .rear_lead = surface->rear_lead(),
+                          .machine = field_.machine,
+                          .greatest_lean = greatest_lean(field_)},
+                task.clearance, task.cones);
     }
 
     void choose_axes()
@@ -61,7 +73,7 @@ public:
             }
         parallel_for(ruled.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k)
-                ruled[k].front = rules[k]->front(ruled[k].contact);
+                rules[k]->prepare(ruled[k]);
         });
         const AxisField field = axis_field(
             contacts,
@@ -94,14 +106,14 @@ public:
 
 private:
     const AxisRules& rules_of(const PassRows& pass) const { return rules_[pass.surface]; }
-    const OrientedSurface& surface_of(const PassRows& pass) const
+    const OrientedPart& surface_of(const PassRows& pass) const
     {
-        return task_.surfaces[pass.surface];
+        return *task_.parts[pass.surface];
     }
 
     // The pose with an axis. If that is the axis of the wanted pose, the inclination is kept, which
     // else would be rounded.
-    static PassPose posed(const OrientedSurface& surface, const PassPose& wanted,
+    static PassPose posed(const OrientedPart& surface, const PassPose& wanted,
                           const Vec3& axis)
     {
         return (axis - wanted.location.axis).norm() <= unit_vector_rounding
@@ -111,7 +123,7 @@ private:
 
     std::vector<PassPose> filled(const PassRows& pass) const
     {
-        const OrientedSurface::Between between{
+        const OrientedPart::Between between{
             [&](const PassPose& from, const PassPose& to) {
                 return pose_between(pass, from, to);
             },
@@ -126,11 +138,12 @@ private:
     PassPose pose_between(const PassRows& pass, const PassPose& from,
                           const PassPose& to) const
     {
-        const OrientedSurface& surface = surface_of(pass);
+        const OrientedPart& surface = surface_of(pass);
         const PassPlace place = surface.place_between(from, to, pass.line);
         const CutterContact& contact = place.at.contact;
         const PassPose wanted = surface.posed(place, surface.inclination_at(place));
-        const RuledContact ruled = surface.ruled(place, pass.line);
+        RuledContact ruled = surface.ruled(place, pass.line);
+        rules_of(pass).prepare(ruled);
         const auto is_allowed = [&](const Vec3& axis) {
             const Inclination at = inclination_of(axis, contact.normal, place.feed);
             return axis.dot(contact.normal) > 0 && is_within(field_, at) &&
@@ -152,8 +165,7 @@ private:
         const auto found = std::ranges::find_if(candidates, is_allowed);
         if (found == candidates.end())
             throw GeometryError{
-                "no tool axis is allowed at " +
-                place_text({place.at.u, place.at.v}, contact.point) +
+                "no tool axis is allowed at " + surface.name_of(place) +
                 ", between two rows of a pass; expected wider ranges of lead and tilt"};
         return posed(surface, wanted, *found);
     }

@@ -5,24 +5,27 @@
 #include <span>
 #include <vector>
 
-#include "endmill/orientation/detail/oriented_surface.h"
+#include "endmill/orientation/detail/contact_cones.h"
+#include "endmill/orientation/detail/oriented_part.h"
 #include "endmill/orientation/detail/tool_clearance.h"
 
 namespace endmill {
 
 /// The rows of a pass.
 struct PassRows {
-    std::size_t surface;         ///< number of the surface, from 0
+    std::size_t surface;         ///< number of the surface, from 0; 0 on a mesh
     PassLine line;               ///< where the pass runs
     std::vector<PassPose> rows;  ///< in the order of cutting
 };
 
 /// The tool and the part of a field.
 struct FieldTask {
-    std::span<const OrientedSurface> surfaces;  ///< of the part
-    const ToolClearance& clearance;             ///< of the same part
-    const Cutter& cutter;                       ///< of the tool
-    const OrientedOptions& options;             ///< of the path
+    std::span<const OrientedPart* const> parts;  ///< the surfaces, or the mesh
+    const ToolClearance& clearance;              ///< of the whole part
+    const Cutter& cutter;                        ///< of the tool
+    const OrientedOptions& options;              ///< of the path
+    const ContactCones* cones =
+        nullptr;  ///< of the whole part; null: visibility is no rule
 };
 
 /// Gives the rows of all passes the axes of a field over the whole path, and inserts rows until

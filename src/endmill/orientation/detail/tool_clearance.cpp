@@ -326,6 +326,25 @@ ToolClearance::Front ToolClearance::front(const CutterContact& contact,
     return found;
 }
 
+bool ToolClearance::rises_above(double elevation, const CutterContact& contact,
+                                std::span<const std::int32_t> front) const
+{
+    const double sine = std::sin(elevation);
+    const double cosine = std::cos(elevation);
+    return std::ranges::any_of(front, [&](std::int32_t number) {
+        const Disc& disc = discs_[static_cast<std::size_t>(number)];
+        const Vec3 from = disc.centre - contact.point;
+        const double up = std::abs(disc.normal.dot(contact.normal));
+        const double least_distance = from.norm() - disc.radius - disc.thickness;
+        if (least_distance <= 0)
+            return up < cosine;
+        const double height = contact.normal.dot(from) +
+                              std::sqrt(std::max(0.0, 1 - up * up)) * disc.radius +
+                              up * disc.thickness + chord_error_;
+        return height > sine * least_distance;
+    });
+}
+
 bool ToolClearance::is_clear(const CuttingBody& body, const ToolFrame& tool,
                              double least) const
 {

@@ -42,6 +42,11 @@ public:
     /// tangent plane, so that places deep enough below it have the gap `least` for every axis.
     Front front(const CutterContact& contact, double least) const;
 
+    /// Whether a place of a front may be seen from its contact at an elevation in rad above the
+    /// tangent plane. Facets at the contact count if they turn by more against that plane.
+    bool rises_above(double elevation, const CutterContact& contact,
+                     std::span<const std::int32_t> front) const;
+
     /// The same as `is_clear` for a body that touches at a contact, by its front.
     bool is_clear(const CuttingBody& body, const ToolFrame& tool, double least,
                   std::span<const std::int32_t> front) const;

@@ -9,7 +9,7 @@
 
 // Every loop over the rays computes all cases and selects one, and takes roots of absolute
 // values. This lets the compiler process several rays at once, with the same bits for any
-// number of them. The searches are those of RayOnMotion; see there why they are safe.
+// number of them. The is_searching are those of RayOnMotion; see there why they are safe.
 
 namespace endmill {
 namespace {
@@ -89,6 +89,13 @@ struct BallNumbers {
     }
 }
 
+// What the is_searching of all rays have in common.
+struct SearchLimits {
+    double error;     // mm, as in ball_chords
+    double accuracy;  // mm
+    double slack;     // by how much the rate of F may rise on the way
+};
+
 // Rays that a search has not ended on: 1, else 0.
 [[gnu::always_inline]] inline bool is_any(const Eight& marks)
 {
@@ -110,11 +117,11 @@ struct EightPlacesOnRays {
 [[gnu::always_inline]] inline void find_first_entries(const BallNumbers& ball,
                                                       const EightRays& rays,
                                                       const Eight& most, double sign,
-                                                      const Eight& limits,
+                                                      const SearchLimits& limits,
                                                       EightPlacesOnRays& at)
 {
-    const auto [error, accuracy, slack] = std::array{limits[0], limits[1], limits[2]};
-    alignas(64) Eight searches = at.is_found;
+    const auto [error, accuracy, slack] = limits;
+    alignas(64) Eight is_searching = at.is_found;
     for (int step = 0;; ++step) {
         find_distances(ball, rays, at.s, at.there);
         if (step == most_entry_steps)
@@ -125,14 +132,14 @@ struct EightPlacesOnRays {
             const double steepest = slack - sign * at.there.rate[i];
             const double fall = select(steepest < 1, steepest, 1);
             const double next = at.s[i] + sign * (gap / select(fall > 0, fall, 1));
-            const double far = select(gap > accuracy, searches[i], 0);
+            const double far = select(gap > accuracy, is_searching[i], 0);
             const double ahead = select(sign * next < sign * most[i], 1, 0);
             const double further = far * select(fall > 0, ahead, 0);
             at.is_found[i] -= far - further;
             at.s[i] = select(further > 0, next, at.s[i]);
-            searches[i] = further;
+            is_searching[i] = further;
         }
-        if (!is_any(searches))
+        if (!is_any(is_searching))
             return;
     }
 }
@@ -142,11 +149,12 @@ struct EightPlacesOnRays {
 [[gnu::always_inline]] inline void find_sure_entries(const BallNumbers& ball,
                                                      const EightRays& rays,
                                                      const Eight& most, double sign,
-                                                     const Eight& limits,
+                                                     const SearchLimits& limits,
                                                      EightPlacesOnRays& at)
 {
-    const auto [error, accuracy] = std::array{limits[0], limits[1]};
-    alignas(64) Eight searches = at.is_found;
+    const double error = limits.error;
+    const double accuracy = limits.accuracy;
+    alignas(64) Eight is_searching = at.is_found;
     for (int step = 1;; ++step) {
         const double goes_on = step == most_sure_steps ? 0 : 1;
         ENDMILL_NOT_UNROLLED
@@ -155,14 +163,14 @@ struct EightPlacesOnRays {
             const double steepest = -sign * at.there.rate[i];
             const double fall = select(steepest > least_fall, steepest, least_fall);
             const double next = at.s[i] + sign * ((rest + accuracy) / fall);
-            const double far = select(rest > 0, searches[i], 0);
+            const double far = select(rest > 0, is_searching[i], 0);
             const double further =
                 far * goes_on * select(sign * next <= sign * most[i], 1, 0);
             at.is_found[i] -= far - further;
             at.s[i] = select(further > 0, next, at.s[i]);
-            searches[i] = further;
+            is_searching[i] = further;
         }
-        if (!is_any(searches))
+        if (!is_any(is_searching))
             return;
         find_distances(ball, rays, at.s, at.there);
     }
@@ -298,7 +306,7 @@ EightChords ball_chords(const BallOnRays& ball, const EightRays& rays,
                         const EightStretches& search, double error, double accuracy)
 {
     const BallNumbers numbers{ball};
-    const Eight limits{error, accuracy, ball.turn * (1 + ball.turn / 4)};
+    const SearchLimits limits{error, accuracy, ball.turn * (1 + ball.turn / 4)};
     EightChords chords;
     EightPlacesOnRays high;
     high.s = search.to;
