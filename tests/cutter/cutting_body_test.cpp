@@ -132,6 +132,20 @@ TEST(CuttingBody, LeastOnASegmentIsThatOfDenseSamples)
         }
 }
 
+// Above the middle of the ball the distance from the axis counts, below that from the middle.
+TEST(CuttingBody, LeastAlongTheAxisIsAtTheUpperEnd)
+{
+    const CuttingBody ball{Cutter::ball(5)};
+    for (const double x : {0.0, 3.0, 7.0})
+        for (const auto& [from, to] : {std::pair{-4.0, 1.0}, std::pair{1.0, -4.0},
+                                       std::pair{2.0, 9.0}, std::pair{9.0, 2.0}}) {
+            const CuttingBody::Least least =
+                ball.least_on_segment({x, 0, from}, {x, 0, to});
+            EXPECT_NEAR(least.value,
+                        std::hypot(x, std::min(0.0, std::max(from, to) - 5)) - 5, 1e-12);
+        }
+}
+
 TEST(CuttingBody, GradientBoundsTheLeastOfAMovedSegment)
 {
     test::Random random{4};

@@ -22,17 +22,19 @@ constexpr double radius = 3;
 constexpr double accuracy = 1e-7;
 
 // Eight parallel rays and a motion of a ball. Every third motion does not turn; every fourth
-// one is upright at its start, with rays along the axis.
+// one is upright at its start, with rays along the axis; every eighth one is along the axis.
 struct RandomRays {
     RandomRays(test::Random& random, int number)
     {
-        const Vec3 way = random_place(random, 1);
         const bool is_upright = number % 4 == 0;
+        const bool is_plunge = number % 8 == 0;
+        const Vec3 way =
+            is_plunge ? Vec3{0, 0, random.uniform(-1, 1)} : random_place(random, 1);
         const Vec3 lean = is_upright ? Vec3{Vec3::Zero()} : random_place(random, 1);
         const CutterLocation from{random_place(random, 2),
                                   (Vec3{0, 0, 2} + lean).normalized()};
         const Vec3 turn =
-            number % 3 == 0 ? Vec3{Vec3::Zero()} : random_place(random, 0.2);
+            number % 3 == 0 || is_plunge ? Vec3{Vec3::Zero()} : random_place(random, 0.2);
         motion = ToolMotion{from, {from.tip + way, (from.axis + turn).normalized()}};
         start = random_place(random, 4);
         direction =
@@ -178,6 +180,34 @@ TEST_F(BallChords, ChordsAreThoseOfSingleRays)
     });
     EXPECT_GT(chords_seen, 1000);
     EXPECT_GT(whole, 500);
+}
+
+// The ball of radius 3 goes down by 2 mm; rays along the axis meet the half ball at its lowest
+// pose.
+TEST_F(BallChords, PlungeTakesTheColumnsAboveTheBall)
+{
+    const ToolMotion motion{{{0, 0, 2}, Vec3::UnitZ()}, {{0, 0, 0}, Vec3::UnitZ()}};
+    const BallOnRays ball{{0, 0, -5}, Vec3::UnitZ(), motion, radius};
+    EightPlaces movements{};
+    for (std::size_t i = 0; i < 8; ++i)
+        movements[0][i] = 0.45 * static_cast<double>(i);
+    EightStretches search;
+    search.from.fill(0);
+    search.to.fill(20);
+    const EightChords chords =
+        ball_chords(ball, moved_rays(ball, movements), search, 0, accuracy);
+    for (std::size_t i = 0; i < 8; ++i) {
+        const double x = movements[0][i];
+        if (x >= radius) {
+            EXPECT_GT(chords.may.from[i], chords.may.to[i]);
+            continue;
+        }
+        const double lowest = 5 + radius - std::sqrt(radius * radius - x * x);
+        EXPECT_NEAR(chords.may.from[i], lowest, 1e-5);
+        EXPECT_EQ(chords.may.to[i], 20);
+        EXPECT_NEAR(chords.sure.from[i], lowest, 1e-5);
+        EXPECT_EQ(chords.sure.to[i], 20);
+    }
 }
 
 TEST_F(BallChords, NothingIsRemovedOutside)

@@ -106,13 +106,13 @@ inline CuttingBody::Least CuttingBody::least_on_segment(const Vec3& from, const 
     if (!cutter_.is_ball())
         return searched(from, to, enough);
     // The squared distance from the half line z >= R on the axis is convex and piecewise
-    // quadratic, with a break where z = R.
+    // quadratic, with a break where z = R. On a segment along the axis it falls only below.
     const Vec3 way = to - from;
     const double radius = cutter_.radius();
     const double h = from.z() - radius;
     const double along = from.x() * way.x() + from.y() * way.y();
     const double square = way.x() * way.x() + way.y() * way.y();
-    const bool is_below = way.z() == 0 ? h < 0 : along * way.z() > h * square;
+    const bool is_below = way.z() == 0 ? h < 0 : along * way.z() >= h * square;
     const double steep = is_below ? square + way.z() * way.z() : square;
     const double slope = is_below ? along + h * way.z() : along;
     const double u = steep > 0 ? std::clamp(-slope / steep, 0.0, 1.0) : 0.0;

@@ -67,7 +67,7 @@ struct BallNumbers {
         const double along = px * wx + py * wy;
         const double square = wx * wx + wy * wy;
         const bool is_below = select(wz == 0, select(h < 0, 1, 0),
-                                     select(along * wz > h * square, 1, 0)) != 0;
+                                     select(along * wz >= h * square, 1, 0)) != 0;
         const double steep = square + select(is_below, wz * wz, 0);
         const double slope = along + select(is_below, h * wz, 0);
         const double free = -slope / select(steep > 0, steep, 1);
