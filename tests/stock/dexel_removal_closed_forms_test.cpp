@@ -95,9 +95,9 @@ std::ostream& operator<<(std::ostream& out, const Case& one)
     return out << one.name;
 }
 
-// Share of a volume that rays 0.2 mm apart may miss or add at its outline. It was chosen after
-// 0.0016 was seen.
-constexpr double missed_share = 0.002;
+// The spread of the fields estimates what rays 0.2 mm apart miss or add at the outline of a
+// volume. This share of the volume is allowed besides; it was chosen after 0.0004 was seen.
+constexpr double missed_share = 0.001;
 
 class DexelVolumeOf : public testing::TestWithParam<Case> {};
 
@@ -108,7 +108,8 @@ TEST_P(DexelVolumeOf, IsTheClosedForm)
     const Case& one = GetParam();
     const DexelRemoval found =
         removed(Eigen::Matrix3d::Identity(), one.tips, one.cutter, 0.2);
-    EXPECT_NEAR(found.removed, one.volume, found.bound + missed_share * one.volume);
+    EXPECT_NEAR(found.removed, one.volume,
+                found.bound + found.spread + missed_share * one.volume);
     EXPECT_LT(found.bound, 1e-4 * one.volume + 0.01);
     EXPECT_LT(found.spread, 0.05 * one.volume);
 }
@@ -121,7 +122,8 @@ TEST_P(DexelVolumeOf, IsTheSameTurned)
          Eigen::AngleAxisd{-0.3, Vec3::UnitY()})
             .toRotationMatrix();
     const DexelRemoval found = removed(turn, one.tips, one.cutter, 0.2);
-    EXPECT_NEAR(found.removed, one.volume, found.bound + missed_share * one.volume);
+    EXPECT_NEAR(found.removed, one.volume,
+                found.bound + found.spread + missed_share * one.volume);
 }
 
 const Vec3 here{0.0123, 0.0217, 0};
