@@ -11,7 +11,6 @@
 #include "cli/mesh_remarks.h"
 #include "cli/progress.h"
 #include "cli/trim_stages.h"
-#include "endmill/core/detail/units.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/cutter/cutter.h"
@@ -137,7 +136,7 @@ void add_surface_sections(std::vector<Surface> surfaces, const TrimOptions& opti
     offset_options.boundary = boundary_contact(options);
     offset_options.allowance = options.allowance;
     offset_options.most_vertices = static_cast<std::size_t>(
-        options.common.limits.max_memory_gib * bytes_per_gib / bytes_an_offset_vertex);
+        options.common.limits.max_memory_gib * one_gib / bytes_an_offset_vertex);
     const DriveFrame frame{Angle::degrees(options.direction_deg)};
     DrivePlanes planes = planes_over(extent_across(surfaces, frame), options);
     require_trimming_memory(

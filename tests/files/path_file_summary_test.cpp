@@ -51,9 +51,11 @@ TEST(PathSummary, IsReadFromTheFileBesideThePath)
 TEST(PathSummary, OuterToleranceOfZeroIsNoTolerance)
 {
     const TemporaryFolder folder;
-    folder.put("summary.json", R"({"inner_tolerance_mm": 0.05, "outer_tolerance_mm": 0})");
+    folder.put("summary.json",
+               R"({"inner_tolerance_mm": 0.05, "outer_tolerance_mm": 0})");
     EXPECT_EQ(read_path_summary(folder.path() / "toolpath.csv")->tolerance_mm(), 0.05);
-    folder.put("summary.json", R"({"inner_tolerance_mm": 0, "outer_tolerance_mm": 0.05})");
+    folder.put("summary.json",
+               R"({"inner_tolerance_mm": 0, "outer_tolerance_mm": 0.05})");
     EXPECT_EQ(read_path_summary(folder.path() / "toolpath.csv")->tolerance_mm(), 0);
 }
 
