@@ -5,6 +5,8 @@
 #include <chrono>
 #include <filesystem>
 #include <limits>
+#include <span>
+#include <string>
 #include <utility>
 
 #include "cli/console.h"
@@ -126,6 +128,23 @@ TrimInput curves_input(const TrimOptions& options)
     return input;
 }
 
+// The offset, whose vertices are limited by the memory.
+OffsetMesh offset_within_memory(std::span<const Surface> surfaces,
+                                const TrimOptions& options, OffsetOptions offset_options)
+{
+    const double gib = options.common.limits.max_memory_gib;
+    offset_options.most_vertices =
+        static_cast<std::size_t>(gib * one_gib / bytes_an_offset_vertex);
+    try {
+        return offset_mesh(surfaces, *options.cutter, offset_options);
+    } catch (const LimitError& error) {
+        const bool is_wide = options.allowance > options.cutter->radius();
+        throw LimitError{std::string{error.what()} + " within " + to_text(gib) +
+                         " GiB (--max-memory); a smaller " +
+                         (is_wide ? "--allowance" : "cutter") + " needs less"};
+    }
+}
+
 void add_surface_sections(std::vector<Surface> surfaces, const TrimOptions& options,
                           TrimInput& input)
 {
@@ -135,8 +154,6 @@ void add_surface_sections(std::vector<Surface> surfaces, const TrimOptions& opti
     offset_options.grid_lines = options.grid;
     offset_options.boundary = boundary_contact(options);
     offset_options.allowance = options.allowance;
-    offset_options.most_vertices = static_cast<std::size_t>(
-        options.common.limits.max_memory_gib * one_gib / bytes_an_offset_vertex);
     const DriveFrame frame{Angle::degrees(options.direction_deg)};
     DrivePlanes planes = planes_over(extent_across(surfaces, frame), options);
     require_trimming_memory(
@@ -144,7 +161,7 @@ void add_surface_sections(std::vector<Surface> surfaces, const TrimOptions& opti
         options.common.limits.max_memory_gib);
     ProgressLine progress{"offsetting the surface", options.common};
     const auto start = Clock::now();
-    OffsetMesh offset = offset_mesh(surfaces, *options.cutter, offset_options);
+    OffsetMesh offset = offset_within_memory(surfaces, options, offset_options);
     const double offset_ms = milliseconds_since(start);
     progress.begin("slicing the offset", work_after(TrimStage::Slicing, options));
     const auto slicing = Clock::now();

@@ -312,8 +312,7 @@ void OffsetDraft::require_room(double more) const
         throw LimitError{
             "the offset with its strips over borders and creases would have at least " +
             std::to_string(static_cast<long long>(count)) +
-            " vertices; expected at most " + std::to_string(most_vertices) +
-            ", with a smaller cutter or allowance"};
+            " vertices; expected at most " + std::to_string(most_vertices)};
 }
 
 // 1. The shares of all chains are computed on all threads.
