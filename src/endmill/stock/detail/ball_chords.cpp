@@ -9,7 +9,7 @@
 
 // Every loop over the rays computes all cases and selects one, and takes roots of absolute
 // values. This lets the compiler process several rays at once, with the same bits for any
-// number of them. The is_searching are those of RayOnMotion; see there why they are safe.
+// number of them. The searches are those of RayOnMotion; see there why they are safe.
 
 namespace endmill {
 namespace {
@@ -89,11 +89,16 @@ struct BallNumbers {
     }
 }
 
-// What the is_searching of all rays have in common.
-struct SearchLimits {
+// A search on eight rays, upwards for sign = 1 and downwards for -1.
+struct EightSearch {
+    const BallNumbers& ball;
+    const EightRays& rays;
     double error;     // mm, as in ball_chords
     double accuracy;  // mm
     double slack;     // by how much the rate of F may rise on the way
+    double sign = 1;
+
+    EightSearch downwards() const { return {ball, rays, error, accuracy, slack, -1}; }
 };
 
 // Rays that a search has not ended on: 1, else 0.
@@ -112,15 +117,12 @@ struct EightPlacesOnRays {
     EightDistances there;
 };
 
-// As RayOnMotion::first_entry from `at.s`, upwards for sign = 1 and downwards for -1, on the
-// rays where `at.is_found` is 1.
-[[gnu::always_inline]] inline void find_first_entries(const BallNumbers& ball,
-                                                      const EightRays& rays,
-                                                      const Eight& most, double sign,
-                                                      const SearchLimits& limits,
+// As RayOnMotion::first_entry from `at.s`, on the rays where `at.is_found` is 1.
+[[gnu::always_inline]] inline void find_first_entries(const EightSearch& search,
+                                                      const Eight& most,
                                                       EightPlacesOnRays& at)
 {
-    const auto [error, accuracy, slack] = limits;
+    const auto& [ball, rays, error, accuracy, slack, sign] = search;
     alignas(64) Eight is_searching = at.is_found;
     for (int step = 0;; ++step) {
         find_distances(ball, rays, at.s, at.there);
@@ -146,14 +148,11 @@ struct EightPlacesOnRays {
 
 // As RayOnMotion::sure_entry from places with known distances, on the rays where `at.is_found`
 // is 1.
-[[gnu::always_inline]] inline void find_sure_entries(const BallNumbers& ball,
-                                                     const EightRays& rays,
-                                                     const Eight& most, double sign,
-                                                     const SearchLimits& limits,
+[[gnu::always_inline]] inline void find_sure_entries(const EightSearch& search,
+                                                     const Eight& most,
                                                      EightPlacesOnRays& at)
 {
-    const double error = limits.error;
-    const double accuracy = limits.accuracy;
+    const auto& [ball, rays, error, accuracy, slack, sign] = search;
     alignas(64) Eight is_searching = at.is_found;
     for (int step = 1;; ++step) {
         const double goes_on = step == most_sure_steps ? 0 : 1;
@@ -177,14 +176,15 @@ struct EightPlacesOnRays {
 }
 
 // Marks the rays where all between two sure places is removed by the pose that removes one.
-[[gnu::always_inline]] inline void find_whole(const BallNumbers& ball,
-                                              const EightRays& rays, double error,
+[[gnu::always_inline]] inline void find_whole(const EightSearch& search,
                                               const EightPlacesOnRays& low,
                                               const EightPlacesOnRays& high,
                                               Eight& is_whole)
 {
-    const auto& [fx, fy, fz] = rays.from;
-    const auto& [tx, ty, tz] = rays.to;
+    const BallNumbers& ball = search.ball;
+    const double error = search.error;
+    const auto& [fx, fy, fz] = search.rays.from;
+    const auto& [tx, ty, tz] = search.rays.to;
     ENDMILL_NOT_UNROLLED
     for (int i = 0; i < rays_at_once; ++i) {
         const double s = (low.s[i] + high.s[i]) / 2;
@@ -306,16 +306,18 @@ EightChords ball_chords(const BallOnRays& ball, const EightRays& rays,
                         const EightStretches& search, double error, double accuracy)
 {
     const BallNumbers numbers{ball};
-    const SearchLimits limits{error, accuracy, ball.turn * (1 + ball.turn / 4)};
+    const EightSearch upwards{numbers, rays, error, accuracy,
+                              ball.turn * (1 + ball.turn / 4)};
+    const EightSearch downwards = upwards.downwards();
     EightChords chords;
     EightPlacesOnRays high;
     high.s = search.to;
     high.is_found.fill(1);
-    find_first_entries(numbers, rays, search.from, -1, limits, high);
+    find_first_entries(downwards, search.from, high);
     EightPlacesOnRays low;
     low.s = search.from;
     low.is_found = high.is_found;
-    find_first_entries(numbers, rays, high.s, 1, limits, low);
+    find_first_entries(upwards, high.s, low);
     ENDMILL_NOT_UNROLLED
     for (int i = 0; i < rays_at_once; ++i) {
         chords.may.from[i] = select(low.is_found[i] > 0, low.s[i], infinite);
@@ -323,10 +325,10 @@ EightChords ball_chords(const BallOnRays& ball, const EightRays& rays,
     }
     high.is_found = low.is_found;
     alignas(64) const Eight highest = high.s;
-    find_sure_entries(numbers, rays, highest, 1, limits, low);
+    find_sure_entries(upwards, highest, low);
     high.is_found = low.is_found;
-    find_sure_entries(numbers, rays, low.s, -1, limits, high);
-    find_whole(numbers, rays, error, low, high, chords.is_whole);
+    find_sure_entries(downwards, low.s, high);
+    find_whole(upwards, low, high, chords.is_whole);
     ENDMILL_NOT_UNROLLED
     for (int i = 0; i < rays_at_once; ++i) {
         chords.sure.from[i] = select(high.is_found[i] > 0, low.s[i], infinite);

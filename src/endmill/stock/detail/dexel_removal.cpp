@@ -235,9 +235,28 @@ private:
                upper.back().to * unit_ >= within.from;
     }
 
-    Range range_of(const Interval32& one) const
+    // An interval of material on a ray, and the part of it that a piece may reach.
+    struct NearMaterial {
+        std::size_t ray;
+        const ToolPiece* piece;
+        Range range;
+        Range search;
+    };
+
+    // Calls `use` for all intervals of material of a ray within a stretch.
+    template <typename Use>
+    void for_near_material(std::size_t ray, const NearTile& tile, const Range& stretch,
+                           const Use& use) const
     {
-        return {one.from * unit_, one.to * unit_};
+        const Range within{std::max(tile.near.from, stretch.from),
+                           std::min(tile.near.to, stretch.to)};
+        for (const Interval32& one : dexels_[ray].upper) {
+            const Range range{one.from * unit_, one.to * unit_};
+            const Range search{std::max(range.from, within.from),
+                               std::min(range.to, within.to)};
+            if (search.from <= search.to)
+                use(NearMaterial{ray, &tile.piece, range, search});
+        }
     }
 
     // Adds the chords of a piece with all rays.
@@ -258,153 +277,150 @@ private:
             if (!reached)
                 continue;
             on.set_error(tile.error, chord_accuracy);
-            const Range within{std::max(tile.near.from, reached->from),
-                               std::min(tile.near.to, reached->to)};
-            for (const Interval32& one : dexels_[ray].upper) {
-                const Range range = range_of(one);
-                const Range search{std::max(range.from, within.from),
-                                   std::min(range.to, within.to)};
-                if (!(search.from <= search.to))
-                    continue;
-                if (const auto removed = removed_on(on, search))
-                    add_chord(ray, piece, piece.motion, range, *removed, most_halvings);
-            }
+            for_near_material(
+                ray, tile, {reached->from, reached->to},
+                [&](const NearMaterial& material) {
+                    if (const auto removed = removed_on(on, material.search))
+                        add_chord(material, piece.motion, *removed, most_halvings);
+                });
         }
     }
 
-    // Eight rays whose chords are computed together.
+    // Rays whose chords are computed together.
     struct Lanes {
-        EightRays rays;
-        EightStretches search;
-        std::array<std::size_t, 8> ray;
-        std::array<Range, 8> range;
+        EightRays rays{};
+        EightStretches search{};
+        std::array<NearMaterial, 8> material{};
+        std::size_t count = 0;
+
+        // \param lane of `from` that has the ray.
+        void put(const NearMaterial& one, const EightRays& from, std::size_t lane)
+        {
+            for (std::size_t c = 0; c < 3; ++c) {
+                rays.from[c][count] = from.from[c][lane];
+                rays.to[c][count] = from.to[c][lane];
+            }
+            search.from[count] = one.search.from;
+            search.to[count] = one.search.to;
+            material[count++] = one;
+        }
+    };
+
+    // Numbers of up to eight rays.
+    struct RayNumbers {
+        std::array<std::size_t, 8> of{};
         std::size_t count = 0;
     };
+
+    // The next rays with material, from `first` on, which becomes the one behind them.
+    RayNumbers next_rays(std::size_t& first, const Range& within) const
+    {
+        RayNumbers numbers;
+        for (; first < dexels_.size() && numbers.count < numbers.of.size(); ++first)
+            if (has_material(first, within))
+                numbers.of[numbers.count++] = first;
+        return numbers;
+    }
+
+    // The rays as seen from the tool; the last one is repeated.
+    EightRays seen_rays(const RayNumbers& numbers, const BallOnRays& ball) const
+    {
+        EightPlaces movements;
+        for (std::size_t k = 0; k < numbers.of.size(); ++k) {
+            const Vec3 movement =
+                starts_[numbers.of[std::min(k, numbers.count - 1)]] - middle_;
+            for (std::size_t c = 0; c < 3; ++c)
+                movements[c][k] = movement[static_cast<Eigen::Index>(c)];
+        }
+        return moved_rays(ball, movements);
+    }
 
     // The same for an endless ball.
     void add_chords_of_ball(const NearTile& tile)
     {
-        const ToolPiece& piece = tile.piece;
-        const BallOnRays ball{middle_, direction_, piece.motion,
-                              piece.body.cutter().radius()};
+        const BallOnRays ball{middle_, direction_, tile.piece.motion,
+                              tile.piece.body.cutter().radius()};
         Lanes lanes;
-        for (std::size_t first = 0; first < dexels_.size();) {
-            // the next eight rays with material; the last one is repeated
-            std::array<std::size_t, 8> numbers{};
-            EightPlaces movements;
-            std::size_t count = 0;
-            for (; first < dexels_.size() && count < numbers.size(); ++first)
-                if (has_material(first, tile.near))
-                    numbers[count++] = first;
-            if (count == 0)
-                break;
-            for (std::size_t k = 0; k < numbers.size(); ++k) {
-                const Vec3 movement = starts_[numbers[std::min(k, count - 1)]] - middle_;
-                for (std::size_t c = 0; c < 3; ++c)
-                    movements[c][k] = movement[static_cast<Eigen::Index>(c)];
-            }
-            const EightRays rays = moved_rays(ball, movements);
+        std::size_t first = 0;
+        for (RayNumbers numbers = next_rays(first, tile.near); numbers.count > 0;
+             numbers = next_rays(first, tile.near)) {
+            const EightRays rays = seen_rays(numbers, ball);
             const EightStretches near = near_stretches(ball, rays, tile.within);
-            for (std::size_t k = 0; k < count; ++k) {
-                const Range within{std::max(tile.near.from, near.from[k]),
-                                   std::min(tile.near.to, near.to[k])};
-                for (const Interval32& one : dexels_[numbers[k]].upper) {
-                    const Range range = range_of(one);
-                    const Range search{std::max(range.from, within.from),
-                                       std::min(range.to, within.to)};
-                    if (search.from <= search.to) {
-                        put(lanes, rays, k, search, numbers[k], range);
-                        if (lanes.count == 8)
-                            add_chords(lanes, ball, tile);
-                    }
-                }
-            }
+            for (std::size_t k = 0; k < numbers.count; ++k)
+                for_near_material(numbers.of[k], tile, {near.from[k], near.to[k]},
+                                  [&](const NearMaterial& material) {
+                                      lanes.put(material, rays, k);
+                                      if (lanes.count == lanes.material.size())
+                                          add_chords(lanes, ball, tile);
+                                  });
         }
         if (lanes.count > 0)
             add_chords(lanes, ball, tile);
     }
 
-    // Puts a stretch of the ray in a lane of `rays` into the next lane.
-    static void put(Lanes& lanes, const EightRays& rays, std::size_t from,
-                    const Range& search, std::size_t ray, const Range& range)
-    {
-        const std::size_t k = lanes.count++;
-        for (std::size_t c = 0; c < 3; ++c) {
-            lanes.rays.from[c][k] = rays.from[c][from];
-            lanes.rays.to[c][k] = rays.to[c][from];
-        }
-        lanes.search.from[k] = search.from;
-        lanes.search.to[k] = search.to;
-        lanes.ray[k] = ray;
-        lanes.range[k] = range;
-    }
-
     // Adds the chords of the rays in the lanes, and clears them.
     void add_chords(Lanes& lanes, const BallOnRays& ball, const NearTile& tile)
     {
-        const std::size_t count = lanes.count;
-        while (lanes.count < 8) {
-            const std::size_t last = lanes.count - 1;
-            put(lanes, lanes.rays, last, {lanes.search.from[last], lanes.search.to[last]},
-                lanes.ray[last], lanes.range[last]);
+        const std::size_t count = std::exchange(lanes.count, 0);
+        for (std::size_t k = count; k < lanes.material.size(); ++k) {
+            lanes.count = k;
+            lanes.put(lanes.material[count - 1], lanes.rays, count - 1);
         }
+        lanes.count = 0;
         const EightChords chords =
             ball_chords(ball, lanes.rays, lanes.search, tile.error, chord_accuracy);
         for (std::size_t k = 0; k < count; ++k) {
             if (!(chords.may.from[k] <= chords.may.to[k]))
                 continue;
+            const NearMaterial& material = lanes.material[k];
             Removed removed{{chords.may.from[k], chords.may.to[k]}, {}};
             const bool has_sure = chords.sure.from[k] <= chords.sure.to[k];
             if (has_sure && chords.is_whole[k] > 0)
                 removed.sure = Range{chords.sure.from[k], chords.sure.to[k]};
             else if (has_sure)
-                removed = by_one_ray(tile, lanes.ray[k],
-                                     {lanes.search.from[k], lanes.search.to[k]})
-                              .value_or(removed);
-            add_chord(lanes.ray[k], tile.piece, tile.piece.motion, lanes.range[k],
-                      removed, most_halvings);
+                removed = by_one_ray(material, tile.error).value_or(removed);
+            add_chord(material, tile.piece.motion, removed, most_halvings);
         }
-        lanes.count = 0;
     }
 
-    std::optional<Removed> by_one_ray(const NearTile& tile, std::size_t ray,
-                                      const Range& search) const
+    std::optional<Removed> by_one_ray(const NearMaterial& material, double error) const
     {
-        RayOnMotion on{starts_[ray], direction_, tile.piece.motion, tile.piece.body};
-        on.set_error(tile.error, chord_accuracy);
-        return removed_on(on, search);
+        RayOnMotion on{starts_[material.ray], direction_, material.piece->motion,
+                       material.piece->body};
+        on.set_error(error, chord_accuracy);
+        return removed_on(on, material.search);
     }
 
     // \param may outside which the whole motion removes nothing.
-    void add_halves(std::size_t ray, const ToolPiece& piece, const ToolMotion& motion,
-                    const Range& range, const Range& may, int halvings)
+    void add_halves(const NearMaterial& material, const ToolMotion& motion,
+                    const Range& may, int halvings)
     {
         for (const ToolMotion& half : motion.halves()) {
-            RayOnMotion on{starts_[ray], direction_, half, piece.body};
+            RayOnMotion on{starts_[material.ray], direction_, half, material.piece->body};
             const auto near = on.near_stretch(may.from, may.to);
             if (!near)
                 continue;
             on.set_error(on.largest_error(*near, 0), chord_accuracy);
             if (const auto removed = removed_on(on, {near->from, near->to}))
-                add_chord(ray, piece, half, range, *removed, halvings);
+                add_chord(material, half, *removed, halvings);
         }
     }
 
-    // Adds what a motion removes on a range of a ray; if its ends are in doubt, what the
-    // halves of the motion remove.
-    void add_chord(std::size_t ray, const ToolPiece& piece, const ToolMotion& motion,
-                   const Range& range, const Removed& removed, int halvings)
+    // Adds what a motion of the piece removes; if its ends are in doubt, what the halves of
+    // the motion remove.
+    void add_chord(const NearMaterial& material, const ToolMotion& motion,
+                   const Removed& removed, int halvings)
     {
         const auto& [may, sure] = removed;
         const double doubt =
             sure ? sure->from - may.from + may.to - sure->to : may.to - may.from;
         if (doubt > chord_sharpness && halvings > 0 &&
-            std::max(motion.chord_error(at(ray, may.from)),
-                     motion.chord_error(at(ray, may.to))) > small_error) {
-            add_halves(ray, piece, motion, range, may, halvings - 1);
+            std::max(motion.chord_error(at(material.ray, may.from)),
+                     motion.chord_error(at(material.ray, may.to))) > small_error) {
+            add_halves(material, motion, may, halvings - 1);
             return;
         }
-        chords_.emplace_back(ray, rounded(removed, range));
+        chords_.emplace_back(material.ray, rounded(removed, material.range));
     }
 
     // Returns a chord whose ends are rounded outwards to whole units.
