@@ -89,6 +89,25 @@ protected:
         }
     }
 
+    // The error on the places from -9 to 9 mm of all rays.
+    double largest_error(const RandomRays& rays) const
+    {
+        double error = 0;
+        for (std::size_t i = 0; i < 8; ++i)
+            error = std::max(
+                {error, rays.one(i, body_).error(-9), rays.one(i, body_).error(9)});
+        return error;
+    }
+
+    static EightChords chords_between(double from, double to, const BallOnRays& ball,
+                                      const EightRays& rays, double error)
+    {
+        EightStretches search;
+        search.from.fill(from);
+        search.to.fill(to);
+        return ball_chords(ball, rays, search, error, accuracy);
+    }
+
     const CuttingBody body_{Cutter::ball(radius)};
 };
 
@@ -141,14 +160,8 @@ TEST_F(BallChords, ChordsAreThoseOfSingleRays)
     int whole = 0;
     for_random_rays([&](const RandomRays& rays, const BallOnRays& ball,
                         const EightRays& seen) {
-        EightStretches search;
-        search.from.fill(-9);
-        search.to.fill(9);
-        double error = 0;
-        for (std::size_t i = 0; i < 8; ++i)
-            error = std::max(
-                {error, rays.one(i, body_).error(-9), rays.one(i, body_).error(9)});
-        const EightChords chords = ball_chords(ball, seen, search, error, accuracy);
+        const double error = largest_error(rays);
+        const EightChords chords = chords_between(-9, 9, ball, seen, error);
         for (std::size_t i = 0; i < 8; ++i) {
             RayOnMotion one = rays.one(i, body_);
             one.set_error(error, accuracy);
@@ -191,11 +204,8 @@ TEST_F(BallChords, PlungeTakesTheColumnsAboveTheBall)
     EightPlaces movements{};
     for (std::size_t i = 0; i < 8; ++i)
         movements[0][i] = 0.45 * static_cast<double>(i);
-    EightStretches search;
-    search.from.fill(0);
-    search.to.fill(20);
     const EightChords chords =
-        ball_chords(ball, moved_rays(ball, movements), search, 0, accuracy);
+        chords_between(0, 20, ball, moved_rays(ball, movements), 0);
     for (std::size_t i = 0; i < 8; ++i) {
         const double x = movements[0][i];
         if (x >= radius) {
@@ -214,14 +224,8 @@ TEST_F(BallChords, NothingIsRemovedOutside)
 {
     for_random_rays(
         [&](const RandomRays& rays, const BallOnRays& ball, const EightRays& seen) {
-            EightStretches search;
-            search.from.fill(-9);
-            search.to.fill(9);
-            double error = 0;
-            for (std::size_t i = 0; i < 8; ++i)
-                error = std::max(
-                    {error, rays.one(i, body_).error(-9), rays.one(i, body_).error(9)});
-            const EightChords chords = ball_chords(ball, seen, search, error, accuracy);
+            const double error = largest_error(rays);
+            const EightChords chords = chords_between(-9, 9, ball, seen, error);
             for (std::size_t i = 0; i < 8; i += 3)
                 for (int k = 0; k <= 36; ++k) {
                     const double s = -9 + 0.5 * k;
