@@ -132,6 +132,7 @@ TEST(DexelFile, NumbersOutOfRangeAreRefusedWithTheirPlace)
 {
     const std::string file = file_of(kept_stock());
     const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinity = std::numeric_limits<double>::infinity();
     EXPECT_THAT(complaint(with_number(file, 16, nan)),
                 StartsWith("E_NONFINITE stock.dexels@16"));
     EXPECT_THAT(complaint(with_number(file, 16, 1e9)), StartsWith("E_RANGE"));
@@ -142,6 +143,13 @@ TEST(DexelFile, NumbersOutOfRangeAreRefusedWithTheirPlace)
     EXPECT_THAT(complaint(with_number(file, 80, -1)), HasSubstr("a cutter of radius -1"));
     EXPECT_THAT(complaint(with_number(file, 96, 0.5)),
                 HasSubstr("a cutting length of 0.5"));
+    EXPECT_THAT(complaint(with_number(file, 96, nan)),
+                HasSubstr("a cutting length that is not finite"));
+    EXPECT_THAT(complaint(with_number(file, 96, -infinity)),
+                HasSubstr("a cutting length that is not finite"));
+    // A cutter may cut over its whole length, without an end.
+    const std::string endless = with_number(file, 96, infinity);
+    EXPECT_EQ(file_of(parse_dexels(endless, "stock.dexels")), endless);
     // x of the axis of the first pose.
     EXPECT_THAT(complaint(with_number(file, 152, 0.5)),
                 HasSubstr("a tool axis of length"));

@@ -218,6 +218,20 @@ private:
         return value;
     }
 
+    // Infinity stands for a cutter that cuts over its whole length, without an end.
+    double cutting_length(double corner)
+    {
+        const auto length = next<double>();
+        if (length == std::numeric_limits<double>::infinity())
+            return length;
+        check("E_NONFINITE", std::isfinite(length), "a cutting length that is not finite",
+              "a finite number, or infinity");
+        check("E_RANGE", length > 0 && length >= corner,
+              "a cutting length of " + to_text(length) + " mm",
+              "a number above 0, at least the corner radius");
+        return length;
+    }
+
     // Three numbers, read one after the other, because the order of evaluation of
     // arguments is not defined.
     Vec3 place()
@@ -246,11 +260,7 @@ private:
               "a cutter of radius " + to_text(radius) + " mm and corner radius " +
                   to_text(corner) + " mm",
               "0 < radius, 0 <= corner radius <= radius");
-        const auto length = next<double>();
-        check("E_RANGE", length > 0 && length >= corner,
-              "a cutting length of " + to_text(length) + " mm",
-              "a number above 0, at least the corner radius");
-        return CuttingBody{Cutter{radius, corner}, length};
+        return CuttingBody{Cutter{radius, corner}, cutting_length(corner)};
     }
 
     PartOnMachine read_machine()
