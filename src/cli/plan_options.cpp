@@ -312,7 +312,8 @@ void add_strategy_choices(CLI::App& command, PlanOptions& options)
         command, "--bound", options.bound, bounds,
         "lower bound of the length, with which a path by a --strategy other than iso is "
         "compared. estimated (default): takes some seconds; certified: proved up to "
-        "rounding, about 4 % lower, takes a minute; none: not computed");
+        "rounding, about 4 % lower, takes a minute; none: not computed. That of a mesh "
+        "is for the travel of the tip, and can only be estimated");
     add_choice<Planner>(
         command, "--mode", options.mode, modes,
         "verified (default): every move is proved to be within "

@@ -184,6 +184,15 @@ void add_points_bound(Json& summary, const BoundProblem& problem, const PlanTask
         summary["points_over_bound"] = summary["ncl"].get<double>() / bound.points;
 }
 
+// A mesh as it stands while it is planned.
+TriangleMesh turned(const TriangleMesh& mesh, const Eigen::Matrix3d& part_to_machine)
+{
+    std::vector<Vec3> points(mesh.points().begin(), mesh.points().end());
+    for (Vec3& point : points)
+        point = part_to_machine * point;
+    return {std::move(points), {mesh.triangles().begin(), mesh.triangles().end()}};
+}
+
 // Compares the length of the cuts with the bound for every path that covers the part.
 // \return the density of the bound; empty if there is none.
 std::vector<DensityCorners> add_bound(Json& summary, const PlanTask& task,
@@ -194,7 +203,9 @@ std::vector<DensityCorners> add_bound(Json& summary, const PlanTask& task,
     const std::vector<double> sides =
         tool_side_signs(task.surfaces, task.options.planning.link.axis);
     BoundProblem problem{task.context.ball(), task.options.planning.scallop_height};
-    const bool is_by_tips = task.options.distance == TravelKind::Tip;
+    // On a mesh contacts have no bound.
+    const bool is_by_tips =
+        task.context.is_mesh || task.options.distance == TravelKind::Tip;
     const char* cut_key = is_by_tips ? "cut_tip_mm" : "cut_contact_mm";
     problem.length = is_by_tips ? BoundedLength::Tip : BoundedLength::Contact;
     problem.stray = covering.stray_mm;
@@ -204,6 +215,7 @@ std::vector<DensityCorners> add_bound(Json& summary, const PlanTask& task,
     if (task.options.bound == PlanBound::Certified)
         estimate.grade = BoundGrade::Certified;
     summary["bound_gamma_mm"] = covering.stray_mm;
+    summary["bound_distance"] = is_by_tips ? "cl" : "contact";
     const auto set_none = [&](const std::string& reason) {
         for (const char* key : {"bound_density_mm", "bound_disc_mm", "bound_mm",
                                 "bound_grade", "travel_over_bound"})
@@ -212,13 +224,16 @@ std::vector<DensityCorners> add_bound(Json& summary, const PlanTask& task,
         return std::vector<DensityCorners>{};
     };
     summary["points_estimate"] = nullptr;
-    if (task.context.is_mesh)
-        return set_none("there is no bound for meshes");
-    if (covering.unreached_mm2 > 0)
+    const auto* mesh = std::get_if<TriangleMesh>(&task.part);
+    if (covering.unreached_mm2 > 0 && (!mesh || task.guard))
         return set_none("there is no bound where a protected part bars places");
-    add_points_bound(summary, problem, task, sides);
+    if (mesh && task.options.bound == PlanBound::Certified)
+        return set_none("the bound of a mesh can only be estimated");
+    if (!mesh)
+        add_points_bound(summary, problem, task, sides);
     try {
-        PathBound bound = path_bound(task.surfaces, sides, problem, estimate);
+        PathBound bound = mesh ? mesh_bound(turned(*mesh, task.part_to_machine), problem, estimate)
+                               : path_bound(task.surfaces, sides, problem, estimate);
         summary["bound_density_mm"] = bound.density_mm;
         summary["bound_disc_mm"] = bound.disc_mm;
         summary["bound_mm"] = bound.bound_mm ? Json(*bound.bound_mm) : Json(nullptr);
@@ -245,8 +260,9 @@ std::string bound_text(const Json& s)
     if (s["bound_mm"].is_null())
         return fmt::format("  lower bound   none: {}\n",
                            s["bound_reason"].get<std::string>());
-    return fmt::format("  lower bound   {} mm ({}); the cuts are {:.3f} times as long\n",
+    return fmt::format("  lower bound   {} mm by {} ({}); the cuts are {:.3f} times as long\n",
                        shown(s["bound_mm"].get<double>()),
+                       s["bound_distance"] == "cl" ? "tips" : "contacts",
                        s["bound_grade"].get<std::string>(),
                        s["travel_over_bound"].get<double>());
 }

@@ -56,7 +56,7 @@ TEST_F(InflowOnAPlane, OfOppositeFlowsIsTheLongerOne)
     const std::vector<BoundaryFlow> flows{
         {0, {0.5, 0.5}, {2, 0}}, {0, {0.5, 0.5}, {-3, 0}}, {0, {0.5, 0.5}, {0, 0}}};
     EXPECT_NEAR(greatest_inflow(stored_flows(flows, grid), grid, one), 3, 1e-6);
-    EXPECT_EQ(greatest_inflow({}, grid, one), 0);
+    EXPECT_EQ(greatest_inflow(std::vector<StoredFlow>{}, grid, one), 0);
 }
 
 TEST_F(InflowOnAPlane, WeighsEachFlowByTheDensityThere)

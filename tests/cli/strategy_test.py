@@ -98,8 +98,12 @@ class Strategies(ProgramTest):
         part = self.file(roof, "roof.off")
         facts = self.summary("plan", part, *BALL, "--strategy", "best", "-o", "out")
         self.assertEqual((facts["verdict"], facts["uncovered_mm2"], facts["unreached_mm2"]), ("clean", 0, 0))
-        self.assertIsNone(facts["bound_mm"])
-        self.assertFalse((self.folder / "out/density.svg").exists())
+        # of tips: both planes together have 1723 mm2, the strip is 5.4 mm wide
+        self.assertEqual((facts["bound_grade"], facts["bound_distance"]), ("estimated", "cl"))
+        self.assertAlmostEqual(facts["bound_density_mm"], 1723 / 5.44, delta=0.03 * 1723 / 5.44)
+        self.assertAlmostEqual(facts["travel_over_bound"], facts["cut_tip_mm"] / facts["bound_mm"], places=12)
+        self.assertGreater(facts["travel_over_bound"], 1)
+        self.assertTrue((self.folder / "out/density.svg").exists())
         refused = {one["strategy"] for one in facts["tried"] if one["cut_mm"] is None}
         self.assertGreaterEqual(refused, {"iso-u", "iso-v"})
         seen = self.summary("verify", self.folder / "out" / "toolpath.csv", "--resolution", "0.4", "-o", "seen")
@@ -116,6 +120,12 @@ class Strategies(ProgramTest):
         self.assertEqual((on_mesh["verdict"], on_mesh["uncovered_mm2"]), ("clean", 0))
         for key in ("cut_contact_mm", "cut_tip_mm"):
             self.assertAlmostEqual(on_mesh[key] / on_surface[key], 1, delta=0.015)
+
+    def test_certified_bound_of_a_mesh_is_refused_with_a_reason(self):
+        part = self.file("OFF\n3 1 0\n0 0 0\n40 0 0\n0 40 0\n3 0 1 2\n", "one.off")
+        facts = self.summary("plan", part, *BALL, "--strategy", "planar", "--bound", "certified", "-o", "out")
+        self.assertIsNone(facts["bound_mm"])
+        self.assertIn("can only be estimated", facts["bound_reason"])
 
     def test_mesh_needs_a_cutter_and_a_strategy_without_parameters(self):
         part = self.file("OFF\n3 1 0\n0 0 0\n20 0 0\n0 20 0\n3 0 1 2\n", "one.off")

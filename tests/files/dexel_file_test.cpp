@@ -159,6 +159,8 @@ TEST(DexelFile, TooLargeAStockIsRefusedBeforeMemoryIsTaken)
 {
     const std::string file = file_of(kept_stock());
     EXPECT_THAT(complaint(with_number(file, 64, 1e-5)), HasSubstr("a file that ends"));
+    EXPECT_THAT(complaint(with_number(file, 64, 1e-300)),
+                HasSubstr("the number of rays that the pitch gives"));
     ReadLimits limits;
     limits.max_memory_gib = 1e-7;
     EXPECT_THAT(complaint(file, limits), StartsWith("E_LIMIT"));

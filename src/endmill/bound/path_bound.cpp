@@ -8,6 +8,7 @@
 #include "endmill/bound/detail/density_certificate.h"
 #include "endmill/bound/detail/density_grid.h"
 #include "endmill/bound/detail/density_search.h"
+#include "endmill/bound/detail/estimate_spacing.h"
 #include "endmill/core/error.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/extent.h"
@@ -16,15 +17,6 @@
 namespace endmill {
 namespace {
 
-// Default spacing of the nodes, as shares of the width of the disc on a plane: the widest,
-// and the narrowest, which small parts take.
-constexpr double widest_share = 0.7;
-constexpr double narrowest_share = 0.35;
-// Nodes that a part has with a spacing between both.
-constexpr double usual_nodes = 4000;
-// Most nodes, about: at 6 kB each, memory stays below 200 MB.
-constexpr double most_nodes = 30000;
-constexpr std::size_t least_random_places = 1000;
 // Share of the estimate in the time of a certificate.
 constexpr double estimate_share = 0.15;
 
@@ -36,22 +28,10 @@ void require_valid(std::span<const Surface> surfaces, std::span<const double> si
     require_valid(problem);
 }
 
-double default_spacing(std::span<const Surface> surfaces, const BoundProblem& problem)
-{
-    const double width = 2 * plane_half_width(problem);
-    return std::clamp(std::sqrt(area(surfaces) / usual_nodes), narrowest_share * width,
-                      widest_share * width);
-}
-
-std::optional<double> positive(double bound)
-{
-    return bound > 0 ? std::optional{bound} : std::nullopt;
-}
-
 PathBound closed_path_bound(const ClosedDensity& closed, double area, int most_pieces)
 {
     const double density = area * closed.density_per_mm;
-    return {density, closed.disc_mm, positive(density - most_pieces * closed.disc_mm),
+    return {density, closed.disc_mm, positive_bound(density, closed.disc_mm, most_pieces),
             BoundGrade::Closed};
 }
 
@@ -89,14 +69,9 @@ Estimate estimate(std::span<const Surface> surfaces, std::span<const double> sid
                   const BoundProblem& problem, const EstimateOptions& options)
 {
     require_valid(surfaces, sides, problem);
-    require(options.random_places >= least_random_places,
-            "path_bound: need at least 1000 random places");
-    const double wanted =
-        options.node_spacing ? *options.node_spacing : default_spacing(surfaces, problem);
-    require(std::isfinite(wanted) && wanted > 0,
-            "path_bound: the spacing of nodes must be positive");
+    const double spacing = estimate_spacing(
+        area(surfaces), surface_spacing(area(surfaces), problem), options);
     require_smooth(surfaces);
-    const double spacing = std::max(wanted, std::sqrt(area(surfaces) / most_nodes));
     DensitySearch search{
         {surfaces, sides}, problem, {spacing, options.random_places, options.progress}};
     return {search.run(), spacing};
@@ -172,7 +147,7 @@ PathBound estimated_bound(std::span<const Surface> surfaces,
     const double disc = factor * found.greatest_disc;
     return {density,
             disc,
-            positive(density - problem.most_pieces * disc),
+            positive_bound(density, disc, problem.most_pieces),
             BoundGrade::Estimated,
             found.greatest_inflow,
             found.places,
@@ -198,7 +173,7 @@ PathBound certified_bound(std::span<const Surface> surfaces,
     const double disc = factor * proved.greatest_disc;
     return {density,
             disc,
-            positive(density - problem.most_pieces * disc),
+            positive_bound(density, disc, problem.most_pieces),
             BoundGrade::Certified,
             proved.greatest_inflow,
             found.places,

@@ -178,11 +178,14 @@ private:
     // for each number make no text unless they fail.
     void require_bytes(double bytes) const
     {
-        if (!(bytes <= bytes_left()))
-            throw complaint(
-                "E_DEXELS",
-                "a file that ends after " + std::to_string(content_.size()) + " bytes",
-                "at least " + to_text(static_cast<double>(at_) + bytes) + " bytes");
+        if (bytes <= bytes_left())
+            return;
+        const double least = static_cast<double>(at_) + bytes;
+        throw complaint(
+            "E_DEXELS",
+            "a file that ends after " + std::to_string(content_.size()) + " bytes",
+            std::isfinite(least) ? "at least " + to_text(least) + " bytes"
+                                 : "a file for the number of rays that the pitch gives");
     }
 
     template <typename Value>

@@ -8,6 +8,7 @@
 #include <random>
 #include <utility>
 
+#include "endmill/bound/detail/density_updates.h"
 #include "endmill/core/parallel.h"
 
 namespace endmill {
@@ -142,56 +143,6 @@ void DensitySearch::start_from(const std::vector<ContactPlace>& places)
     }
 }
 
-// One update; returns the greatest inflow before it.
-double DensitySearch::update()
-{
-    std::vector<double> inflow(places_.size());
-    parallel_for(places_.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t k = begin; k < end; ++k)
-            inflow[k] = greatest_inflow(places_[k], grid_, density_);
-    });
-    std::vector<double> of_cell(grid_.nodes());
-    for (std::size_t k = 0; k < places_.size(); ++k)
-        for (const StoredFlow& flow : places_[k]) {
-            double& greatest = of_cell[flow.place.node];
-            greatest = std::max(greatest, inflow[k]);
-        }
-    std::vector<double> of_node(grid_.nodes());
-    for (const DensityCell& cell : grid_.cells())
-        for (const std::uint32_t corner : grid_.corners(cell.node))
-            of_node[corner] = std::max(of_node[corner], of_cell[cell.node]);
-    for (std::size_t node = 0; node < grid_.nodes(); ++node) {
-        const double m = of_node[node];
-        density_[node] *= m == 0  ? 0
-                          : m > 1 ? 1 / std::sqrt(m)
-                                  : 1 / std::sqrt(std::sqrt(m));
-    }
-    return *std::ranges::max_element(inflow);
-}
-
-// Keeps the density with the greatest integral per greatest inflow, divided by the latter.
-void DensitySearch::improve(int updates)
-{
-    std::vector<double> best = density_;
-    double best_integral = 0;
-    for (int k = 0; k < updates; ++k) {
-        const std::vector<double> before = density_;
-        const double greatest = update();
-        if (greatest == 0)
-            break;
-        const double integral = std::inner_product(before.begin(), before.end(),
-                                                   grid_.weights().begin(), 0.0) /
-                                greatest;
-        if (integral <= best_integral)
-            continue;
-        best_integral = integral;
-        best = before;
-        for (double& density : best)
-            density /= greatest;
-    }
-    density_ = std::move(best);
-}
-
 // Adds the places whose inflow exceeds 1; returns their numbers.
 std::vector<std::size_t> DensitySearch::test(const std::vector<ContactPlace>& places)
 {
@@ -253,14 +204,14 @@ FoundDensity DensitySearch::run()
     report(0);
     start_from(lattice_places(grid_.cells(), options_.node_spacing / 2));
     report(0.1);
-    improve(first_updates);
+    improve_density(grid_, places_, density_, first_updates);
     report(0.2);
     test(lattice_places(grid_.cells(), options_.node_spacing / 4));
-    improve(second_updates);
+    improve_density(grid_, places_, density_, second_updates);
     for (int k = 0; k < joining_tests; ++k) {
         report(0.5 + 0.1 * k);
         test_at_random(joining_seed + k);
-        improve(later_updates);
+        improve_density(grid_, places_, density_, later_updates);
     }
     report(0.8);
 

@@ -82,8 +82,6 @@ private:
     void start_from(const std::vector<ContactPlace>& places);
     std::vector<std::size_t> test(const std::vector<ContactPlace>& places);
     void test_at_random(std::uint64_t seed);
-    void improve(int updates);
-    double update();
     void report(double share) const;
 
     BoundedPart part_;

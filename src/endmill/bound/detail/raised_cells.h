@@ -7,6 +7,7 @@
 
 #include "endmill/bound/detail/cover_boundary.h"
 #include "endmill/bound/detail/density_grid.h"
+#include "endmill/bound/detail/tool_bins.h"
 
 namespace endmill {
 
@@ -41,23 +42,13 @@ private:
         std::uint32_t cell;
     };
 
-    void sort_into_bins();
-    int column(double x) const;
-    int row(double y) const;
+    std::vector<Entry> entries() const;
     double far_from(const ToolReach& tool) const;
-    template <typename Visit>
-    void visit_near(const ToolReach& tool, double far, const Visit& visit) const;
 
     const BoundedPart& part_;
     const BoundProblem& problem_;
     DensityGrid grid_;
-    std::vector<Entry> entries_;       // by bin
-    std::vector<std::uint32_t> bins_;  // first entry of each bin, row by row
-    double bin_ = 1;                   // width in mm
-    Vec3 low_ = Vec3::Zero();
-    int columns_ = 1;
-    int rows_ = 1;
-    double greatest_size_ = 0;
+    ToolBins<Entry> bins_;
 };
 
 }  // namespace endmill
