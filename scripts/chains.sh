@@ -36,12 +36,12 @@ step() {
     [ "$code" = "$expected" ] || status=1
 }
 
-# chain INCIDENCE_DEG RESOLUTION_MM: the chain of $part, for the arrays mesh, skip and cut.
+# chain RESOLUTION_MM: the chain of $part, for the arrays mesh, skip and cut.
 chain() {
-    local incidence=$1 resolution=$2
+    local resolution=$1
     # One setup does not suffice, so the first command ends with 1.
     step 1 setup "$endmill" setup "${mesh[@]}" "${skip[@]}" --machine W/xyBz/T --max-setups 8 \
-        --incidence-deg "$incidence" -o "$folder/setup" --force
+        --incidence-deg 85 -o "$folder/setup" --force
     step 0 plan "$endmill" plan "${mesh[@]}" "${skip[@]}" --setups "$folder/setup/summary.json" \
         "${cut[@]}" --inner-tolerance 0.05 --strategy planar -o "$folder/plan" --force
     step 0 verify "$endmill" verify "$folder/plan/toolpath.csv" --resolution "$resolution" \
@@ -78,22 +78,22 @@ for part in "${parts[@]}"; do
         mesh=(datasets/meshes/walled-saddle.off)
         skip=(--skip-facets datasets/meshes/walled-saddle-bottom.txt)
         cut=(--cutter ball:8 --scallop 0.3)
-        settings=(85 0.5)
+        resolution=0.5
         ;;
     dome)
         seq 0 1 >"$folder/bottom.txt"
         mesh=(datasets/meshes/dome.stl)
         skip=(--skip-facets "$folder/bottom.txt")
         cut=(--cutter ball:8 --scallop 0.3)
-        settings=(85 0.5)
+        resolution=0.5
         ;;
     teapot) # it has no bottom; lengths in the file are inches
         mesh=(datasets/meshes/teapot-288.off --units inch)
         skip=()
         cut=(--cutter ball:6 --scallop 0.5)
-        settings=(85 0.8)
+        resolution=0.8
         ;;
     esac
-    chain "${settings[@]}"
+    chain "$resolution"
 done
 exit "$status"

@@ -43,13 +43,17 @@ struct PathInput {
 
 PathInput read_input(const SetupCommandOptions& options)
 {
-    PathOptions reading{.file = options.toolpath};
+    PathOptions reading;
+    reading.file = options.toolpath;
+    // --clamp belongs to the setup that is searched for, not to a program that is read.
+    CommonOptions common = options.common;
+    common.given.erase("--clamp");
     std::optional<Tool> tool;
     if (!options.tool.empty())
         tool = read_tool(options.tool, options.common.limits);
-    const PathSummary beside = path_summary_of(reading, options.common);
+    const PathSummary beside = path_summary_of(reading, common);
     std::optional<Cutter> cutter = tool ? std::optional{tool->cutter} : beside.cutter;
-    Program program = read_program_for(reading, cutter, options.common, beside.machine);
+    Program program = read_program_for(reading, cutter, common, beside.machine);
     if (!cutter)
         cutter = program.cutter;
     PathInput input{printable(beside.name.value_or(

@@ -33,10 +33,10 @@ ToolPath path_of(const std::vector<Vec3>& axes)
 {
     ToolPath path;
     const auto add = [&](Move move, const Vec3& tip, const Vec3& axis) {
-        PathPoint point;
-        point.move = move;
-        point.location = {tip, axis};
-        path.points.push_back(point);
+        path.points.push_back({.pass = 0,
+                               .point = static_cast<int>(path.points.size()),
+                               .move = move,
+                               .location = {tip, axis}});
     };
     for (std::size_t k = 0; k < axes.size(); ++k) {
         for (int step = 1; k > 0 && step <= 36; ++step) {
