@@ -23,6 +23,8 @@ MESHES = {
     "prism.off": (mesh_texts.off, solids.prism),
     "bladed-wheel.off": (mesh_texts.off, solids.bladed_wheel),
     "bladed-wheel-bottom.txt": (mesh_texts.bottom_facets, solids.bladed_wheel),
+    "walled-saddle.off": (mesh_texts.off, solids.walled_saddle),
+    "walled-saddle-bottom.txt": (mesh_texts.bottom_facets, solids.walled_saddle),
 }
 
 

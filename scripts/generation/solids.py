@@ -13,6 +13,10 @@ BLADE_LEVELS = 4  # rows of a blade
 BLADE_HEIGHT = 12  # mm
 HUB_TWIST, BLADE_LEAN = pi / 6, pi / 18  # from the bottom to the top of the hub, and of a blade
 
+SADDLE_STEPS = 12  # facets of the saddle along x and along y
+SADDLE_LENGTH, SADDLE_WIDTH, WALL = 60, 48, 6  # mm: along x, between the walls, of a wall
+SADDLE_LEVEL, SADDLE_RISE, WALL_TOP = 10, 4, 26  # mm: in the middle, from there to the ends, of the walls
+
 # Rounding makes the files independent of the mathematical library.
 DECIMALS = 9
 
@@ -147,3 +151,28 @@ def bladed_wheel():
         for k in range(last - first):
             triangles += fan([below[-1 - k], below[k], below[k + 1], below[-2 - k]])
     return vertices, triangles
+
+
+def walled_saddle():
+    """A saddle that rises along x, between two vertical walls, on the plane z = 0."""
+    steps, half, outer = SADDLE_STEPS, SADDLE_WIDTH / 2, SADDLE_WIDTH / 2 + WALL
+    shares = [2 * k / steps - 1 for k in range(steps + 1)]  # from -1 to 1
+    vertices = []
+    for along in shares:
+        floor = [(half * across, SADDLE_LEVEL + SADDLE_RISE * (along**2 - across**2)) for across in reversed(shares)]
+        section = [(-outer, 0), (-half, 0), (half, 0), (outer, 0), (outer, WALL_TOP), (half, WALL_TOP),
+                   *floor, (-half, WALL_TOP), (-outer, WALL_TOP)]
+        vertices += [tuple(round(c, DECIMALS) + 0.0 for c in (SADDLE_LENGTH / 2 * along, y, z)) for y, z in section]
+    count = len(vertices) // len(shares)
+    rings = [list(range(first, first + count)) for first in range(0, len(vertices), count)]
+
+    def end(ring):
+        right, left = 6, count - 3  # the floor beside the walls
+        return (fan([ring[0], ring[1], ring[left], ring[left + 1], ring[left + 2]])
+                + fan([ring[1], ring[2], *ring[right:left + 1]])
+                + fan([ring[3], ring[4], ring[5], ring[right], ring[2]]))
+
+    triangles = [triangle[::-1] for triangle in end(rings[0])]
+    for back, front in zip(rings, rings[1:]):
+        triangles += ring_of_quads(back, front)
+    return vertices, triangles + end(rings[-1])

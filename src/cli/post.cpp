@@ -147,17 +147,6 @@ double motion_tolerance(const PostedPath& posted, const PostOptions& options)
                                                         : MachinePathOptions{}.tolerance);
 }
 
-// The heights from which rapids may turn the axes: with the default clearance above the
-// moves at feed.
-double free_height(const ToolPath& path)
-{
-    double top = -HUGE_VAL;
-    for (const PathPoint& point : path.points)
-        if (point.move != Move::Rapid)
-            top = std::max(top, point.location.tip.z());
-    return top + default_clearance_mm;
-}
-
 // The program for a machine with rotary axes, and what its motions are.
 void write_machine_program(PostedPath& posted, const PartOnMachine& setup,
                            const PostOptions& options, const GcodeOptions& format)

@@ -10,6 +10,7 @@
 #include "cli/setup_idle.h"
 #include "cli/setup_points.h"
 #include "cli/setup_summary.h"
+#include "cli/setup_toolpath.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
@@ -18,8 +19,11 @@ namespace {
 
 void check_setup_options(const SetupCommandOptions& options)
 {
-    if (options.part.path.empty() == options.points.empty())
-        throw DomainError{"expected either PART or --points"};
+    const int subjects = (options.part.path.empty() ? 0 : 1) +
+                         (options.points.empty() ? 0 : 1) +
+                         (options.toolpath.empty() ? 0 : 1);
+    if (subjects != 1)
+        throw DomainError{"expected either PART, --points or --path"};
     if (options.clamp &&
         options.clamp->lpNorm<Eigen::Infinity>() > options.common.limits.max_extent_mm)
         throw DomainError{"--clamp: found a coordinate beyond --max-extent"};
@@ -45,6 +49,8 @@ ExitCode run_setup(const SetupCommandOptions& options)
     check_setup_options(options);
     if (!options.points.empty())
         return run_setup_points(options);
+    if (!options.toolpath.empty())
+        return run_setup_toolpath(options);
     const SetupInput input = read_setup_input(options);
     for (const std::string& remark : input.remarks)
         warn(options.common, options.part.path + ": " + remark);
@@ -87,7 +93,9 @@ void add_setup_command(CLI::App& program, Action& action)
         "sphere.svg and summary.json to --output (default ./NAME-setup). With --points "
         "the\n"
         "command only prints the result; with --output it also writes "
-        "DIR/summary.json.\n\n"
+        "DIR/summary.json.\n"
+        "With --path it writes summary.json only: a setup in which the machine runs the\n"
+        "whole path. Exit 4 names the point of the path that is out of reach.\n\n"
         "phi and theta are rotations of the tool against the part. C,A: phi is the "
         "tilt,\n"
         "theta the rotation of C. A,B: phi is the rotation of the axis nearer to the "
@@ -102,10 +110,14 @@ void add_setup_command(CLI::App& program, Action& action)
         "  endmill setup datasets/meshes/teapot-288.off --machine all --from-visibility "
         "teapot/visibility.bsm -o machines\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine "
-        "datasets/machines/ca-head-head.json --within-travel -o teapot-travel");
+        "datasets/machines/ca-head-head.json --within-travel -o teapot-travel\n"
+        "  endmill setup --path plan/toolpath.csv --machine "
+        "datasets/machines/ca-table-table.json -o path-setup");
     command->callback([options, &action] {
         action = [options] {
-            return naming(options->part.path, [&] { return run_setup(*options); });
+            const std::string& file =
+                options->toolpath.empty() ? options->part.path : options->toolpath;
+            return naming(file, [&] { return run_setup(*options); });
         };
     });
 }

@@ -26,6 +26,26 @@ constexpr std::array part_only_options{"--units",
                                        "--within-travel",
                                        "--skip-facets"};
 
+// Options of the mesh, or of a search over facets or given directions. A path is run by one
+// search, and --clamp and --tool place part and tool in it.
+constexpr std::array no_path_options{"--units",
+                                     "--up",
+                                     "--chord-tolerance",
+                                     "--sphere",
+                                     "--visibility",
+                                     "--incidence-deg",
+                                     "--write-bsm-csv",
+                                     "--mode",
+                                     "--objective",
+                                     "--gap",
+                                     "--max-nodes",
+                                     "--floor-deg",
+                                     "--arc-tolerance-deg",
+                                     "--max-setups",
+                                     "--from-visibility",
+                                     "--within-travel",
+                                     "--skip-facets"};
+
 constexpr std::array set_only_options{"--objective", "--gap", "--max-nodes"};
 
 // With fewer than five axes there is one search. The mode `set` changes what is reported:
@@ -47,6 +67,12 @@ void refuse_idle_setup_options(const SetupCommandOptions& options)
     if (!options.points.empty())
         refuse_idle_options(common, part_only_options, "--points",
                             "a PART: directions have neither facets nor a mesh");
+    if (!options.toolpath.empty()) {
+        refuse_idle_options(common, no_path_options, "--path",
+                            "a PART: the tool axes of a path are given");
+        refuse_idle_options(common, std::array{"--family"}, "--path",
+                            "--machine: a family has no linear axes");
+    }
     if (options.mode != SetupMode::WholeCones)
         refuse_idle_options(common, set_only_options,
                             "--mode " + std::string{setup_mode_word(options.mode)},

@@ -48,6 +48,11 @@ void add_setup_part(CLI::App& command, SetupCommandOptions& options)
                     "directions to reach, in place of PART; the tool axis is +z (CSV: "
                     "azimuth_deg, polar_deg)")
         ->type_name("FILE");
+    command
+        .add_option("--path", options.toolpath,
+                    "tool path that the machine is to run, in place of PART: find a "
+                    "rotation of the part and a clamping position for post --setup")
+        ->type_name("TOOLPATH");
 }
 
 void add_setup_machine(CLI::App& command, SetupCommandOptions& options)

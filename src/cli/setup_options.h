@@ -16,10 +16,11 @@ namespace endmill {
 /// The options of `endmill setup`.
 struct SetupCommandOptions {
     CommonOptions common;
-    PartOptions part;                       ///< its path is empty with `points`
+    PartOptions part;  ///< its path is empty with `points` and `toolpath`
     std::optional<double> chord_tolerance;  ///< mm, of the mesh of a surface
     std::string skip_facets;                ///< list of facets; empty: none
     std::string points;                     ///< CSV of directions instead of a part
+    std::string toolpath;                   ///< path to run instead of a part
     std::string machine;                    ///< word, file, folder, or "all"
     std::optional<RotaryFamily> family;     ///< instead of a machine
     std::string limits;                     ///< see `rotary_limits_help`; empty: none

@@ -5,6 +5,7 @@
 /// All public headers of the module `setup`.
 
 #include "endmill/setup/clamping.h"
+#include "endmill/setup/path_setup.h"
 #include "endmill/setup/pose_search.h"
 #include "endmill/setup/setup.h"
 #include "endmill/setup/setup_pose.h"

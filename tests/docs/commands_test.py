@@ -68,6 +68,8 @@ EXIT_CODES = {
     "endmill setup datasets/meshes/prism.off --machine W/xyBz/T --max-setups 4 --incidence-deg 70 -o prism-setups": 1,
     "endmill setup datasets/meshes/bladed-wheel.off --skip-facets datasets/meshes/bladed-wheel-bottom.txt "
     "   --machine W/xyBz/T --max-setups 8 --incidence-deg 88 -o wheel-setups": 1,
+    "endmill setup datasets/meshes/walled-saddle.off --skip-facets datasets/meshes/walled-saddle-bottom.txt "
+    "   --machine W/xyBz/T --max-setups 8 --incidence-deg 85 -o saddle-setups": 1,
 }
 
 

@@ -108,13 +108,19 @@ TEST(IndexedPath, RaisesAndLowersTheToolAlongItsAxis)
     }
 }
 
-TEST(IndexedPath, OfOneStretchIsThisStretch)
+TEST(IndexedPath, OfOneStretchIsThisStretchAndALift)
 {
     const IndexedStretch one = stretch(Vec3{0, 0.6, 0.8});
     const ToolPath path = indexed_path(std::vector{one}, ball_of(5));
-    ASSERT_EQ(path.points.size(), one.path.points.size());
-    for (std::size_t k = 0; k < path.points.size(); ++k)
+    ASSERT_EQ(path.points.size(), one.path.points.size() + 1);
+    for (std::size_t k = 0; k < one.path.points.size(); ++k)
         EXPECT_EQ(path.points[k].location.tip, one.path.points[k].location.tip);
+    const PathPoint& end = path.points.back();
+    EXPECT_EQ(end.move, Move::Retract);
+    EXPECT_EQ(end.location.axis, (Vec3{0, 0.6, 0.8}));
+    EXPECT_NEAR(end.location.tip.dot(end.location.axis), one.safe_height, 1e-12);
+    const Vec3 way = end.location.tip - one.path.points.back().location.tip;
+    EXPECT_LT(way.cross(end.location.axis).norm(), 1e-12);
     EXPECT_TRUE(indexed_path({}, ball_of(5)).points.empty());
 }
 

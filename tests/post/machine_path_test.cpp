@@ -256,8 +256,8 @@ TEST(MachinePath, RetractsWhereNoPositionLeadsOn)
     } catch (const GeometryError& error) {
         EXPECT_THAT(error.what(),
                     HasSubstr("point 21 of the path: axis C at 210 degrees exceeds its "
-                              "limit 200 by 10; expected another setup, wider limits or "
-                              "--retract"));
+                              "limit 200 by 10; expected another setup (endmill setup "
+                              "--path), wider limits or --retract"));
     }
     const MachinePath made = machine_path(path, setup, {.retract = 50});
     EXPECT_EQ(made.report.retracts, 1U);

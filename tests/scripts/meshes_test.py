@@ -10,7 +10,7 @@ from readme_tables import number, rounds_to, table
 
 FOLDER = ROOT / "datasets/meshes"
 README = FOLDER / "README.md"
-BOTTOM = FOLDER / "bladed-wheel-bottom.txt"  # a list of facets
+BOTTOMS = {name: FOLDER / f"{name}-bottom.txt" for name in ("bladed-wheel", "walled-saddle")}  # lists of facets
 STATED = table(README, "Files")
 
 
@@ -56,6 +56,7 @@ CLOSED_FORMS = {
     "pocket.stl": 60 * 40 * 20 - 40 * 20 * 10,
     "dome.stl": 60 * 60 * 10 + frusta(20, 48, 12),
     "v-groove.stl": 60 * 40 * 20 - 24 * 9 / 2 * 40,
+    "walled-saddle.off": 60 * 48 * 10 + 2 * 60 * 6 * 26,  # the rise along x and the fall along y cancel
     "prism.obj": 40 * 15 / 2 * 60, "prism.ply": 40 * 15 / 2 * 60, "prism.off": 40 * 15 / 2 * 60,
 }
 
@@ -76,7 +77,7 @@ def distance_to_triangle(corners, parts=20):
 
 class Meshes(unittest.TestCase):
     def setUp(self):
-        self.meshes = {path.name: read_mesh(path) for path in FOLDER.iterdir() if path not in (README, BOTTOM)}
+        self.meshes = {path.name: read_mesh(path) for path in FOLDER.iterdir() if path not in (README, *BOTTOMS.values())}
 
     def test_every_mesh_is_described(self):
         self.assertEqual(set(STATED), set(self.meshes))
@@ -114,13 +115,24 @@ class Meshes(unittest.TestCase):
             self.assertLessEqual(abs(found / expected - 1), relative, name)
             self.assertTrue(rounds_to(expected, stated), (name, expected))
 
-    def test_bottom_of_the_wheel_is_its_lowest_level_section(self):
-        vertices, triangles = self.meshes["bladed-wheel.off"]
-        listed = [int(line) for line in BOTTOM.read_text(encoding="ascii").splitlines() if not line.startswith("#")]
-        self.assertEqual(listed, [k for k, (a, b, c) in enumerate(triangles)
-                                  if (vertices[a][2], vertices[b][2], vertices[c][2]) == (0, 0, 0)])
-        # a fan over the 60 columns of the hub, whose lower rim has a radius of 30 mm
-        self.assertEqual(len(listed), 60)
+    def test_bottoms_are_the_facets_on_the_lowest_level(self):
+        # the wheel: a fan over the 60 columns of the hub; the saddle: two triangles for 3 by 12 rectangles
+        for name, count in (("bladed-wheel", 60), ("walled-saddle", 72)):
+            vertices, triangles = self.meshes[f"{name}.off"]
+            lines = BOTTOMS[name].read_text(encoding="ascii").splitlines()
+            listed = [int(line) for line in lines if not line.startswith("#")]
+            self.assertEqual(listed, [k for k, (a, b, c) in enumerate(triangles)
+                                      if (vertices[a][2], vertices[b][2], vertices[c][2]) == (0, 0, 0)])
+            self.assertEqual(len(listed), count)
+
+    def test_saddle_has_its_formula_between_the_walls(self):
+        vertices, _ = self.meshes["walled-saddle.off"]
+        floor = [(x, y, z) for x, y, z in vertices if abs(y) <= 24 and 0 < z < 26]
+        self.assertEqual(len(floor), 13 * 13)
+        for x, y, z in floor:
+            self.assertAlmostEqual(z, 10 + 4 * ((x / 30)**2 - (y / 24)**2), delta=1e-8)
+        for x, y, z in vertices:
+            self.assertTrue(abs(y) <= 24 or z in (0, 26), (x, y, z))
 
     def test_prism_is_the_same_in_three_formats(self):
         self.assertEqual(self.meshes["prism.obj"], self.meshes["prism.ply"])

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <Eigen/Geometry>
@@ -192,6 +194,38 @@ TEST(BestClamping, AllowsATravelThatIsOpenToOneSide)
     const ClampingFit best = best_clamping(bounds, Vec3::Zero());
     EXPECT_NEAR(best.slack.y(), 1, 1e-6);
     EXPECT_GE(best.slack.x(), 1 - 1e-6);
+}
+
+// The bounds of positions at the clamping position 0 give the slack at any other one, as its
+// own positions do.
+TEST(ClampingBounds, HaveTheSlackOfThePositionsAtEveryClamp)
+{
+    for (const char* word : {"W/caxyBz/T", "W/cxyBza/T", "W/xyBzba/T"}) {
+        const Machine machine = machine_of(word);
+        test::Random random{5};
+        std::vector<std::pair<RotaryPositions, Vec3>> poses;
+        for (int k = 0; k < 40; ++k) {
+            const double turn = random.uniform(-3, 3);
+            for (int same = 0; same < 2; ++same)  // two places with the same turns
+                poses.emplace_back(RotaryPositions{turn, turn / 2},
+                                   30 * test::random_direction(random));
+        }
+        std::vector<AxisPositions> positions;
+        for (const auto& [rotary, point] : poses)
+            positions.push_back(axis_positions(machine, rotary, point, 40));
+        const std::vector<ClampingBound> bounds = clamping_bounds(machine, positions);
+        EXPECT_EQ(bounds.size(), 3U * 40);
+        const Vec3 clamp{12, -7, 31};
+        Vec3 slack = Vec3::Constant(infinity);
+        for (const auto& [rotary, point] : poses) {
+            const Vec3 xyz = axis_positions(machine, rotary, point + clamp, 40).xyz;
+            for (int k = 0; k < 3; ++k) {
+                const LinearRange& range = machine.linear[static_cast<std::size_t>(k)];
+                slack[k] = std::min({slack[k], xyz[k] - range.from, range.to - xyz[k]});
+            }
+        }
+        EXPECT_NEAR((clamping_fit(bounds, clamp).slack - slack).norm(), 0, 1e-9) << word;
+    }
 }
 
 }  // namespace

@@ -80,7 +80,21 @@ public:
         led_ = 0;
     }
 
-    ToolPath take() { return std::move(path_); }
+    // The path, at whose end the tool is lifted to the safe height.
+    ToolPath take()
+    {
+        if (path_.points.empty())
+            return {};
+        const PathPoint end = path_.points.back();
+        const auto& [tip, axis] = end.location;
+        if (tip.dot(axis) < safe_height_)
+            path_.points.push_back({end.pass,
+                                    end.point + 1,
+                                    Move::Retract,
+                                    0,
+                                    {raised(tip, axis, safe_height_), axis}});
+        return std::move(path_);
+    }
 
 private:
     static void require_below_safe_height(const IndexedStretch& stretch)

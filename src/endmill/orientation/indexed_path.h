@@ -36,6 +36,9 @@ inline constexpr double turning_step_deg = 5;
 /// point of the next stretch and down to the safe height. The plane through the tip across
 /// the axis, above which the whole tool is, stays clear of the ball all the time.
 ///
+/// At the end the tool is lifted to the safe height of the last stretch. A program rounds
+/// positions, and a rapid from a cut could remove as much.
+///
 /// Passes are numbered through all stretches. The moves between two stretches have the number
 /// of the pass that they lead to.
 /// Source: docs/methods/five-axis-planning.md, section 6.

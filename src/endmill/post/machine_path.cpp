@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -12,6 +13,7 @@
 #include "endmill/post/detail/joint_bound.h"
 #include "endmill/post/detail/machine_moves.h"
 #include "endmill/post/detail/path_nodes.h"
+#include "endmill/post/program.h"
 
 // 1. A path that a machine interpolates is replaced by poses with linear motion between.
 // 2. `path_nodes` adds poses where an axis turns far.
@@ -327,17 +329,18 @@ std::array<RotaryRange, 2> ranges_of(const Machine& machine)
     return ranges;
 }
 
-[[noreturn]] void refuse_blocked(const BlockedPose& blocked, std::size_t row,
-                                 const Machine& machine, bool may_retract)
+[[noreturn]] void refuse_blocked(const BlockedPoint& blocked, const Machine& machine,
+                                 bool may_retract)
 {
     const char letter = machine.configuration.rotary[blocked.axis].letter;
     const double excess = std::abs(blocked.position - blocked.limit);
     throw GeometryError{
-        point_of_path(row) + ": axis " + static_cast<char>(letter - 'a' + 'A') + " at " +
-        degrees_text(blocked.position) + " degrees exceeds its limit " +
+        point_of_path(blocked.row) + ": axis " + static_cast<char>(letter - 'a' + 'A') +
+        " at " + degrees_text(blocked.position) + " degrees exceeds its limit " +
         degrees_text(blocked.limit) + " by " + degrees_text(excess) +
-        (may_retract ? "; expected another setup or wider limits"
-                     : "; expected another setup, wider limits or --retract")};
+        (may_retract ? "; expected another setup (endmill setup --path) or wider limits"
+                     : "; expected another setup (endmill setup --path), wider limits or "
+                       "--retract")};
 }
 
 // A shift of the clamping position with which X, Y and Z stay within their travel, found by
@@ -392,7 +395,9 @@ void require_travel(const MachinePath& made, const PartOnMachine& setup)
             const double over = std::max(range.from - at, at - range.to);
             if (!(over > rounding))
                 continue;
-            std::string advice = "no clamping position fits at this rotation of the part";
+            std::string advice =
+                "no clamping position fits at this rotation of the part; endmill setup "
+                "--path finds another one";
             if (const auto shift = fitting_shift(made, setup.machine)) {
                 const Vec3 clamp = setup.clamp + *shift;
                 advice = "--clamp " + length_text(clamp.x()) + ',' +
@@ -422,8 +427,18 @@ ToolPath linear_path(const ToolPath& path, const Cutter& cutter, double toleranc
     return linear_motion(path, cutter, tolerance).path;
 }
 
-MachinePath machine_path(const ToolPath& path, const PartOnMachine& setup,
-                         const MachinePathOptions& given)
+double free_height(const ToolPath& path)
+{
+    double top = -std::numeric_limits<double>::infinity();
+    for (const PathPoint& point : path.points)
+        if (point.move != Move::Rapid)
+            top = std::max(top, point.location.tip.z());
+    return top + default_clearance_mm;
+}
+
+std::variant<MachinePath, BlockedPoint> machine_motions(const ToolPath& path,
+                                                        const PartOnMachine& setup,
+                                                        const MachinePathOptions& given)
 {
     require_sound(given);
     require_poses(path);
@@ -443,9 +458,9 @@ MachinePath machine_path(const ToolPath& path, const PartOnMachine& setup,
         search = search_branches(poses, ranges);
     }
     if (search.blocked)
-        refuse_blocked(*search.blocked,
-                       linear.rows[found.nodes[search.blocked->pose].row], setup.machine,
-                       options.retract.has_value());
+        return BlockedPoint{linear.rows[found.nodes[search.blocked->pose].row],
+                            search.blocked->axis, search.blocked->position,
+                            search.blocked->limit};
     MachinePath made =
         PathMover{linear.path, found.nodes, setup, options}.move(search.choices, poses);
     for (std::size_t& row : made.rows)
@@ -454,8 +469,19 @@ MachinePath machine_path(const ToolPath& path, const PartOnMachine& setup,
     made.report.branch_changes = search.branch_changes;
     made.report.rotary_travel = search.travel;
     made.report.singular_points = found.singular_points;
-    require_travel(made, setup);
     return made;
+}
+
+MachinePath machine_path(const ToolPath& path, const PartOnMachine& setup,
+                         const MachinePathOptions& options)
+{
+    std::variant<MachinePath, BlockedPoint> motions =
+        machine_motions(path, setup, options);
+    if (const auto* blocked = std::get_if<BlockedPoint>(&motions))
+        refuse_blocked(*blocked, setup.machine, options.retract.has_value());
+    auto& made = std::get<MachinePath>(motions);
+    require_travel(made, setup);
+    return std::move(made);
 }
 
 }  // namespace endmill

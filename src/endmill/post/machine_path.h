@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <variant>
+
 #include "endmill/cutter/cutter.h"
 #include "endmill/machine/kinematics.h"
 #include "endmill/path/tool_path.h"
@@ -19,6 +22,27 @@ namespace endmill {
 /// \param tolerance mm, above 0.
 /// \throws DomainError for a tolerance that is not above 0.
 ToolPath linear_path(const ToolPath& path, const Cutter& cutter, double tolerance);
+
+/// mm, height in the part from which the rotary axes may turn between two rapids:
+/// `default_clearance_mm` above the moves at feed. -infinity without such moves.
+double free_height(const ToolPath& path);
+
+/// The first point of a path that no positions of the rotary axes reach.
+struct BlockedPoint {
+    std::size_t row;  ///< index of the point
+    std::size_t
+        axis;         ///< index of the axis that comes closest, from the part to the tool
+    double position;  ///< rad, its position with the least excess
+    double limit;     ///< rad, the limit that it exceeds
+};
+
+/// Moves a path onto a machine whose linear axes have no limits.
+/// \param path, setup, options as for `machine_path`.
+/// \return the motions, or the point at which the limits of the rotary axes end them.
+/// \throws as `machine_path`, except for axes out of reach and for X, Y and Z.
+std::variant<MachinePath, BlockedPoint> machine_motions(
+    const ToolPath& path, const PartOnMachine& setup,
+    const MachinePathOptions& options = {});
 
 /// Moves a path onto a machine.
 ///

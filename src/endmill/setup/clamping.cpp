@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "endmill/core/parallel.h"
@@ -213,6 +214,41 @@ std::optional<std::vector<ClampingBound>> ClampingSearch::bounds(
                              range.to - origin[axis] - high});
         }
         first = end;
+    }
+    return found;
+}
+
+std::vector<ClampingBound> clamping_bounds(const Machine& machine,
+                                           std::span<const AxisPositions> positions)
+{
+    // A rotation of the table shares its bounds among all positions with it.
+    std::map<RotaryPositions, std::array<LinearRange, 3>> boxes;
+    for (const AxisPositions& at : positions) {
+        constexpr LinearRange none{infinity, -infinity};
+        auto& box =
+            boxes.try_emplace(at.rotary, std::array{none, none, none}).first->second;
+        for (int axis = 0; axis < 3; ++axis) {
+            LinearRange& range = box[static_cast<std::size_t>(axis)];
+            range.from = std::min(range.from, at.xyz[axis]);
+            range.to = std::max(range.to, at.xyz[axis]);
+        }
+    }
+    std::vector<ClampingBound> found;
+    for (const auto& [rotary, box] : boxes) {
+        const Vec3 origin = axis_positions(machine, rotary, Vec3::Zero(), 0).xyz;
+        for (int axis = 0; axis < 3; ++axis) {
+            const LinearRange& range = machine.linear[static_cast<std::size_t>(axis)];
+            if (range == LinearRange{})
+                continue;
+            Vec3 direction;  // row of the rotation of the table
+            for (int k = 0; k < 3; ++k)
+                direction[k] =
+                    axis_positions(machine, rotary, Vec3::Unit(k), 0).xyz[axis] -
+                    origin[axis];
+            const LinearRange& taken = box[static_cast<std::size_t>(axis)];
+            found.push_back(
+                {axis, direction, range.from - taken.from, range.to - taken.to});
+        }
     }
     return found;
 }

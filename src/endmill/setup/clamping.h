@@ -79,6 +79,12 @@ private:
     std::vector<std::vector<Vec3>> hulls_;  // of the centroids of each cone, mm
 };
 
+/// The bounds on the clamping position that known positions of a machine set.
+/// \param machine   its linear limits are used.
+/// \param positions of all axes, for a part whose origin is clamped at 0, 0, 0.
+std::vector<ClampingBound> clamping_bounds(const Machine& machine,
+                                           std::span<const AxisPositions> positions);
+
 /// The slack of a given clamping position.
 ClampingFit clamping_fit(std::span<const ClampingBound> bounds, const Vec3& clamp);
 
