@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/bound/detail/estimate_spacing.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
+
+#include "endmill/core/error.h"
 
 namespace endmill {
 namespace {
@@ -17,18 +21,11 @@ TEST(SurfaceSpacing, IsAShareOfTheWidthOfTheDisc)
 
 TEST(EstimateSpacing, LimitsTheNumberOfNodesAndRefusesWhatIsNoSpacing)
 {
-    EstimateOptions options;
-    EXPECT_EQ(estimate_spacing(1, 0.3, options), 0.3);
-    EXPECT_DOUBLE_EQ(estimate_spacing(30000, 0.3, options), 1);
-    options.node_spacing = 2;
-    EXPECT_EQ(estimate_spacing(1, 0.3, options), 2);
-    for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
-        options.node_spacing = wrong;
-        EXPECT_THROW(estimate_spacing(1, 0.3, options), DomainError);
-    }
-    options = {};
-    options.random_places = 999;
-    EXPECT_THROW(estimate_spacing(1, 0.3, options), DomainError);
+    EXPECT_EQ(estimate_spacing(1, 0.3, 1000), 0.3);
+    EXPECT_DOUBLE_EQ(estimate_spacing(30000, 0.3, 1000), 1);
+    for (const double wrong : {0.0, -1.0, std::numeric_limits<double>::infinity()})
+        EXPECT_THROW(estimate_spacing(1, wrong, 1000), DomainError);
+    EXPECT_THROW(estimate_spacing(1, 0.3, 999), DomainError);
 }
 
 TEST(PositiveBound, IsNothingOnASmallPart)

@@ -100,36 +100,37 @@ TEST(MeshCover, OfAPlaneIsADisc)
 TEST(MeshCover, TheInflowIsTheAreaThatASmallMoveNewlyCovers)
 {
     // waves with slopes of up to 68 degrees
+    constexpr double step = 0.08;
     const auto wave = [](int i, int j) {
-        const double x = 0.25 * i;
-        const double y = 0.25 * j;
+        const double x = step * i;
+        const double y = step * j;
         return Vec3{x, y, 3 * std::sin(0.8 * x) + 0.5 * std::cos(0.5 * y)};
     };
-    const TriangleMesh mesh = test::grid_mesh(120, 120, wave);
-    const std::vector<FacetPiece> pieces = pieces_of(mesh, 1);
+    const TriangleMesh mesh = test::grid_mesh(300, 300, wave);
+    const std::vector<FacetPiece> pieces = pieces_of(mesh, 0.12);
     const BoundProblem problem{BallCutter{2}, 0.2};
     const MeshCover cover{pieces, problem};
     test::Random random{2};
     double all_gained = 0;
     double all_flow = 0;
     for (int k = 0; k < 60; ++k) {
-        const int i = static_cast<int>(random.uniform(40, 80));
-        const int j = static_cast<int>(random.uniform(40, 80));
+        const int i = static_cast<int>(random.uniform(100, 200));
+        const int j = static_cast<int>(random.uniform(100, 200));
         const Vec3 centre = wave(i, j) + Vec3{0, 0, 2.5};
         const double angle = random.uniform(0, 6);
         const Vec3 t{std::cos(angle), std::sin(angle), 0};
         std::vector<double> before(pieces.size());
-        cover.visit_covered(centre - 0.05 * t, [&](std::uint32_t piece, double share) {
+        cover.visit_covered(centre - 0.02 * t, [&](std::uint32_t piece, double share) {
             before[piece] = share;
         });
         double gained = 0;
-        cover.visit_covered(centre + 0.05 * t, [&](std::uint32_t piece, double share) {
+        cover.visit_covered(centre + 0.02 * t, [&](std::uint32_t piece, double share) {
             gained += std::max(0.0, share - before[piece]) * pieces[piece].area();
         });
         const double flow = inflow(cover.boundary(centre), t);
         // A piece may gain and lose at once, so that single places differ more.
-        EXPECT_NEAR(gained / 0.1, flow, 0.1 * flow + 0.05);
-        all_gained += gained / 0.1;
+        EXPECT_NEAR(gained / 0.04, flow, 0.1 * flow + 0.05);
+        all_gained += gained / 0.04;
         all_flow += flow;
     }
     EXPECT_NEAR(all_gained, all_flow, 0.02 * all_flow);

@@ -52,7 +52,9 @@ PathBound mesh_bound(const TriangleMesh& mesh, const BoundProblem& problem,
     if (area == 0)
         throw GeometryError{"mesh_bound: no facet of the mesh faces the tool"};
     const double spacing = estimate_spacing(
-        area, spacing_share * 2 * plane_half_width(problem), options);
+        area,
+        options.node_spacing.value_or(spacing_share * 2 * plane_half_width(problem)),
+        options.random_places);
     MeshDensitySearch search{
         mesh, problem, {spacing, options.random_places, options.progress}};
     const FoundDensity found = search.run();

@@ -70,7 +70,9 @@ Estimate estimate(std::span<const Surface> surfaces, std::span<const double> sid
 {
     require_valid(surfaces, sides, problem);
     const double spacing = estimate_spacing(
-        area(surfaces), surface_spacing(area(surfaces), problem), options);
+        area(surfaces),
+        options.node_spacing.value_or(surface_spacing(area(surfaces), problem)),
+        options.random_places);
     require_smooth(surfaces);
     DensitySearch search{
         {surfaces, sides}, problem, {spacing, options.random_places, options.progress}};

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 
-#include "endmill/bound/path_bound.h"
+#include "endmill/bound/bound_problem.h"
 #include "endmill/core/error.h"
 
 namespace endmill {
@@ -25,16 +26,16 @@ inline double surface_spacing(double area, const BoundProblem& problem)
 
 /// Checks the options of an estimate.
 /// \param area of the part, mm^2.
-/// \param by_default spacing in mm if the options have none.
+/// \param wanted spacing of nodes in mm.
+/// \param random_places of a test.
 /// \return the spacing of nodes in mm, never so small that a part has above 30 000.
 /// \throws DomainError if an option is out of range.
-inline double estimate_spacing(double area, double by_default, const EstimateOptions& options)
+inline double estimate_spacing(double area, double wanted, std::size_t random_places)
 {
     constexpr std::size_t least_random_places = 1000;
     constexpr double most_nodes = 30000;  // at 6 kB each
-    require(options.random_places >= least_random_places,
+    require(random_places >= least_random_places,
             "path_bound: need at least 1000 random places");
-    const double wanted = options.node_spacing.value_or(by_default);
     require(std::isfinite(wanted) && wanted > 0,
             "path_bound: the spacing of nodes must be positive");
     return std::max(wanted, std::sqrt(area / most_nodes));
