@@ -20,6 +20,8 @@ TEST(CoveredPart, CallsMovesClearThatEnterThePartByLessThanTheTolerance)
     EXPECT_TRUE(part.is_clear({2, 5, 4.995}, {18, 5, 4.995}, state));
     EXPECT_FALSE(part.is_clear({2, 5, 5}, {18, 5, 4.98}, state));
     EXPECT_EQ(part.cutter().radius(), 5);
+    EXPECT_EQ(part.tolerance(), 0.01);
+    EXPECT_TRUE(part.has_contacts_on_part());
 }
 
 TEST(CoveredPart, SamplesItsSurfaces)
@@ -45,6 +47,7 @@ TEST(CoveredPart, AimsAtLessOnAMeshWhoseEdgesTurn)
     const Part roof = TriangleMesh{points, facets};
     const CoveredPart covered{roof, ball, {0.01, 1}};
     EXPECT_NEAR(covered.aimed_height(1), 1 - 0.01 / 2 * 0.6, 1e-6);
+    EXPECT_FALSE(covered.has_contacts_on_part());
 }
 
 // Strips of a ball of 5 mm are 6 mm wide at a height of 1 mm, and 2 mm at about 0.1 mm.

@@ -58,14 +58,15 @@ TEST(PassDivision, DividesAChangedPassAsANewOne)
     const PartSamples samples = part.samples(1, 100'000);
     const MoveLimits limits{0.4, 0.05};
     PassDivision division{samples, part, limits};
+    MoveTestState state;
     LaidPass pass = straight_pass(samples, 41);
-    division.pieces_of(pass);
+    division.pieces_of(pass, state);
     pass.contacts[9].is_required = true;
-    division.pieces_of(pass);
+    division.pieces_of(pass, state);
     PassContact bend = samples.contact({0.51, 0.52}, 0);
     bend.is_required = true;
     pass.contacts.insert(pass.contacts.begin() + 21, bend);
-    const auto again = division.pieces_of(pass);
+    const auto again = division.pieces_of(pass, state);
     const auto anew = divided_into_moves(pass, samples, part, limits);
     ASSERT_EQ(again.size(), anew.size());
     for (std::size_t k = 0; k < anew.size(); ++k) {

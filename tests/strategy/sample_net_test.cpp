@@ -64,6 +64,8 @@ TEST(SampleNet, DividesTrianglesAtTheMiddlesOfTheirEdges)
     EXPECT_EQ(divided_triangles(one, middles).size(), 3u);
     middles.add(2, 0, 5);
     EXPECT_EQ(divided_triangles(one, middles).size(), 4u);
+    EXPECT_EQ(divided_triangles(one, middles, std::vector<char>{1}).size(), 4u);
+    EXPECT_EQ(divided_triangles(one, middles, std::vector<char>{0}).size(), 1u);
     EXPECT_EQ(*middles.of(0, 1), 3);
     EXPECT_FALSE(middles.of(3, 1));
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "endmill/core/error.h"
@@ -73,54 +74,95 @@ public:
     }
 
 private:
+    // A plane that has the swept axis on one side, where heights are not positive. Heights
+    // are lower bounds of distances.
+    struct Plane {
+        Vec3 origin;
+        Vec3 away;                // unit, to the other side; zero if there is no plane
+        double squared_distance;  // of the place for which it was made, mm^2
+    };
+
+    // The plane at the point of the swept axis nearest to `middle`.
+    Plane plane_to(const Vec3& middle) const
+    {
+        const Vec3 nearest = swept_axis_.nearest(middle);
+        const Vec3 away = middle - nearest;
+        const double distance = away.norm();
+        return {nearest, distance == 0 ? Vec3{Vec3::Zero()} : Vec3{away / distance},
+                away.squaredNorm()};
+    }
+
+    // A node of the tree that is still to be searched.
+    struct OpenNode {
+        std::int32_t number;
+        double bound;
+        double squared_distance;  // of its middle
+    };
+
+    OpenNode open_node(std::int32_t number) const
+    {
+        const auto [bound, squared_distance] = box_bound(tree_.nodes()[number].box);
+        return {number, bound, squared_distance};
+    }
+
+    // A piece of the tree that is still to be searched.
+    struct OpenPiece {
+        std::int32_t number;
+        double bound;
+        double squared_distance;  // of its middle
+        Plane plane;
+    };
+
+    OpenPiece open_piece(std::int32_t number) const
+    {
+        const PieceTree::Piece& piece = tree_.pieces()[number];
+        const Plane plane = plane_to(piece.middle);
+        return {number, piece.bezier.least_height(plane.away, plane.origin),
+                plane.squared_distance, plane};
+    }
+
     void run()
     {
-        std::vector<std::int32_t> open{0};
+        std::vector<OpenNode> open{open_node(0)};
         while (!open.empty() && !is_over()) {
-            const PieceTree::Node& node = tree_.nodes()[open.back()];
+            const OpenNode own = open.back();
             open.pop_back();
-            if (box_bound(node.box) >= limit())
+            if (own.bound >= limit())
                 continue;
-            if (node.link < 0) {
-                search_pieces(~node.link);
-                continue;
-            }
-            push_nearer_last(open, node.link, [&](std::int32_t child) {
-                return tree_.nodes()[child].box.center();
-            });
+            const std::int32_t link = tree_.nodes()[own.number].link;
+            if (link < 0)
+                search_pieces(~link);
+            else
+                push_nearer_last(open, open_node(link), open_node(link + 1));
         }
     }
 
     // Searches a patch and its halves that the tree contains.
     void search_pieces(std::int32_t patch)
     {
-        std::vector<std::int32_t> open{patch};
+        std::vector<OpenPiece> open{open_piece(patch)};
         while (!open.empty() && !is_over()) {
-            const std::int32_t number = open.back();
-            const PieceTree::Piece& piece = tree_.pieces()[number];
+            const OpenPiece own = open.back();
             open.pop_back();
-            if (piece.halves == 0)
-                search_finer(number);
-            else if (piece_bound(piece.bezier, piece.middle) < limit())
-                push_nearer_last(open, piece.halves, [&](std::int32_t half) {
-                    return tree_.pieces()[half].middle;
-                });
+            if (own.bound >= limit())
+                continue;
+            const std::int32_t half = tree_.pieces()[own.number].halves;
+            if (half == 0)
+                search_finer(own);
+            else
+                push_nearer_last(open, open_piece(half), open_piece(half + 1));
         }
     }
 
     // Pushes two children such that the nearer one is visited first. Its points may
     // settle the other one.
-    template <class Middle>
-    void push_nearer_last(std::vector<std::int32_t>& open, std::int32_t first,
-                          const Middle& middle) const
+    template <class Child>
+    static void push_nearer_last(std::vector<Child>& open, const Child& first,
+                                 const Child& second)
     {
-        const auto square = [&](std::int32_t number) {
-            const Vec3 point = middle(number);
-            return (point - swept_axis_.nearest(point)).squaredNorm();
-        };
-        const bool swap = square(first + 1) < square(first);
-        open.push_back(swap ? first : first + 1);
-        open.push_back(swap ? first + 1 : first);
+        const bool swap = second.squared_distance < first.squared_distance;
+        open.push_back(swap ? first : second);
+        open.push_back(swap ? second : first);
     }
 
     bool is_over() const { return stops_at_first_ && found_; }
@@ -128,32 +170,22 @@ private:
     // Distances from here on are of no interest.
     double limit() const { return found_ ? reach_ - resolution_ : reach_; }
 
-    double box_bound(const Eigen::AlignedBox3d& box) const
+    // A lower bound of the distance of a box, and the squared distance of its middle.
+    std::pair<double, double> box_bound(const Eigen::AlignedBox3d& box) const
     {
         const Vec3 middle = box.center();
         const Vec3 nearest = swept_axis_.nearest(middle);
         const Vec3 away = middle - nearest;
         const double distance = away.norm();
         if (distance == 0)
-            return 0;
-        return distance - away.cwiseAbs().dot(box.sizes()) / (2 * distance);
+            return {0, 0};
+        return {distance - away.cwiseAbs().dot(box.sizes()) / (2 * distance),
+                away.squaredNorm()};
     }
 
-    // A lower bound of the distance of a piece, by the plane at the point of the swept
-    // axis nearest to its middle.
-    double piece_bound(const BezierPiece& piece, const Vec3& middle) const
-    {
-        const Vec3 nearest = swept_axis_.nearest(middle);
-        const Vec3 away = middle - nearest;
-        const double distance = away.norm();
-        if (distance == 0)
-            return 0;
-        return piece.least_height(away / distance, nearest);
-    }
-
-    // The same by the plane that is parallel to the piece. Where it exceeds the reach by
-    // the resolution, no half of the piece would be found or undecided: it saves halvings
-    // and changes no answer.
+    // A lower bound of the distance of a piece, by the plane that is parallel to it. Where
+    // it exceeds the reach by the resolution, no half of the piece would be found or
+    // undecided: it saves halvings and changes no answer.
     double parallel_bound(const BezierPiece& piece, const Vec3& middle) const
     {
         const Vec3 across = piece.corner(1, 1) - piece.corner(0, 0);
@@ -165,9 +197,9 @@ private:
                (swept_axis_.farthest_along(away) - away.dot(nearest));
     }
 
-    void search_finer(std::int32_t leaf)
+    void search_finer(const OpenPiece& leaf)
     {
-        if (is_settled(tree_.pieces()[leaf], 0))
+        if (is_settled(tree_.pieces()[leaf.number], leaf.plane, leaf.bound, 0))
             return;
         struct Halved {
             std::int32_t number;
@@ -179,7 +211,7 @@ private:
                 if (!is_over() && !is_settled(finer_.piece(half), halvings))
                     open.push_back({half, halvings});
         };
-        open_halves(finer_.halves_of_leaf(tree_, leaf), 1);
+        open_halves(finer_.halves_of_leaf(tree_, leaf.number), 1);
         while (!open.empty() && !is_over()) {
             const auto [number, halvings] = open.back();
             open.pop_back();
@@ -187,19 +219,31 @@ private:
         }
     }
 
-    // Whether the piece needs no halving. Its corners are tested, and may become the
-    // point found.
+    // Whether a half of a leaf needs no halving.
     bool is_settled(const PieceTree::Piece& whole, int halvings)
     {
+        const Plane plane = plane_to(whole.middle);
+        const double bound = whole.bezier.least_height(plane.away, plane.origin);
+        return bound >= limit() || is_settled(whole, plane, bound, halvings);
+    }
+
+    // Whether a piece with a bound below the limit needs no halving. Its corners are
+    // tested, and may become the point found.
+    bool is_settled(const PieceTree::Piece& whole, const Plane& plane, double bound,
+                    int halvings)
+    {
         const BezierPiece& piece = whole.bezier;
-        const double bound = piece_bound(piece, whole.middle);
-        if (bound >= limit())
-            return true;
+        // Higher corners are neither found nor near enough to the bound to end the halvings.
+        const double highest = halvings == most_halvings
+                                   ? std::numeric_limits<double>::infinity()
+                                   : reach_ + resolution_;
         const std::array corners{piece.corner(0, 0), piece.corner(1, 0),
                                  piece.corner(0, 1), piece.corner(1, 1)};
         double nearest = std::numeric_limits<double>::infinity();
         std::size_t nearest_corner = 0;
         for (std::size_t k = 0; k < corners.size(); ++k) {
+            if (plane.away.dot(corners[k] - plane.origin) >= highest)
+                continue;
             const double distance = (corners[k] - swept_axis_.nearest(corners[k])).norm();
             if (distance < nearest) {
                 nearest = distance;

@@ -76,7 +76,8 @@ Vec3 BezierPiece::corner(int end_u, int end_v) const
 {
     const Eigen::Index row =
         Eigen::Index{end_v} * (points_v - 1) * points_u + end_u * (points_u - 1);
-    return net.row(row).head<3>().transpose() / net(row, 3);
+    const Vec3 point = net.row(row).head<3>();
+    return is_rational ? Vec3{point / net(row, 3)} : point;
 }
 
 Vec3 BezierPiece::middle() const
@@ -106,7 +107,8 @@ Parameter BezierPiece::wider() const
     // All pairs of opposite control points count, because the corners alone may coincide.
     const auto point = [&](int i, int j) -> Vec3 {
         const auto row = net.row(Eigen::Index{j} * points_u + i);
-        return row.head<3>().transpose() / row[3];
+        const Vec3 place = row.head<3>();
+        return is_rational ? Vec3{place / row[3]} : place;
     };
     double width_u = 0;
     double width_v = 0;

@@ -18,8 +18,10 @@ Coverage::Coverage(const PartSamples& samples, const BallCutter& cutter, double 
       first_watched_(samples.size(), -1)
 {
     raised_.reserve(samples.size());
+    centres_.reserve(samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {
         raised_.push_back(samples.point(i) + height * samples.normal(i));
+        centres_.push_back(samples.centre(i, cutter.radius()));
         if (!samples.is_wanted(i))
             gaps_[i] = 0;
     }
@@ -196,6 +198,9 @@ public:
         // They are about a dozen. Without the rest a place may count as missed, never as
         // covered.
         near_.resize(std::min(near_.size(), most_near));
+        rows_.clear();
+        for (const std::int32_t move : near_)
+            rows_.add(moves_[move]);
         search({corner(contacts[0], {1, 0, 0}), corner(contacts[1], {0, 1, 0}),
                 corner(contacts[2], {0, 0, 1})},
                halvings_);
@@ -216,17 +221,24 @@ private:
         return beyond_reach(moves_[move].squared_distance(raised), radius_);
     }
 
-    Corner corner(const CutterContact& contact,
-                  const std::array<double, 3>& weights) const
+    // The gaps of a point by the moves near the triangle, until the next call.
+    std::span<const double> gaps_to_near(const Vec3& raised)
+    {
+        const std::span gaps = std::span{gaps_}.first(rows_.size());
+        rows_.gaps_at(raised, radius_, gaps);
+        return gaps;
+    }
+
+    Corner corner(const CutterContact& contact, const std::array<double, 3>& weights)
     {
         Corner result{contact, contact.point + height_ * contact.normal, weights, 0};
-        for (std::size_t k = 0; k < near_.size(); ++k)
-            if (gap_to(near_[k], result.raised) <= slack_)
-                result.covering |= std::uint64_t{1} << k;
+        const std::span<const double> gaps = gaps_to_near(result.raised);
+        for (std::size_t k = 0; k < gaps.size(); ++k)
+            result.covering |= std::uint64_t{gaps[k] <= slack_ ? 1U : 0U} << k;
         return result;
     }
 
-    Corner middle(const Corner& a, const Corner& b) const
+    Corner middle(const Corner& a, const Corner& b)
     {
         std::array<double, 3> weights{};
         for (int k = 0; k < 3; ++k)
@@ -239,8 +251,8 @@ private:
         if (corner.covering != 0)
             return;
         double gap = radius_;
-        for (const std::int32_t move : near_)
-            gap = std::min(gap, gap_to(move, corner.raised));
+        for (const double own : gaps_to_near(corner.raised))
+            gap = std::min(gap, own);
         if (gap > slack_)
             found_->push_back({number_, corner.weights, gap});
     }
@@ -269,6 +281,8 @@ private:
     double height_;
     double slack_;
     std::vector<std::int32_t> near_;
+    SweepRows rows_;  // of the moves of near_
+    std::array<double, most_near> gaps_{};
     std::int32_t number_ = 0;
     std::vector<MissedPlace>* found_ = nullptr;
 };

@@ -140,7 +140,7 @@ public:
     double gap_at(const SampleEdge& place) const;
 
     /// Centre of the ball at sample i, mm.
-    Vec3 centre(std::size_t i) const { return samples_->centre(i, cutter_.radius()); }
+    const Vec3& centre(std::size_t i) const { return centres_[i]; }
 
 private:
     // A watched place; places at one sample are linked.
@@ -172,6 +172,7 @@ private:
     BallCutter cutter_;
     double height_;
     std::vector<Vec3> raised_;
+    std::vector<Vec3> centres_;
     std::vector<double> gaps_;
     std::vector<UprightSweep> moves_;
     std::size_t accepted_moves_ = 0;

@@ -65,6 +65,7 @@ CoveredPart::CoveredPart(const Part& part, const BallCutter& cutter,
                          const CoverLimits& limits,
                          std::shared_ptr<const ProtectedPart> guard)
     : cutter_{cutter},
+      tolerance_{limits.tolerance},
       accessible_distance_{reached_share * limits.scallop_height},
       guard_{std::move(guard)},
       source_{source_of(part, cutter, limits)}

@@ -73,12 +73,17 @@ public:
     /// \param state    of this thread.
     bool is_clear(const Vec3& from, const Vec3& to, MoveTestState& state) const;
 
+    /// Whether the contacts of samples are points of the part, as they are on surfaces that
+    /// no protected part holds them off.
+    bool has_contacts_on_part() const { return !guard_ && !surfaces().empty(); }
+
     /// The height in mm at which strategies aim so that no more than `height` mm is left. On a
     /// mesh it is less, because places near its edges are not raised along the normals of
     /// their facets.
     double aimed_height(double height) const;
 
     const BallCutter& cutter() const { return cutter_; }  ///< the ball
+    double tolerance() const { return tolerance_; }  ///< greatest depth of a gouge, mm
     std::span<const Surface> surfaces() const;  ///< of the part; none if it is a mesh
 
 private:
@@ -97,6 +102,7 @@ private:
                             const CoverLimits& limits);
 
     BallCutter cutter_;
+    double tolerance_;
     double accessible_distance_;
     std::shared_ptr<const ProtectedPart> guard_;
     Source source_;

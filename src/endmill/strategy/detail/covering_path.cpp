@@ -102,9 +102,10 @@ public:
     {
         std::vector<std::vector<LaidPass>> pieces(passes_.size());
         parallel_for(passes_.size(), [&](std::size_t begin, std::size_t end) {
+            MoveTestState state;
             for (std::size_t k = begin; k < end; ++k)
                 if (is_changed_[k] != 0 && !is_dropped(k))
-                    pieces[k] = divisions_[k].pieces_of(passes_[k]);
+                    pieces[k] = divisions_[k].pieces_of(passes_[k], state);
         });
         for (std::size_t k = 0; k < passes_.size(); ++k) {
             if (std::exchange(is_changed_[k], 0) == 0)

@@ -56,6 +56,8 @@ private:
         CutterContact contact;
         Vec3 raised;
         std::array<double, 3> weights;
+        std::span<const double>
+            gaps;  // by the moves near the triangle; empty before a search
     };
 
     const UprightSweep& sweep(std::int32_t move) const
@@ -66,7 +68,7 @@ private:
     Corner corner(const CutterContact& contact,
                   const std::array<double, 3>& weights) const
     {
-        return {contact, contact.point + pieces_.height_ * contact.normal, weights};
+        return {contact, contact.point + pieces_.height_ * contact.normal, weights, {}};
     }
 
     Corner middle(const Corner& a, const Corner& b) const
@@ -77,17 +79,26 @@ private:
         return corner(pieces_.samples_.near_place(a.contact, b.contact, 0.5), weights);
     }
 
-    double gap_to(std::int32_t move, const Vec3& raised) const
+    // Measures the gaps of three corners that a search with so many halvings left meets.
+    // Those of earlier corners remain as long as the parts of their triangle are searched.
+    void measure(std::array<Corner, 3>& corners, int halvings)
     {
-        return beyond_reach(sweep(move).squared_distance(raised), pieces_.radius_);
+        const std::size_t moves = rows_.size();
+        std::span<double> gaps =
+            std::span{gaps_}.subspan(3 * moves * (most_halvings - halvings), 3 * moves);
+        for (Corner& own : corners) {
+            rows_.gaps_at(own.raised, pieces_.radius_, gaps.first(moves));
+            own.gaps = gaps.first(moves);
+            gaps = gaps.subspan(moves);
+        }
     }
 
     // Keeps a place if it is missed by more than the places before.
     void note(const Corner& corner)
     {
         double gap = pieces_.radius_;
-        for (const std::int32_t move : near_)
-            gap = std::min(gap, gap_to(move, corner.raised));
+        for (const double own : corner.gaps)
+            gap = std::min(gap, own);
         if (gap > 0 && (!worst_ || gap > worst_->gap))
             worst_ = {triangle_, corner.weights, gap};
     }
@@ -114,22 +125,33 @@ private:
         const double margin = sag(corners);
         return std::any_of(moves.begin(), moves.end(), [&](std::int32_t move) {
             return std::all_of(corners.begin(), corners.end(), [&](const Corner& corner) {
-                return gap_to(move, corner.raised) <= -margin;
+                return beyond_reach(sweep(move).squared_distance(corner.raised),
+                                    pieces_.radius_) <= -margin;
             });
         });
+    }
+
+    // The same for the moves near the triangle.
+    static bool is_covered_at_once(const std::array<Corner, 3>& corners)
+    {
+        const double least = -sag(corners);
+        const auto& [a, b, c] = corners;
+        for (std::size_t k = 0; k < a.gaps.size(); ++k)
+            if (a.gaps[k] <= least && b.gaps[k] <= least && c.gaps[k] <= least)
+                return true;
+        return false;
     }
 
     void search(const std::array<Corner, 3>& corners, int halvings)
     {
         const auto& [a, b, c] = corners;
-        if (halvings == 0 || is_covered_at_once(corners, near_))
+        if (halvings == 0 || is_covered_at_once(corners))
             return;
-        const Corner ab = middle(a, b);
-        const Corner bc = middle(b, c);
-        const Corner ca = middle(c, a);
-        note(ab);
-        note(bc);
-        note(ca);
+        std::array<Corner, 3> middles{middle(a, b), middle(b, c), middle(c, a)};
+        measure(middles, halvings - 1);
+        for (const Corner& own : middles)
+            note(own);
+        const auto& [ab, bc, ca] = middles;
         const std::array<std::array<Corner, 3>, 4> parts{
             {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}}};
         for (const auto& part : parts) {
@@ -142,14 +164,15 @@ private:
     // The moves that cover a sample at a triangle or beside it.
     void find_near(const Triangle& triangle)
     {
-        near_.clear();
+        rows_.clear();
         seen_.resize(pieces_.moves_.size(), 0);
         ++search_;
         for (const int corner : {0, 1, 2})
             for (const std::int32_t i : pieces_.samples_.neighbours(triangle[corner]))
                 for (const std::int32_t move : pieces_.moves_at_[i])
                     if (std::exchange(seen_[move], search_) != search_)
-                        near_.push_back(move);
+                        rows_.add(sweep(move));
+        gaps_.resize(std::max(gaps_.size(), 3 * rows_.size() * (most_halvings + 1)));
     }
 
     std::optional<MissedPlace> run(std::int32_t number)
@@ -161,7 +184,7 @@ private:
             weights[k] = 1;
             return corner(samples.place_at(triangle[k]), weights);
         };
-        const std::array<Corner, 3> corners{corner_at(0), corner_at(1), corner_at(2)};
+        std::array<Corner, 3> corners{corner_at(0), corner_at(1), corner_at(2)};
         const auto is_wanted = [&](std::int32_t i) { return samples.is_wanted(i); };
         const auto has_move = [&](std::int32_t i) {
             return !pieces_.moves_at_[i].empty();
@@ -173,6 +196,7 @@ private:
         if (are_covered && is_covered_at_once(corners, pieces_.moves_at_[triangle[0]]))
             return std::nullopt;
         find_near(triangle);
+        measure(corners, most_halvings);
         for (int k = 0; k < 3; ++k)
             if (is_wanted(triangle[k]) && !has_move(triangle[k]))
                 note(corners[k]);
@@ -185,7 +209,8 @@ private:
     bool ends_at_first_ = false;
     std::int32_t triangle_ = 0;
     std::optional<MissedPlace> worst_;
-    MoveNumbers near_;
+    SweepRows rows_;                   // of the moves near the triangle
+    std::vector<double> gaps_;         // of corners by these moves
     std::vector<std::uint32_t> seen_;  // by move, the last search that found it
     std::uint32_t search_ = 0;         // number of the current search
 };

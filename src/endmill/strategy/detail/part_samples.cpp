@@ -337,13 +337,23 @@ bool PartSamples::divide_edges(
     };
     // the middles by the places of the edges, that of the first of twins
     EdgeMiddles places;
+    std::vector<char> is_end(size(), 0);  // whether an edge ends at the place
     for (const auto& [a, b] : edges) {
         const auto [low, high] = place_of(a, b);
         places.add(low, high, -1);
+        is_end[low] = is_end[high] = 1;
+    }
+    std::vector<char> may_be_divided;
+    may_be_divided.reserve(triangles_.size());
+    for (const auto& [a, b, c] : triangles_) {
+        const int ends = is_end[representatives_[a]] + is_end[representatives_[b]] +
+                         is_end[representatives_[c]];
+        may_be_divided.push_back(ends > 1 ? 1 : 0);
     }
     EdgeMiddles middles;
-    for (const Triangle& triangle : triangles_)
-        for (int k = 0; k < 3; ++k) {
+    for (std::size_t number = 0; number < triangles_.size(); ++number)
+        for (int k = 0; k < 3 && may_be_divided[number] != 0; ++k) {
+            const Triangle& triangle = triangles_[number];
             const auto [a, b] = std::minmax(triangle[k], triangle[(k + 1) % 3]);
             const auto [low, high] = place_of(a, b);
             std::int32_t* const first = places.find(low, high);
@@ -358,7 +368,7 @@ bool PartSamples::divide_edges(
             representatives_.push_back(*first);
             middles.add(a, b, middle);
         }
-    triangles_ = divided_triangles(triangles_, middles);
+    triangles_ = divided_triangles(triangles_, middles, may_be_divided);
     return true;
 }
 

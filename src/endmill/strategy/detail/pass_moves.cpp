@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "endmill/core/answer.h"
 #include "endmill/planning/detail/segmentation.h"
 #include "endmill/strategy/detail/reach.h"
 
@@ -18,6 +19,22 @@ namespace {
 // of them lie across the feed.
 constexpr int demand_directions = 6;
 using Demands = std::array<Vec3, demand_directions + 1>;
+
+// The sines and cosines of these directions, from the feed.
+struct DemandDirection {
+    double sine;
+    double cosine;
+};
+
+std::array<DemandDirection, demand_directions> directions_of_demands()
+{
+    std::array<DemandDirection, demand_directions> directions;
+    for (int k = 0; k < demand_directions; ++k) {
+        const double angle = 2 * std::numbers::pi * (k + 0.5) / demand_directions;
+        directions[k] = {std::sin(angle), std::cos(angle)};
+    }
+    return directions;
+}
 
 // The points that a move past a contact must reach: the one above it, and some on the
 // circle of the ball at the height to which it covers.
@@ -34,18 +51,26 @@ Demands demands_at(std::span<const PassContact> contacts, std::size_t k, double 
     const Vec3 along = across.cross(contact.normal);
     const double circle = std::sqrt(height * (2 * radius - height));
     const Vec3 middle = contact.point + height * contact.normal;
+    static const std::array directions = directions_of_demands();
     Demands demands;
     demands[0] = middle;
     for (int direction = 0; direction < demand_directions; ++direction) {
-        const double angle = 2 * std::numbers::pi * (direction + 0.5) / demand_directions;
-        demands[direction + 1] =
-            middle + circle * (std::sin(angle) * across + std::cos(angle) * along);
+        const auto& [sine, cosine] = directions[direction];
+        demands[direction + 1] = middle + circle * (sine * across + cosine * along);
     }
     return demands;
 }
 
 // Halvings of the way between two contacts of a pass in search of clear moves.
 constexpr int most_halvings = 6;
+
+// A move that enters a contact by more than the tolerance and this share of it is not clear.
+// The share is far above rounding errors and as great as that within which tests of moves
+// are undecided.
+constexpr double sure_entry_share = 1e-3;
+
+// Answers are remembered for moves over at most so many contacts. Longer ones are rare.
+constexpr std::size_t most_remembered = 16;
 
 // Contacts, and whether the step to each from the one before it is clear.
 struct SteppedContacts {
@@ -56,9 +81,11 @@ struct SteppedContacts {
 // The contacts of a pass, with more of them where the step between two is not clear.
 class ClearContacts {
 public:
-    ClearContacts(const PartSamples& samples, const CoveredPart& part)
+    ClearContacts(const PartSamples& samples, const CoveredPart& part,
+                  MoveTestState& state)
         : samples_{&samples},
-          part_{&part}
+          part_{&part},
+          state_{&state}
     {
     }
 
@@ -76,7 +103,7 @@ private:
         const PassContact from = stepped_.contacts.back();
         const bool is_clear =
             part_->is_clear(ball_centre(from.at, part_->cutter()),
-                            ball_centre(to.at, part_->cutter()), state_);
+                            ball_centre(to.at, part_->cutter()), *state_);
         if (!is_clear && halvings > 0 && samples_->is_joined(from, to)) {
             lead_to(samples_->between(from, to, 0.5), halvings - 1);
             lead_to(to, halvings - 1);
@@ -88,28 +115,34 @@ private:
 
     const PartSamples* samples_;
     const CoveredPart* part_;
-    MoveTestState state_;
+    MoveTestState* state_;
     SteppedContacts stepped_;
 };
 
-// The moves between contacts of a stretch.
+// The moves between contacts of a stretch. The division asks for some moves again and again,
+// and most of them are too long: answers are remembered, and simple tests come first.
 class StretchMoves {
 public:
     StretchMoves(std::span<const PassContact> contacts, const CoveredPart& part,
-                 const MoveLimits& limits)
+                 const MoveLimits& limits, MoveTestState& state)
         : contacts_{contacts},
           part_{part},
-          limits_{limits}
+          limits_{limits},
+          state_{state},
+          answers_(contacts.size() * most_remembered, Answer::Undecided)
     {
         demands_.reserve(contacts.size());
-        for (std::size_t k = 0; k < contacts.size(); ++k)
+        centres_.reserve(contacts.size());
+        for (std::size_t k = 0; k < contacts.size(); ++k) {
             demands_.push_back(
                 demands_at(contacts, k, part.cutter().radius(), limits.covered_height));
+            centres_.push_back(ball_centre(contacts[k].at, part.cutter()));
+        }
     }
 
     bool is_clear(std::size_t from, std::size_t to)
     {
-        return part_.is_clear(centre(from), centre(to), state_);
+        return part_.is_clear(centres_[from], centres_[to], state_);
     }
 
     // Numbers of the contacts from `first` to `last` at which moves begin and end. Steps
@@ -118,8 +151,7 @@ public:
     {
         const auto division = fewest_moves(
             last - first + 1, PassShape::Open, [&](std::size_t from, std::size_t to) {
-                return to == from + 1 || (reaches_demands(first + from, first + to) &&
-                                          is_clear(first + from, first + to));
+                return to == from + 1 || is_sound(first + from, first + to);
             });
         std::vector<std::size_t> vertices = division->vertices;
         for (std::size_t& vertex : vertices)
@@ -147,37 +179,89 @@ public:
     }
 
 private:
-    Vec3 centre(std::size_t k) const
+    // Whether a move over contacts reaches their demands and is clear.
+    bool is_sound(std::size_t from, std::size_t to)
     {
-        return ball_centre(contacts_[k].at, part_.cutter());
+        const auto test = [&] { return may_be_sound(from, to) && is_clear(from, to); };
+        if (to - from > most_remembered)
+            return test();
+        Answer& answer = answers_[from * most_remembered + (to - from - 1)];
+        if (answer == Answer::Undecided)
+            answer = test() ? Answer::Yes : Answer::No;
+        return answer == Answer::Yes;
     }
 
-    bool reaches_demands(std::size_t from, std::size_t to) const
+    // Whether a move reaches the demands and does not surely enter the contacts between its
+    // ends.
+    bool may_be_sound(std::size_t from, std::size_t to)
     {
-        const UprightSweep sweep{centre(from), centre(to)};
+        const UprightSweep sweep{centres_[from], centres_[to]};
+        // the contact at which the last move failed is likely to fail again
+        if (from < failed_ && failed_ < to && !is_good_at(failed_, sweep))
+            return false;
+        if (enters_contacts(from, to, sweep))
+            return false;
         for (std::size_t k = from; k <= to; ++k)
-            for (const Vec3& point : demands_[k])
-                if (beyond_reach(sweep.squared_distance(point), part_.cutter().radius()) >
-                    limits_.cover_slack)
-                    return false;
+            if (!reaches_demands(k, sweep)) {
+                failed_ = k;
+                return false;
+            }
         return true;
+    }
+
+    bool is_good_at(std::size_t k, const UprightSweep& sweep) const
+    {
+        return !enters(k, sweep) && reaches_demands(k, sweep);
+    }
+
+    // Whether a move surely enters the contact k, a point of the part, by too much.
+    bool enters(std::size_t k, const UprightSweep& sweep) const
+    {
+        const double least =
+            part_.cutter().radius() - (1 + sure_entry_share) * part_.tolerance();
+        return part_.has_contacts_on_part() && least > 0 &&
+               sweep.squared_distance(contacts_[k].at.contact.point) < least * least;
+    }
+
+    // The same for the contacts between the ends of a move.
+    bool enters_contacts(std::size_t from, std::size_t to, const UprightSweep& sweep)
+    {
+        for (std::size_t k = from + 1; k < to; ++k)
+            if (enters(k, sweep)) {
+                failed_ = k;
+                return true;
+            }
+        return false;
+    }
+
+    bool reaches_demands(std::size_t k, const UprightSweep& sweep) const
+    {
+        return std::all_of(
+            demands_[k].begin(), demands_[k].end(), [&](const Vec3& point) {
+                return beyond_reach(sweep.squared_distance(point),
+                                    part_.cutter().radius()) <= limits_.cover_slack;
+            });
     }
 
     std::span<const PassContact> contacts_;
     const CoveredPart& part_;
     const MoveLimits& limits_;
+    MoveTestState& state_;
     std::vector<Demands> demands_;
-    MoveTestState state_;
+    std::vector<Vec3> centres_;
+    std::vector<Answer> answers_;  // by the first contact of a move and its length
+    std::size_t failed_ = 0;       // the contact at which a move failed last
 };
 
 // Divides a stretch step by step: it is interrupted where no step is clear.
 std::vector<StretchPiece> divided_by_steps(std::span<const PassContact> stretch,
                                            const PartSamples& samples,
                                            const CoveredPart& part,
-                                           const MoveLimits& limits)
+                                           const MoveLimits& limits, MoveTestState& state)
 {
-    const auto [contacts, is_clear_step] = ClearContacts{samples, part}.of(stretch);
-    StretchMoves moves{contacts, part, limits};
+    const auto [contacts, is_clear_step] =
+        ClearContacts{samples, part, state}.of(stretch);
+    StretchMoves moves{contacts, part, limits, state};
     std::vector<StretchPiece> pieces;
     for (std::size_t first = 0; first < contacts.size();) {
         // the longest run of clear steps
@@ -200,15 +284,15 @@ std::vector<StretchPiece> divided_by_steps(std::span<const PassContact> stretch,
 std::vector<StretchPiece> divided_stretch(std::span<const PassContact> stretch,
                                           const PartSamples& samples,
                                           const CoveredPart& part,
-                                          const MoveLimits& limits)
+                                          const MoveLimits& limits, MoveTestState& state)
 {
     if (stretch.size() > 1) {
-        StretchMoves moves{stretch, part, limits};
+        StretchMoves moves{stretch, part, limits, state};
         const std::vector<std::size_t> vertices = moves.divided(0, stretch.size() - 1);
         if (moves.are_steps_clear(vertices))
             return {{moves.at(vertices), true, true}};
     }
-    return divided_by_steps(stretch, samples, part, limits);
+    return divided_by_steps(stretch, samples, part, limits, state);
 }
 
 // Adds the pieces of a stretch to those of the stretch before it.
@@ -233,7 +317,7 @@ void append(const std::vector<StretchPiece>& stretch, std::vector<StretchPiece>&
 }  // namespace
 
 const std::vector<StretchPiece>& PassDivision::pieces_of(
-    std::span<const PassContact> stretch)
+    std::span<const PassContact> stretch, MoveTestState& state)
 {
     StretchKey key{static_cast<double>(stretch.size())};
     auto value = key.begin() + 1;
@@ -242,11 +326,11 @@ const std::vector<StretchPiece>& PassDivision::pieces_of(
             value = std::copy(vector->begin(), vector->end(), value);
     const auto [known, is_new] = known_.try_emplace(key);
     if (is_new)
-        known->second = divided_stretch(stretch, *samples_, *part_, limits_);
+        known->second = divided_stretch(stretch, *samples_, *part_, limits_, state);
     return known->second;
 }
 
-std::vector<LaidPass> PassDivision::pieces_of(const LaidPass& pass)
+std::vector<LaidPass> PassDivision::pieces_of(const LaidPass& pass, MoveTestState& state)
 {
     std::vector<PassContact> contacts = pass.contacts;
     if (pass.is_closed && contacts.size() > 2)
@@ -257,7 +341,8 @@ std::vector<LaidPass> PassDivision::pieces_of(const LaidPass& pass)
         while (last + 1 < contacts.size() && !contacts[last].is_required)
             ++last;
         last = std::min(last, contacts.size() - 1);
-        append(pieces_of(std::span{contacts}.subspan(first, last - first + 1)), joined);
+        append(pieces_of(std::span{contacts}.subspan(first, last - first + 1), state),
+               joined);
         first = last + 1 < contacts.size() ? last : contacts.size();
     }
     std::vector<LaidPass> pieces;
@@ -276,7 +361,8 @@ std::vector<LaidPass> divided_into_moves(const LaidPass& pass, const PartSamples
                                          const CoveredPart& part,
                                          const MoveLimits& limits)
 {
-    return PassDivision{samples, part, limits}.pieces_of(pass);
+    MoveTestState state;
+    return PassDivision{samples, part, limits}.pieces_of(pass, state);
 }
 
 }  // namespace endmill

@@ -44,14 +44,16 @@ public:
     /// The pieces of the pass; see divided_into_moves.
     /// \param pass the pass of the earlier calls with further contacts, all of them required,
     ///        or with more required contacts.
-    std::vector<LaidPass> pieces_of(const LaidPass& pass);
+    /// \param state of this thread.
+    std::vector<LaidPass> pieces_of(const LaidPass& pass, MoveTestState& state);
 
 private:
     // The number of contacts of a stretch, and points and normals of its first and its last
     // place. They distinguish the stretches of a pass.
     using StretchKey = std::array<double, 13>;
 
-    const std::vector<StretchPiece>& pieces_of(std::span<const PassContact> stretch);
+    const std::vector<StretchPiece>& pieces_of(std::span<const PassContact> stretch,
+                                               MoveTestState& state);
 
     const PartSamples* samples_;
     const CoveredPart* part_;

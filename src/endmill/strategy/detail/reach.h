@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "endmill/core/vec.h"
 
@@ -43,6 +47,8 @@ public:
     }
 
 private:
+    friend class SweepRows;
+
     static double square(double a) { return a * a; }
 
     // The same in the vertical plane of the move, in which the region lies.
@@ -81,7 +87,37 @@ inline double beyond_reach(double squared_distance, double radius)
     return (squared_distance - radius * radius) / (2 * radius);
 }
 
-/// The same for a ball that rests at `centre` and a point.
+/// Several sweeps, arranged so that their distances from a point are computed at once.
+class SweepRows {
+public:
+    std::size_t size() const { return size_; }  ///< number of sweeps
+
+    /// Removes all sweeps.
+    void clear()
+    {
+        size_ = 0;
+        upright_.clear();
+    }
+    /// Adds a sweep at the end.
+    void add(const UprightSweep& sweep);
+
+    /// Computes beyond_reach of a ball of `radius` on each sweep for a point, in mm. The
+    /// numbers are those for the sweeps one by one.
+    /// \param gaps results, one for each sweep.
+    void gaps_at(const Vec3& point, double radius, std::span<double> gaps) const;
+
+private:
+    void grow();
+
+    // the members of UprightSweep, each in a row with room for `room_` sweeps
+    std::vector<double> rows_;
+    std::size_t room_ = 0;
+    std::size_t size_ = 0;
+    // sweeps of upright moves, which are few, with their numbers
+    std::vector<std::pair<std::size_t, UprightSweep>> upright_;
+};
+
+/// The same as beyond_reach for a ball that rests at `centre` and a point.
 inline double point_reach(const Vec3& centre, const Vec3& point, double radius)
 {
     const double x = point.x() - centre.x();

@@ -186,12 +186,16 @@ std::vector<std::int32_t> numbers_by_place(std::span<const Vec3> points)
 }
 
 std::vector<Triangle> divided_triangles(std::span<const Triangle> triangles,
-                                        const EdgeMiddles& middles)
+                                        const EdgeMiddles& middles,
+                                        std::span<const char> may_be_divided)
 {
     std::vector<Triangle> divided;
     divided.reserve(triangles.size() * 2);
-    for (const Triangle& triangle : triangles)
-        divide(triangle, middles, divided);
+    for (std::size_t k = 0; k < triangles.size(); ++k)
+        if (may_be_divided.empty() || may_be_divided[k] != 0)
+            divide(triangles[k], middles, divided);
+        else
+            divided.push_back(triangles[k]);
     return divided;
 }
 

@@ -128,7 +128,9 @@ private:
 };
 
 /// The triangles, divided at the middles of their edges into two to four.
+/// \param may_be_divided by triangle; 0 only where no edge has a middle. Empty: all may be.
 std::vector<Triangle> divided_triangles(std::span<const Triangle> triangles,
-                                        const EdgeMiddles& middles);
+                                        const EdgeMiddles& middles,
+                                        std::span<const char> may_be_divided = {});
 
 }  // namespace endmill

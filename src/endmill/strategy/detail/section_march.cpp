@@ -147,10 +147,36 @@ void SectionMarch::walk_reach(const SampleEdge& place, double limit)
     });
 }
 
+// Whether a few steps lead from a place to the limit, each to the neighbour with the greatest
+// offset whose ball reaches the place. It saves the walk over all samples around.
+bool SectionMarch::climbs_to(const SampleEdge& place, double limit) const
+{
+    const double radius = coverage_->cutter().radius();
+    const Vec3 point = raised(place);
+    const auto reaches = [&](std::int32_t i) {
+        return point_reach(coverage_->centre(i), point, radius) <= slack_;
+    };
+    std::int32_t at = offsets_[place.from] < offsets_[place.to] ? place.to : place.from;
+    if (!reaches(at))
+        return false;
+    for (;;) {
+        if (offsets_[at] >= limit)
+            return true;
+        const std::int32_t before = at;
+        for (const std::int32_t neighbour : samples_->neighbours(before))
+            if (offsets_[neighbour] > offsets_[at] && reaches(neighbour))
+                at = neighbour;
+        if (at == before)
+            return false;
+    }
+}
+
 // A lower bound of the farthest offset, from the edges of the net: the distance of a ball
 // is convex along an edge. If it is beyond the limit, any value beyond it.
 double SectionMarch::nearly_farthest(const SampleEdge& place, double limit)
 {
+    if (limit < unlimited && climbs_to(place, limit))
+        return limit;
     walk_reach(place, limit);
     double offset = -unlimited;
     if (!inside_.empty() && offsets_[inside_.back()] >= limit)

@@ -64,6 +64,7 @@ private:
     Vec3 raised(const SampleEdge& place) const;
     SampleEdge front_place(std::int32_t covered, std::int32_t uncovered) const;
     void walk_reach(const SampleEdge& place, double limit);
+    bool climbs_to(const SampleEdge& place, double limit) const;
     double nearly_farthest(const SampleEdge& place, double limit);
     double farthest(const Demand& demand);
     std::int32_t nearest_covered(std::int32_t uncovered) const;
