@@ -111,7 +111,7 @@ void add_setup_command(CLI::App& program, Action& action)
         "teapot/visibility.bsm -o machines\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine "
         "datasets/machines/ca-head-head.json --within-travel -o teapot-travel\n"
-        "  endmill setup --path plan/toolpath.csv --machine "
+        "  endmill setup --path datasets/paths/dome.csv --machine "
         "datasets/machines/ca-table-table.json -o path-setup");
     command->callback([options, &action] {
         action = [options] {

@@ -177,8 +177,9 @@ TEST(PathSetup, ReportsTravelThatIsTooShortWithThePoint)
         path_setup(path, machine);
         FAIL();
     } catch (const GeometryError& error) {
-        EXPECT_THAT(error.what(), HasSubstr(" of the path: X, Y and Z "));
-        EXPECT_THAT(error.what(), HasSubstr("rotations of the part were tried"));
+        EXPECT_THAT(error.what(),
+                    HasSubstr(" of the path: Z exceeds its travel by 40 mm"));
+        EXPECT_THAT(error.what(), HasSubstr("501 rotations of the part were tried"));
     }
 }
 

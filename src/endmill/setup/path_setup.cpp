@@ -206,22 +206,23 @@ std::string short_text(double value)
     const auto& made = std::get<MachinePath>(best.motions);
     const auto& positions = made.path.machine->positions;
     std::size_t worst = 0;
-    double over = -HUGE_VAL;
+    Eigen::Index axis = 0;
+    double slack = HUGE_VAL;
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        const double excess =
-            -clamping_fit(clamping_bounds(machine, std::span{positions}.subspan(i, 1)),
-                          best.clamping->clamp)
-                 .least_slack();
-        if (excess > over) {
-            over = excess;
-            worst = i;
-        }
+        const ClampingFit fit =
+            clamping_fit(clamping_bounds(machine, std::span{positions}.subspan(i, 1)),
+                         best.clamping->clamp);
+        if (fit.least_slack() >= slack)
+            continue;
+        slack = fit.slack.minCoeff(&axis);
+        worst = i;
     }
-    throw GeometryError{"point " + std::to_string(made.rows[worst]) +
-                        " of the path: X, Y and Z come within " + short_text(-over) +
-                        " mm of their limits at best (negative: beyond); " + rotations +
-                        "; expected more travel, another clamping position or a shorter "
-                        "tool"};
+    throw GeometryError{
+        "point " + std::to_string(made.rows[worst]) + " of the path: " + "XYZ"[axis] +
+        (slack < 0 ? " exceeds its travel by " + short_text(-slack) + " mm"
+                   : " stays only " + short_text(slack) + " mm within its travel") +
+        " at the best rotation and clamping position; " + rotations +
+        "; expected more travel, another clamping position or a shorter tool"};
 }
 
 // The part as it stands in the path.
