@@ -232,8 +232,9 @@ std::vector<DensityCorners> add_bound(Json& summary, const PlanTask& task,
     if (!mesh)
         add_points_bound(summary, problem, task, sides);
     try {
-        PathBound bound = mesh ? mesh_bound(turned(*mesh, task.part_to_machine), problem, estimate)
-                               : path_bound(task.surfaces, sides, problem, estimate);
+        PathBound bound =
+            mesh ? mesh_bound(turned(*mesh, task.part_to_machine), problem, estimate)
+                 : path_bound(task.surfaces, sides, problem, estimate);
         summary["bound_density_mm"] = bound.density_mm;
         summary["bound_disc_mm"] = bound.disc_mm;
         summary["bound_mm"] = bound.bound_mm ? Json(*bound.bound_mm) : Json(nullptr);
@@ -260,11 +261,11 @@ std::string bound_text(const Json& s)
     if (s["bound_mm"].is_null())
         return fmt::format("  lower bound   none: {}\n",
                            s["bound_reason"].get<std::string>());
-    return fmt::format("  lower bound   {} mm by {} ({}); the cuts are {:.3f} times as long\n",
-                       shown(s["bound_mm"].get<double>()),
-                       s["bound_distance"] == "cl" ? "tips" : "contacts",
-                       s["bound_grade"].get<std::string>(),
-                       s["travel_over_bound"].get<double>());
+    return fmt::format(
+        "  lower bound   {} mm by {} ({}); the cuts are {:.3f} times as long\n",
+        shown(s["bound_mm"].get<double>()),
+        s["bound_distance"] == "cl" ? "tips" : "contacts",
+        s["bound_grade"].get<std::string>(), s["travel_over_bound"].get<double>());
 }
 
 std::string protected_text(const Json& s, const DeviationLimits& limits)
