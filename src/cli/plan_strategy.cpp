@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -34,6 +35,8 @@
 namespace endmill {
 namespace {
 
+// Memory of the bound of a mesh.
+constexpr double bytes_a_facet = 700;
 // How long bounding takes, as a multiple of planning.
 constexpr double bounding_share = 0.1;
 
@@ -227,6 +230,9 @@ std::vector<DensityCorners> add_bound(Json& summary, const PlanTask& task,
     const auto* mesh = std::get_if<TriangleMesh>(&task.part);
     if (covering.unreached_mm2 > 0 && (!mesh || task.guard))
         return set_none("there is no bound where a protected part bars places");
+    if (mesh && bytes_a_facet * static_cast<double>(mesh->triangles().size()) >
+                    task.options.common.limits.max_memory_gib * one_gib)
+        return set_none("the bound of so many facets needs more than --max-memory");
     if (mesh && task.options.bound == PlanBound::Certified)
         return set_none("the bound of a mesh can only be estimated");
     if (!mesh)

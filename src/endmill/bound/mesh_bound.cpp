@@ -72,8 +72,8 @@ PathBound mesh_bound(const TriangleMesh& mesh, const BoundProblem& problem,
             found.places,
             found.test_places,
             0,
-            spacing,
-            squares(search, spacing / 2)};
+            search.spacing(),
+            squares(search, search.spacing() / 2)};
 }
 
 }  // namespace endmill

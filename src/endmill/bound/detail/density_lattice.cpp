@@ -17,7 +17,7 @@ double share_of(const LatticePlace& place, std::size_t k)
            along((k & 4U) != 0, place.z);
 }
 
-void sort_unique(std::vector<std::array<std::int32_t, 3>>& keys)
+void sort_unique(std::vector<std::array<std::int64_t, 3>>& keys)
 {
     std::ranges::sort(keys);
     keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
@@ -38,15 +38,15 @@ DensityLattice::DensityLattice(std::span<const Eigen::AlignedBox3d> boxes, doubl
     for (const Eigen::AlignedBox3d& box : boxes) {
         const Key low = key_of(box.min());
         const Key high = key_of(box.max());
-        for (std::int32_t k = low[2]; k <= high[2]; ++k)
-            for (std::int32_t j = low[1]; j <= high[1]; ++j)
-                for (std::int32_t i = low[0]; i <= high[0]; ++i)
+        for (std::int64_t k = low[2]; k <= high[2]; ++k)
+            for (std::int64_t j = low[1]; j <= high[1]; ++j)
+                for (std::int64_t i = low[0]; i <= high[0]; ++i)
                     of_cells.push_back({i, j, k});
     }
     sort_unique(of_cells);
     keys_.reserve(8 * of_cells.size());
     for (const Key& cell : of_cells)
-        for (std::int32_t k = 0; k < 8; ++k)
+        for (std::int64_t k = 0; k < 8; ++k)
             keys_.push_back(
                 {cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2)});
     sort_unique(keys_);
@@ -55,7 +55,7 @@ DensityLattice::DensityLattice(std::span<const Eigen::AlignedBox3d> boxes, doubl
     for (const Key& cell : of_cells) {
         const std::uint32_t node = *node_of(cell);
         cells_.push_back({node});
-        for (std::int32_t k = 0; k < 8; ++k)
+        for (std::int64_t k = 0; k < 8; ++k)
             corners_[node][k] =
                 *node_of({cell[0] + (k & 1), cell[1] + (k >> 1 & 1), cell[2] + (k >> 2)});
     }
@@ -66,7 +66,7 @@ DensityLattice::Key DensityLattice::key_of(const Vec3& point) const
     const Vec3 steps = (point - low_) / spacing_;
     Key key{};
     for (int axis = 0; axis < 3; ++axis)
-        key[axis] = static_cast<std::int32_t>(std::floor(steps[axis]));
+        key[axis] = static_cast<std::int64_t>(std::floor(steps[axis]));
     return key;
 }
 
@@ -84,7 +84,8 @@ std::optional<LatticePlace> DensityLattice::place(const Vec3& point) const
     const auto node = node_of(key);
     if (!node || corners_[*node][1] == 0)
         return std::nullopt;
-    const Vec3 share = (point - low_) / spacing_ - Vec3(key[0], key[1], key[2]);
+    const Vec3 share =
+        (point - low_) / spacing_ - Vec3(double(key[0]), double(key[1]), double(key[2]));
     return LatticePlace{*node, static_cast<float>(share.x()),
                         static_cast<float>(share.y()), static_cast<float>(share.z())};
 }

@@ -32,7 +32,7 @@ struct LatticeCell {
 class DensityLattice {
 public:
     /// \param boxes around parts of the mesh; cubes that meet one of them become cells.
-    /// \param spacing of nodes in mm, positive; boxes must be less than 2^30 spacings apart.
+    /// \param spacing of nodes in mm, positive.
     DensityLattice(std::span<const Eigen::AlignedBox3d> boxes, double spacing);
 
     std::size_t nodes() const { return keys_.size(); }                ///< number of nodes
@@ -58,7 +58,7 @@ public:
     double value(std::span<const double> at_nodes, const LatticePlace& place) const;
 
 private:
-    using Key = std::array<std::int32_t, 3>;
+    using Key = std::array<std::int64_t, 3>;
 
     Key key_of(const Vec3& point) const;
     std::optional<std::uint32_t> node_of(const Key& key) const;

@@ -15,7 +15,7 @@ namespace endmill {
 namespace {
 
 // Most pieces of divided facets, about.
-constexpr double most_pieces = 2e6;
+constexpr double most_pieces = 1e6;
 // Cosine of the angle of a crease.
 constexpr double crease_cosine = std::numbers::sqrt3 / 2;
 // Least |grad Phi|. Where the tool touches the raised part a second time it is 0, and the inflow

@@ -41,7 +41,7 @@ bool is_crease(const Vec3& normal, const Vec3& other);
 /// \param mesh oriented consistently.
 /// \param facets_at from facets_at_points.
 /// \param longest_edge of a piece in mm. On meshes of many slivers pieces are longer, so that
-///        there are at most about 2 million of them, or twice as many as facets.
+///        there are at most about a million of them, or twice as many as facets.
 std::vector<FacetPiece> facet_pieces(
     const TriangleMesh& mesh, const std::vector<std::vector<std::uint32_t>>& facets_at,
     double longest_edge);

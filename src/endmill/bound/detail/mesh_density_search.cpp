@@ -42,6 +42,16 @@ double uniform(std::mt19937_64& engine)
     return std::ldexp(static_cast<double>(engine() >> 11U), -53);
 }
 
+double longest_edge_of(const std::vector<FacetPiece>& pieces)
+{
+    double longest = 0;
+    for (const FacetPiece& piece : pieces)
+        for (std::size_t k = 0; k < 3; ++k)
+            longest =
+                std::max(longest, (piece.corners[(k + 1) % 3] - piece.corners[k]).norm());
+    return longest;
+}
+
 // Boxes around the pieces, with a margin for rounding.
 std::vector<Eigen::AlignedBox3d> boxes_of(const std::vector<FacetPiece>& pieces,
                                           double margin)
@@ -66,10 +76,10 @@ MeshDensitySearch::MeshDensitySearch(const TriangleMesh& mesh,
       tree_{mesh},
       facets_at_{facets_at_points(mesh)},
       pieces_{facet_pieces(mesh, facets_at_, piece_share * options_.node_spacing)},
+      spacing_{std::max(options_.node_spacing, longest_edge_of(pieces_) / piece_share)},
       all_(pieces_.size()),
       cover_{pieces_, problem},
-      lattice_{boxes_of(pieces_, box_margin * options_.node_spacing),
-               options_.node_spacing}
+      lattice_{boxes_of(pieces_, box_margin * spacing_), spacing_}
 {
     std::iota(all_.begin(), all_.end(), std::size_t{0});
 }
@@ -292,8 +302,8 @@ FoundDensity MeshDensitySearch::run()
 {
     report(0);
     FoundDensity found;
-    starts_ = spread_places(options_.node_spacing / 2);
-    const std::vector<MeshPlace> denser = spread_places(options_.node_spacing / 4);
+    starts_ = spread_places(spacing_ / 2);
+    const std::vector<MeshPlace> denser = spread_places(spacing_ / 4);
     weigh(denser);
     density_.assign(lattice_.nodes(), 1 / (2 * plane_half_width(problem_)));
     places_.resize(starts_.size());

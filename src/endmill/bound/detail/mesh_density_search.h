@@ -40,6 +40,10 @@ public:
     /// The density. Its nodes are those of a lattice.
     FoundDensity run();
 
+    /// The spacing of the nodes in mm. On meshes of many slivers it is larger than that of the
+    /// options, so that memory does not grow faster than the mesh.
+    double spacing() const { return spacing_; }
+
     /// The places of the search, half a spacing apart, and the density found at each.
     std::vector<std::pair<MeshPlace, double>> density_at_places() const;
 
@@ -70,6 +74,7 @@ private:
     TriangleTree tree_;
     std::vector<std::vector<std::uint32_t>> facets_at_;  // of each point
     std::vector<FacetPiece> pieces_;
+    double spacing_;                // of the nodes, mm
     std::vector<std::size_t> all_;  // numbers of all pieces
     MeshCover cover_;
     DensityLattice lattice_;
