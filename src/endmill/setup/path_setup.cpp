@@ -29,8 +29,8 @@ namespace {
 
 // Tool axes of a path that are all searched for. A path of 3+2 axes has fewer.
 constexpr std::size_t most_axes = 400;
-// rad, between the tool axes that represent more of them.
-constexpr double axis_spacing = Angle::degrees(1).radians();
+// Side of the cubes in which one tool axis represents the others: about one degree.
+constexpr double cube_side = 0.0175;
 // mm by which X, Y and Z must stay within their limits: rapids may deviate by as much.
 constexpr double least_slack = 0.1;
 constexpr std::size_t most_poses = 500;
@@ -56,17 +56,22 @@ std::vector<PathAxis> axes_of_path(const ToolPath& path)
     return axes;
 }
 
-// Tool axes so far apart that there are not too many.
+// The tool axes that are searched for: all, or if they are many, the first in each cube of a
+// lattice.
 std::vector<PathAxis> searched_axes(const std::vector<PathAxis>& axes)
 {
     if (axes.size() <= most_axes)
         return axes;
+    std::set<std::array<int, 3>> cubes;
     std::vector<PathAxis> kept;
-    for (const PathAxis& axis : axes)
-        if (std::ranges::none_of(kept, [&](const PathAxis& other) {
-                return angle_between(axis.axis, other.axis) < axis_spacing;
-            }))
+    for (const PathAxis& axis : axes) {
+        const Vec3 cube = (axis.axis / cube_side).array().floor();
+        if (cubes
+                .insert({static_cast<int>(cube.x()), static_cast<int>(cube.y()),
+                         static_cast<int>(cube.z())})
+                .second)
             kept.push_back(axis);
+    }
     return kept;
 }
 

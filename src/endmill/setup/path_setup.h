@@ -55,8 +55,8 @@ struct PathSetup {
 ///    retract, and X, Y and Z stay 0.1 mm or more within their limits at the best clamping
 ///    position, or within them at the given one. At most 500 rotations are tried.
 ///
-/// Of more than 400 different axes those are searched for that are at least a degree
-/// apart; step 3 holds for all.
+/// Of more than 400 different axes one in each cube of 0.0175, about a degree, is searched for;
+/// step 3 holds for all.
 /// \param path    at least one point. \param machine valid, with two rotary axes.
 /// \param options clamping and tool.
 /// \throws DomainError as `machine_path`, or for a machine without two rotary axes that
