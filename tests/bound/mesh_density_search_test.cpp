@@ -12,19 +12,12 @@
 namespace endmill {
 namespace {
 
-BoundProblem tips()
-{
-    BoundProblem problem = test::usual_problem();
-    problem.length = BoundedLength::Tip;
-    return problem;
-}
-
 TEST(MeshDensitySearch, OnWavesKeepsTheConditionAtFreshPlaces)
 {
     const TriangleMesh mesh = test::grid_mesh(60, 60, [](int i, int j) {
         return Vec3{1.0 * i, 1.0 * j, 3 * std::sin(0.12 * i) * std::cos(0.1 * j)};
     });
-    const BoundProblem problem = tips();
+    const BoundProblem problem = test::tip_problem();
     MeshDensitySearch search{mesh, problem, {3, 5000}};
     search.run();
     const std::vector<double> inflows = search.inflows_at_random(5000, 99);
@@ -38,7 +31,7 @@ TEST(MeshDensitySearch, TriesTheNormalsOfARidge)
     const TriangleMesh roof = test::grid_mesh(20, 20, [](int i, int j) {
         return Vec3{2.0 * i, 2.0 * j, 20 - 0.8 * std::abs(2.0 * j - 20)};
     });
-    const BoundProblem problem = tips();
+    const BoundProblem problem = test::tip_problem();
     MeshDensitySearch search{roof, problem, {3, 5000}};
     search.run();
     const std::vector<double> inflows = search.inflows_at_random(5000, 5);
@@ -54,7 +47,7 @@ TEST(MeshDensitySearch, LeavesOutWhatTheBallDoesNotReach)
         });
     };
     const auto integral_of = [](const TriangleMesh& mesh) {
-        const BoundProblem problem = tips();
+        const BoundProblem problem = test::tip_problem();
         MeshDensitySearch search{mesh, problem, {1.5, 1000}};
         return search.run().integral;
     };

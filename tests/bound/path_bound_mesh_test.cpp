@@ -13,13 +13,6 @@
 namespace endmill {
 namespace {
 
-BoundProblem tips()
-{
-    BoundProblem problem = test::usual_problem();
-    problem.length = BoundedLength::Tip;
-    return problem;
-}
-
 TriangleMesh plane(int columns, int rows, double slope)
 {
     return test::grid_mesh(columns, rows, [=](int i, int j) {
@@ -29,14 +22,15 @@ TriangleMesh plane(int columns, int rows, double slope)
 
 double width()
 {
-    return 2 * plane_half_width(tips());
+    return 2 * plane_half_width(test::tip_problem());
 }
 
 // A / w and pi w / 4, however the plane is divided into triangles.
 TEST(MeshBound, OfAPlaneIsTheClosedForm)
 {
     for (const int columns : {1, 24, 120}) {
-        const PathBound bound = mesh_bound(plane(columns, columns, 0), tips());
+        const PathBound bound =
+            mesh_bound(plane(columns, columns, 0), test::tip_problem());
         EXPECT_EQ(bound.grade, BoundGrade::Estimated);
         EXPECT_NEAR(bound.density_mm, 9600 / width(), 1e-3 * 9600 / width());
         EXPECT_NEAR(bound.disc_mm, std::numbers::pi / 4 * width(), 5e-3 * width());
@@ -68,7 +62,7 @@ TEST(MeshBound, OfASphereComesNearTheClosedForm)
             (2 * (rho + side * h) * (rho + side * R));
         const double density =
             area / (2 * rho * std::sin(std::acos(cosine))) * (rho + side * R) / rho;
-        const PathBound bound = mesh_bound(mesh, tips());
+        const PathBound bound = mesh_bound(mesh, test::tip_problem());
         EXPECT_LT(bound.density_mm, 1.001 * density);
         EXPECT_GT(bound.density_mm, 0.985 * density);
     }
@@ -87,7 +81,7 @@ TEST(MeshBound, OfASampledSaddleIsThatOfTheSurface)
                       std::lerp(v.low, v.high, j / 96.0))
             .point;
     });
-    BoundProblem problem = tips();
+    BoundProblem problem = test::tip_problem();
     problem.stray = 0.01;
     const PathBound of_surface = path_bound(saddle.surfaces, saddle.sides, problem);
     const PathBound of_mesh = mesh_bound(mesh, problem);
@@ -102,7 +96,7 @@ TEST(MeshBound, OfARoofIsNearThatOfItsPlanes)
         return Vec3{60.0 * i, 40.0 * j, j == 1 ? 30.0 : 0.0};
     });
     const double planes = 120 * 100 / width();
-    const PathBound bound = mesh_bound(roof, tips());
+    const PathBound bound = mesh_bound(roof, test::tip_problem());
     EXPECT_LT(bound.density_mm, 1.02 * planes);
     EXPECT_GT(bound.density_mm, 0.9 * planes);
 }
@@ -110,7 +104,7 @@ TEST(MeshBound, OfARoofIsNearThatOfItsPlanes)
 // A ball that may gouge covers more, and tips beside edges travel less.
 TEST(MeshBound, FallsWithWhatThePathMayStray)
 {
-    BoundProblem problem = tips();
+    BoundProblem problem = test::tip_problem();
     problem.stray = 0.05;
     const double factor = 1 - 0.05 / 7.5;
     const double wider = 2 * plane_half_width(problem);
@@ -124,9 +118,9 @@ TEST(MeshBound, HasTheSameNumbersForAnyNumberOfThreads)
     EstimateOptions options;
     options.random_places = 1000;
     set_thread_count(1);
-    const PathBound one = mesh_bound(mesh, tips(), options);
+    const PathBound one = mesh_bound(mesh, test::tip_problem(), options);
     set_thread_count(3);
-    const PathBound three = mesh_bound(mesh, tips(), options);
+    const PathBound three = mesh_bound(mesh, test::tip_problem(), options);
     EXPECT_EQ(one.density_mm, three.density_mm);
     EXPECT_EQ(one.disc_mm, three.disc_mm);
 }
@@ -138,13 +132,14 @@ TEST(MeshBound, RefusesContactsAndMeshesThatDoNotFaceTheTool)
     std::vector<Triangle> turned(up.triangles().begin(), up.triangles().end());
     for (Triangle& triangle : turned)
         std::swap(triangle[0], triangle[1]);
-    EXPECT_THROW(mesh_bound({{up.points().begin(), up.points().end()}, turned}, tips()),
+    EXPECT_THROW(mesh_bound({{up.points().begin(), up.points().end()}, turned},
+                            test::tip_problem()),
                  GeometryError);
     // a slot narrower than the ball: it fits on the floor nowhere
     const TriangleMesh slot = test::grid_mesh(3, 1, [](int i, int j) {
         return Vec3{i < 2 ? 0.0 : 4.0, 40.0 * j, i == 0 || i == 3 ? 60.0 : 0.0};
     });
-    EXPECT_THROW(mesh_bound(slot, tips()), GeometryError);
+    EXPECT_THROW(mesh_bound(slot, test::tip_problem()), GeometryError);
 }
 
 }  // namespace

@@ -180,6 +180,19 @@ class RandomParts(ProgramTest):
                     raised = [a + height * b for a, b in zip(centre, normal_of(facet))]
                     self.assertLessEqual(tool.distance(raised), diameter / 2 + ROUNDING)
 
+    def test_no_clean_path_over_a_mesh_is_shorter_than_its_bound(self):
+        for seed in range(1, MESHES // 2 + 1):
+            facets, diameter, height = random_mesh(seed, GENTLE)
+            part = self.file(as_off(facets), "part.off")
+            for strategy in ("planar", "iso-scallop"):
+                with self.subTest(seed=seed, strategy=strategy):
+                    facts = self.summary("plan", part, "--cutter", f"ball:{diameter}", "--scallop", height, "--strategy",
+                                         strategy, "--distance", "cl", "-o", "out", "--force")
+                    self.assertEqual((facts["verdict"], facts["bound_grade"]), ("clean", "estimated"))
+                    self.assertGreater(facts["cut_tip_mm"], facts["bound_mm"])
+                    # creases are flat here: a bound much lower would say little
+                    self.assertLess(facts["travel_over_bound"], 2)
+
     @unittest.skipUnless(IS_LONG, "ENDMILL_FAULTS=long runs it")
     def test_rough_meshes_are_cut_clean_where_the_ball_reaches(self):
         for seed in range(1, MESHES + 1):

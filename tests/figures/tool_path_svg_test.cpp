@@ -173,7 +173,9 @@ TEST(DensitySvg, HasOneClassIfTheDensityIsConstant)
 {
     const DensityPiece piece{{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}},
                              0.25};
-    const std::string text = density_svg(std::vector{piece, piece});
+    DensityPiece other = piece;
+    other.density_per_mm = 0.2501;  // the same in three digits
+    const std::string text = density_svg(std::vector{piece, other});
     EXPECT_THAT(text, testing::HasSubstr(">0.25 per mm<"));
     EXPECT_EQ(lines_of(text, "#ffe9a8").size(), 2U + 1);
 }

@@ -39,4 +39,12 @@ inline BoundProblem usual_problem()
     return {BallCutter{7.5}, 0.5};
 }
 
+/// The same for the travel of tips.
+inline BoundProblem tip_problem()
+{
+    BoundProblem problem = usual_problem();
+    problem.length = BoundedLength::Tip;
+    return problem;
+}
+
 }  // namespace endmill::test

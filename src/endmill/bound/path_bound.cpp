@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include <Eigen/Geometry>
 
 #include "endmill/bound/detail/closed_bound.h"
 #include "endmill/bound/detail/density_certificate.h"
 #include "endmill/bound/detail/density_grid.h"
 #include "endmill/bound/detail/density_search.h"
-#include "endmill/bound/detail/estimate_spacing.h"
+#include "endmill/bound/detail/mesh_density_search.h"
 #include "endmill/core/error.h"
 #include "endmill/surface/continuity.h"
 #include "endmill/surface/extent.h"
@@ -17,6 +22,21 @@
 namespace endmill {
 namespace {
 
+// Default spacing of the nodes, as shares of the width of the disc on a plane: the widest, and
+// the narrowest, which small parts take.
+constexpr double widest_share = 0.7;
+constexpr double narrowest_share = 0.35;
+// Nodes that a surface has with a spacing between both.
+constexpr double usual_nodes = 4000;
+// Most nodes, about: at 6 kB each, memory stays below 200 MB.
+constexpr double most_nodes = 30000;
+constexpr std::size_t least_random_places = 1000;
+// Spacing of nodes on meshes as a share of the width of the disc on a plane. The density is
+// trilinear between them; on the saddle in 18 432 facets half of it changes the bound by less
+// than 0.1 %.
+constexpr double mesh_spacing_share = 0.6;
+// Most pieces of a mesh that the density is given for.
+constexpr std::size_t most_shown_pieces = 20000;
 // Share of the estimate in the time of a certificate.
 constexpr double estimate_share = 0.15;
 
@@ -28,10 +48,33 @@ void require_valid(std::span<const Surface> surfaces, std::span<const double> si
     require_valid(problem);
 }
 
+double surface_spacing(double area, const BoundProblem& problem)
+{
+    const double width = 2 * plane_half_width(problem);
+    return std::clamp(std::sqrt(area / usual_nodes), narrowest_share * width,
+                      widest_share * width);
+}
+
+// The spacing of the options, or that by default, never so small that there are too many nodes.
+double checked_spacing(double area, double by_default, const EstimateOptions& options)
+{
+    require(options.random_places >= least_random_places,
+            "path_bound: need at least 1000 random places");
+    const double wanted = options.node_spacing.value_or(by_default);
+    require(std::isfinite(wanted) && wanted > 0,
+            "path_bound: the spacing of nodes must be positive");
+    return std::max(wanted, std::sqrt(area / most_nodes));
+}
+
+std::optional<double> positive(double bound)
+{
+    return bound > 0 ? std::optional{bound} : std::nullopt;
+}
+
 PathBound closed_path_bound(const ClosedDensity& closed, double area, int most_pieces)
 {
     const double density = area * closed.density_per_mm;
-    return {density, closed.disc_mm, positive_bound(density, closed.disc_mm, most_pieces),
+    return {density, closed.disc_mm, positive(density - most_pieces * closed.disc_mm),
             BoundGrade::Closed};
 }
 
@@ -69,14 +112,30 @@ Estimate estimate(std::span<const Surface> surfaces, std::span<const double> sid
                   const BoundProblem& problem, const EstimateOptions& options)
 {
     require_valid(surfaces, sides, problem);
-    const double spacing = estimate_spacing(
-        area(surfaces),
-        options.node_spacing.value_or(surface_spacing(area(surfaces), problem)),
-        options.random_places);
+    const double spacing = checked_spacing(
+        area(surfaces), surface_spacing(area(surfaces), problem), options);
     require_smooth(surfaces);
     DensitySearch search{
         {surfaces, sides}, problem, {spacing, options.random_places, options.progress}};
     return {search.run(), spacing};
+}
+
+PathBound estimated_from(const FoundDensity& found, double factor,
+                         const BoundProblem& problem, double spacing,
+                         std::vector<DensityCorners> cells)
+{
+    const double density = factor * found.integral;
+    const double disc = factor * found.greatest_disc;
+    return {density,
+            disc,
+            positive(density - problem.most_pieces * disc),
+            BoundGrade::Estimated,
+            found.greatest_inflow,
+            found.places,
+            found.test_places,
+            0,
+            spacing,
+            std::move(cells)};
 }
 
 // The cells of a density. The grid is that of the search.
@@ -98,6 +157,32 @@ std::vector<DensityCorners> cells_of(std::span<const Surface> surfaces,
             {{point(cell.u.low, cell.v.low), point(cell.u.high, cell.v.low),
               point(cell.u.high, cell.v.high), point(cell.u.low, cell.v.high)},
              sum / 4});
+    }
+    return cells;
+}
+
+double facing_area(const TriangleMesh& mesh)
+{
+    double area = 0;
+    for (std::size_t k = 0; k < mesh.triangles().size(); ++k) {
+        const auto [a, b, c] = mesh.corners(k);
+        const Vec3 product = (b - a).cross(c - a);
+        if (product.z() > 0)
+            area += product.norm() / 2;
+    }
+    return area;
+}
+
+// The pieces of a mesh, as cells whose last corners coincide; nothing if they are many.
+std::vector<DensityCorners> cells_of(const MeshDensitySearch& search)
+{
+    std::vector<DensityCorners> cells;
+    if (search.pieces().size() > most_shown_pieces)
+        return cells;
+    cells.reserve(search.pieces().size());
+    for (const FacetPiece& piece : search.pieces()) {
+        const auto& [a, b, c] = piece.corners;
+        cells.push_back({{a, b, c, c}, search.density_at(piece)});
     }
     return cells;
 }
@@ -144,19 +229,8 @@ PathBound estimated_bound(std::span<const Surface> surfaces,
                           const EstimateOptions& options)
 {
     const auto [found, spacing] = estimate(surfaces, sides, problem, options);
-    const double factor = stray_factor(surfaces, sides, problem);
-    const double density = factor * found.integral;
-    const double disc = factor * found.greatest_disc;
-    return {density,
-            disc,
-            positive_bound(density, disc, problem.most_pieces),
-            BoundGrade::Estimated,
-            found.greatest_inflow,
-            found.places,
-            found.test_places,
-            0,
-            spacing,
-            cells_of(surfaces, sides, spacing, found.at_nodes)};
+    return estimated_from(found, stray_factor(surfaces, sides, problem), problem, spacing,
+                          cells_of(surfaces, sides, spacing, found.at_nodes));
 }
 
 PathBound certified_bound(std::span<const Surface> surfaces,
@@ -175,7 +249,7 @@ PathBound certified_bound(std::span<const Surface> surfaces,
     const double disc = factor * proved.greatest_disc;
     return {density,
             disc,
-            positive_bound(density, disc, problem.most_pieces),
+            positive(density - problem.most_pieces * disc),
             BoundGrade::Certified,
             proved.greatest_inflow,
             found.places,
@@ -183,6 +257,26 @@ PathBound certified_bound(std::span<const Surface> surfaces,
             proved.boxes,
             spacing,
             cells_of(surfaces, sides, spacing, proved.at_nodes)};
+}
+
+PathBound mesh_bound(const TriangleMesh& mesh, const BoundProblem& problem,
+                     const EstimateOptions& options)
+{
+    require_valid(problem);
+    require(problem.length == BoundedLength::Tip, "mesh_bound: only tips have a bound");
+    const double area = facing_area(mesh);
+    if (area == 0)
+        throw GeometryError{"mesh_bound: no facet of the mesh faces the tool"};
+    const double spacing = checked_spacing(
+        area, mesh_spacing_share * 2 * plane_half_width(problem), options);
+    MeshDensitySearch search{
+        mesh, problem, {spacing, options.random_places, options.progress}};
+    const FoundDensity found = search.run();
+    if (found.greatest_inflow == 0)
+        throw GeometryError{"mesh_bound: the ball fits nowhere on the mesh"};
+    // A centre gamma below its place on an edge moves on a smaller circle.
+    const double factor = 1 - problem.stray / problem.cutter.radius();
+    return estimated_from(found, factor, problem, search.spacing(), cells_of(search));
 }
 
 }  // namespace endmill

@@ -20,6 +20,8 @@ namespace {
 // Colours of the classes, from the least density to the greatest.
 constexpr std::array<std::string_view, 5> class_colours{"#ffe9a8", "#fcb171", "#e9776a",
                                                         "#ab467b", "#5f2a74"};
+// Densities that differ by less than this share of the least one are one class.
+constexpr double least_spread = 0.01;
 constexpr double legend_width_px = 8;
 constexpr double outline_px = 0.5;  // closes the gaps between cells
 
@@ -50,6 +52,8 @@ DensityClasses classes_of(std::span<const DensityPiece> pieces)
     std::array<double, class_colours.size() - 1> limits{};
     for (std::size_t k = 0; k < limits.size(); ++k)
         limits[k] = sorted[(k + 1) * sorted.size() / class_colours.size()];
+    if (sorted.back() <= (1 + least_spread) * sorted.front())
+        limits.fill(sorted.back());  // one class
     DensityClasses found;
     for (std::size_t k = 0; k < class_colours.size(); ++k)
         found.classes[k].colour = class_colours[k];
@@ -65,16 +69,20 @@ DensityClasses classes_of(std::span<const DensityPiece> pieces)
     return found;
 }
 
-std::string label_of(double from, double to)
+std::string number_text(double value)
 {
     std::ostringstream text;
     text.imbue(std::locale::classic());
     text.precision(3);
-    text << from;
-    if (to > from)
-        text << " to " << to;
-    text << " per mm";
+    text << value;
     return text.str();
+}
+
+std::string label_of(double from, double to)
+{
+    const std::string low = number_text(from);
+    const std::string high = number_text(to);
+    return (low == high ? low : low + " to " + high) + " per mm";
 }
 
 }  // namespace

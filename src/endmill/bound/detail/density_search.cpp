@@ -4,37 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <random>
 #include <utility>
 
-#include "endmill/bound/detail/density_updates.h"
 #include "endmill/core/parallel.h"
 
 namespace endmill {
 namespace {
 
-// Updates at first, after the test at a quarter of the spacing and after each test at
-// random places.
-constexpr int first_updates = 40;
-constexpr int second_updates = 20;
-constexpr int later_updates = 12;
-// Tests at random places whose places join the others.
-constexpr int joining_tests = 3;
 // Step in the cells in which a random place exceeded 1, as a share of the spacing of nodes.
 constexpr double joining_step = 1.0 / 16;
-// Places of a test join the others if their inflow exceeds 1 by this.
-constexpr double accepted_excess = 5e-4;
-// Places that are tested at once, so that memory does not grow with their number.
-constexpr std::size_t batch = 4096;
-// Seeds of the random places: that of the last test, and the first one of the others.
-constexpr std::uint64_t last_seed = 1;
-constexpr std::uint64_t joining_seed = 2;
-
-double uniform(std::mt19937_64& engine)
-{
-    return std::ldexp(static_cast<double>(engine() >> 11U), -53);
-}
 
 }  // namespace
 
@@ -90,13 +69,13 @@ std::vector<ContactPlace> DensitySearch::random_places(std::size_t count,
     std::mt19937_64 engine{seed};
     std::vector<ContactPlace> places;
     for (std::size_t k = 0; k < count; ++k) {
-        const double wanted = uniform(engine) * sum;
+        const double wanted = random_share(engine) * sum;
         const auto found = std::ranges::upper_bound(sums, wanted) - sums.begin();
         const std::size_t number =
             std::min(static_cast<std::size_t>(found), sums.size() - 1);
         const DensityCell& cell = grid_.cells()[number];
-        const double u = std::lerp(cell.u.low, cell.u.high, uniform(engine));
-        const double v = std::lerp(cell.v.low, cell.v.high, uniform(engine));
+        const double u = std::lerp(cell.u.low, cell.u.high, random_share(engine));
+        const double v = std::lerp(cell.v.low, cell.v.high, random_share(engine));
         places.push_back({cell.surface, cell.i, cell.j, {u, v}});
     }
     return places;
@@ -146,22 +125,10 @@ void DensitySearch::start_from(const std::vector<ContactPlace>& places)
 // Adds the places whose inflow exceeds 1; returns their numbers.
 std::vector<std::size_t> DensitySearch::test(const std::vector<ContactPlace>& places)
 {
-    std::vector<std::size_t> exceeding;
-    for (std::size_t first = 0; first < places.size(); first += batch) {
-        const std::size_t count = std::min(batch, places.size() - first);
-        std::vector<Tested> results(count);
-        parallel_for(count, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k)
-                results[k] =
-                    tested(places[first + k], density_, CoveredSets::Want::Boundary);
-        });
-        for (std::size_t k = 0; k < count; ++k)
-            if (results[k].inflow > 1 + accepted_excess) {
-                places_.push_back(std::move(results[k].flows));
-                exceeding.push_back(first + k);
-            }
-    }
-    return exceeding;
+    const auto flows_at = [&](std::size_t k) {
+        return tested(places[k], {}, CoveredSets::Want::Boundary).flows;
+    };
+    return join_exceeding(grid_, density_, places.size(), flows_at, places_);
 }
 
 // Tests random places, and then the cells of those that exceed 1 more closely.
@@ -203,21 +170,11 @@ FoundDensity DensitySearch::run()
 {
     report(0);
     start_from(lattice_places(grid_.cells(), options_.node_spacing / 2));
-    report(0.1);
-    improve_density(grid_, places_, density_, first_updates);
-    report(0.2);
-    test(lattice_places(grid_.cells(), options_.node_spacing / 4));
-    improve_density(grid_, places_, density_, second_updates);
-    for (int k = 0; k < joining_tests; ++k) {
-        report(0.5 + 0.1 * k);
-        test_at_random(joining_seed + k);
-        improve_density(grid_, places_, density_, later_updates);
-    }
-    report(0.8);
-
-    FoundDensity found;
-    found.places = places_.size();
-    found.test_places = options_.random_places;
+    refine_density(
+        grid_, places_, density_,
+        [&] { test(lattice_places(grid_.cells(), options_.node_spacing / 4)); },
+        [&](std::uint64_t seed) { test_at_random(seed); },
+        [&](double share) { report(share); });
     const std::vector<ContactPlace> last =
         random_places(options_.random_places, last_seed);
     std::vector<double> discs(last.size());
@@ -230,14 +187,8 @@ FoundDensity DensitySearch::run()
             discs[k] = result.disc;
         }
     });
-    found.greatest_inflow = *std::ranges::max_element(inflows);
-    const double divisor = std::max(1.0, found.greatest_inflow);
-    for (double& density : density_)
-        density /= divisor;
-    found.at_nodes = density_;
-    found.integral = std::inner_product(density_.begin(), density_.end(),
-                                        grid_.weights().begin(), 0.0);
-    found.greatest_disc = *std::ranges::max_element(discs) / divisor;
+    FoundDensity found =
+        finished_density(grid_, density_, places_.size(), inflows, discs);
     report(1);
     return found;
 }

@@ -3,33 +3,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "endmill/bound/detail/covered_sets.h"
+#include "endmill/bound/detail/density_updates.h"
 #include "endmill/bound/detail/inflow.h"
 
 namespace endmill {
-
-/// How a density is searched for.
-struct DensitySearchOptions {
-    double node_spacing;                              ///< mm, along the surface
-    std::size_t random_places;                        ///< places of the last test
-    std::function<void(double share)> progress = {};  ///< called with 0 to 1
-};
-
-/// A density whose inflow is at most 1 at every tested place, and its integrals.
-struct FoundDensity {
-    std::vector<double> at_nodes;  ///< g, 1/mm
-    double integral = 0;           ///< of g over the part, mm
-    double greatest_disc = 0;      ///< greatest integral of g over a covered set, mm
-    /// Greatest inflow at the random places of the last test, before all were divided by
-    /// the greatest inflow of all places.
-    double greatest_inflow = 0;
-    std::size_t places = 0;       ///< places at which the inflow was limited
-    std::size_t test_places = 0;  ///< random places of the last test
-};
 
 /// Maximises the integral of a density g >= 0 under the condition that at no contact and
 /// in no direction the inflow exceeds 1, by multiplicative updates.

@@ -12,23 +12,13 @@
 
 #include <Eigen/Geometry>
 
-#include "endmill/bound/detail/density_updates.h"
 #include "endmill/core/parallel.h"
 
 namespace endmill {
 namespace {
 
-// As for surfaces.
-constexpr int first_updates = 40;
-constexpr int second_updates = 20;
-constexpr int later_updates = 12;
-constexpr int joining_tests = 3;
-constexpr double accepted_excess = 5e-4;
-constexpr std::size_t batch = 4096;
 // Random places of a test on each piece beside one that exceeds 1.
 constexpr std::size_t places_a_piece = 6;
-constexpr std::uint64_t last_seed = 1;
-constexpr std::uint64_t joining_seed = 2;
 // Longest edge of a piece, as a share of the spacing of nodes.
 constexpr double piece_share = 0.5;
 // By which the box of a piece is enlarged, as a share of the spacing.
@@ -36,11 +26,6 @@ constexpr double box_margin = 1e-6;
 // A place at which the ball enters the mesh by gamma and this share of the scallop height is a
 // contact: in concave parts a mesh lies beside the part that it stands for.
 constexpr double entry_share = 0.05;
-
-double uniform(std::mt19937_64& engine)
-{
-    return std::ldexp(static_cast<double>(engine() >> 11U), -53);
-}
 
 double longest_edge_of(const std::vector<FacetPiece>& pieces)
 {
@@ -144,9 +129,9 @@ MeshPlace MeshDensitySearch::random_place(std::size_t number,
                                           std::mt19937_64& engine) const
 {
     const FacetPiece& piece = pieces_[number];
-    double a = uniform(engine);
-    double b = uniform(engine);
-    const double kind = uniform(engine);
+    double a = random_share(engine);
+    double b = random_share(engine);
+    const double kind = random_share(engine);
     const Triangle& triangle = mesh_.triangles()[piece.facet];
     const auto corner = static_cast<std::size_t>(a * 3);
     const std::int32_t from = triangle[corner];
@@ -162,7 +147,7 @@ MeshPlace MeshDensitySearch::random_place(std::size_t number,
                 continue;
             const Vec3 of_other = facet_normal(mesh_, facet);
             has_crease = has_crease || is_crease(of_facet, of_other);
-            normal += uniform(engine) * of_other;
+            normal += random_share(engine) * of_other;
         }
     const double length = normal.norm();
     if (has_crease && length > 0) {
@@ -191,7 +176,7 @@ std::vector<MeshPlace> MeshDensitySearch::random_places(
         sums.push_back(sum += pieces_[piece].area());
     std::vector<MeshPlace> places;
     for (std::size_t k = 0; k < count && !pieces.empty(); ++k) {
-        const auto found = std::ranges::upper_bound(sums, uniform(engine) * sum);
+        const auto found = std::ranges::upper_bound(sums, random_share(engine) * sum);
         const auto number =
             std::min(static_cast<std::size_t>(found - sums.begin()), sums.size() - 1);
         const MeshPlace place = random_place(pieces[number], engine);
@@ -226,27 +211,10 @@ void MeshDensitySearch::weigh(const std::vector<MeshPlace>& places)
 // Adds the places whose inflow exceeds 1; returns their numbers.
 std::vector<std::size_t> MeshDensitySearch::test(const std::vector<MeshPlace>& places)
 {
-    std::vector<std::size_t> exceeding;
-    for (std::size_t first = 0; first < places.size(); first += batch) {
-        const std::size_t count = std::min(batch, places.size() - first);
-        std::vector<Flows> flows(count);
-        parallel_for(count, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) {
-                if (!fits(places[first + k]))
-                    continue;
-                flows[k] = flows_at(places[first + k]);
-                if (!(greatest_inflow(flows[k], lattice_, density_) >
-                      1 + accepted_excess))
-                    flows[k].clear();
-            }
-        });
-        for (std::size_t k = 0; k < count; ++k)
-            if (!flows[k].empty()) {
-                places_.push_back(std::move(flows[k]));
-                exceeding.push_back(first + k);
-            }
-    }
-    return exceeding;
+    const auto flows = [&](std::size_t k) {
+        return fits(places[k]) ? flows_at(places[k]) : Flows{};
+    };
+    return join_exceeding(lattice_, density_, places.size(), flows, places_);
 }
 
 // Tests random places, and then others in the cells of those that exceed 1.
@@ -272,8 +240,7 @@ double MeshDensitySearch::disc_at(const MeshPlace& place) const
 {
     double disc = 0;
     cover_.visit_covered(centre(place), [&](std::uint32_t piece, double share) {
-        disc += share * pieces_[piece].area() *
-                lattice_.value(density_, *lattice_.place(pieces_[piece].middle()));
+        disc += share * pieces_[piece].area() * density_at(pieces_[piece]);
     });
     return disc;
 }
@@ -301,56 +268,40 @@ std::vector<double> MeshDensitySearch::inflows_at_random(std::size_t count,
 FoundDensity MeshDensitySearch::run()
 {
     report(0);
-    FoundDensity found;
-    starts_ = spread_places(spacing_ / 2);
+    const std::vector<MeshPlace> starts = spread_places(spacing_ / 2);
     const std::vector<MeshPlace> denser = spread_places(spacing_ / 4);
     weigh(denser);
     density_.assign(lattice_.nodes(), 1 / (2 * plane_half_width(problem_)));
-    places_.resize(starts_.size());
-    parallel_for(starts_.size(), [&](std::size_t begin, std::size_t end) {
+    places_.resize(starts.size());
+    parallel_for(starts.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
-            places_[k] = flows_at(starts_[k]);
+            places_[k] = flows_at(starts[k]);
     });
-    report(0.1);
-    improve_density(lattice_, places_, density_, first_updates);
-    report(0.2);
-    test(denser);
-    improve_density(lattice_, places_, density_, second_updates);
-    for (int k = 0; k < joining_tests; ++k) {
-        report(0.5 + 0.1 * k);
-        test_at_random(joining_seed + k);
-        improve_density(lattice_, places_, density_, later_updates);
-    }
-    report(0.8);
-    const std::vector<double> inflows =
-        inflows_at_random(options_.random_places, last_seed);
-    found.greatest_inflow = inflows.empty() ? 0 : *std::ranges::max_element(inflows);
-    const double divisor = std::max(1.0, found.greatest_inflow);
-    for (double& density : density_)
-        density /= divisor;
-    std::vector<double> discs(starts_.size());
-    parallel_for(starts_.size(), [&](std::size_t begin, std::size_t end) {
+    refine_density(
+        lattice_, places_, density_, [&] { test(denser); },
+        [&](std::uint64_t seed) { test_at_random(seed); },
+        [&](double share) { report(share); });
+    std::mt19937_64 engine{last_seed};
+    const std::vector<MeshPlace> last =
+        random_places(all_, options_.random_places, engine);
+    std::vector<double> inflows(last.size());
+    std::vector<double> discs(last.size());
+    parallel_for(last.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
-            discs[k] = disc_at(starts_[k]);
+            if (fits(last[k])) {
+                inflows[k] = greatest_inflow(flows_at(last[k]), lattice_, density_);
+                discs[k] = disc_at(last[k]);
+            }
     });
-    found.greatest_disc = discs.empty() ? 0 : *std::ranges::max_element(discs);
-    found.integral = std::inner_product(density_.begin(), density_.end(),
-                                        lattice_.weights().begin(), 0.0);
-    found.places = places_.size();
-    found.test_places = inflows.size();
-    found.at_nodes = density_;
+    FoundDensity found =
+        finished_density(lattice_, density_, places_.size(), inflows, discs);
     report(1);
     return found;
 }
 
-std::vector<std::pair<MeshPlace, double>> MeshDensitySearch::density_at_places() const
+double MeshDensitySearch::density_at(const FacetPiece& piece) const
 {
-    std::vector<std::pair<MeshPlace, double>> densities;
-    densities.reserve(starts_.size());
-    for (const MeshPlace& place : starts_)
-        densities.emplace_back(place,
-                               lattice_.value(density_, *lattice_.place(place.point)));
-    return densities;
+    return lattice_.value(density_, *lattice_.place(piece.middle()));
 }
 
 }  // namespace endmill

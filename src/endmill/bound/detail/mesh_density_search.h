@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "endmill/bound/detail/density_lattice.h"
-#include "endmill/bound/detail/density_search.h"
+#include "endmill/bound/detail/density_updates.h"
 #include "endmill/bound/detail/inflow.h"
 #include "endmill/bound/detail/mesh_cover.h"
 #include "endmill/mesh/triangle_tree.h"
@@ -44,8 +44,11 @@ public:
     /// options, so that memory does not grow faster than the mesh.
     double spacing() const { return spacing_; }
 
-    /// The places of the search, half a spacing apart, and the density found at each.
-    std::vector<std::pair<MeshPlace, double>> density_at_places() const;
+    /// The pieces of the facets that face the tool.
+    const std::vector<FacetPiece>& pieces() const { return pieces_; }
+
+    /// The density that was found, in the middle of a piece, 1/mm.
+    double density_at(const FacetPiece& piece) const;
 
     /// The greatest inflow of the density that was found, at each of `count` random places; 0
     /// where the ball cannot touch.
@@ -78,7 +81,6 @@ private:
     std::vector<std::size_t> all_;  // numbers of all pieces
     MeshCover cover_;
     DensityLattice lattice_;
-    std::vector<MeshPlace> starts_;
     std::vector<Flows> places_;
     std::vector<double> density_;
 };
