@@ -6,7 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <utility>
-#include <vector>
+
+#include <boost/container/small_vector.hpp>
 
 #include "endmill/core/error.h"
 #include "endmill/gouge/detail/piece_tree.h"
@@ -74,6 +75,10 @@ public:
     }
 
 private:
+    // What is still to be searched: rarely more than its room on the stack.
+    template <class Item>
+    using Stack = boost::container::small_vector<Item, 32>;
+
     // A plane that has the swept axis on one side, where heights are not positive. Heights
     // are lower bounds of distances.
     struct Plane {
@@ -123,7 +128,7 @@ private:
 
     void run()
     {
-        std::vector<OpenNode> open{open_node(0)};
+        Stack<OpenNode> open{open_node(0)};
         while (!open.empty() && !is_over()) {
             const OpenNode own = open.back();
             open.pop_back();
@@ -140,7 +145,7 @@ private:
     // Searches a patch and its halves that the tree contains.
     void search_pieces(std::int32_t patch)
     {
-        std::vector<OpenPiece> open{open_piece(patch)};
+        Stack<OpenPiece> open{open_piece(patch)};
         while (!open.empty() && !is_over()) {
             const OpenPiece own = open.back();
             open.pop_back();
@@ -157,7 +162,7 @@ private:
     // Pushes two children such that the nearer one is visited first. Its points may
     // settle the other one.
     template <class Child>
-    static void push_nearer_last(std::vector<Child>& open, const Child& first,
+    static void push_nearer_last(Stack<Child>& open, const Child& first,
                                  const Child& second)
     {
         const bool swap = second.squared_distance < first.squared_distance;
@@ -205,7 +210,7 @@ private:
             std::int32_t number;
             int halvings;
         };
-        std::vector<Halved> open;
+        Stack<Halved> open;
         const auto open_halves = [&](std::int32_t first, int halvings) {
             for (const std::int32_t half : {first + 1, first})
                 if (!is_over() && !is_settled(finer_.piece(half), halvings))

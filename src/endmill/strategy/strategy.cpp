@@ -7,6 +7,7 @@
 #include <exception>
 #include <iomanip>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -44,6 +45,14 @@ constexpr double made_share = 0.9;
 // most.
 constexpr double dropped_share = 0.8;
 constexpr int most_dropped_trials = 4;
+
+// A path that leaves more than the scallop height by at most this share of it is laid again,
+// so often at most, for a height that is lower by a multiple of what is left beyond, and by at
+// least a share of the height.
+constexpr double little_beyond = 0.1;
+constexpr int most_laid_again = 2;
+constexpr double lowered_by = 1.5;
+constexpr double least_lowered_share = 0.002;
 
 // Reports the share of a part of some work as a share of the whole.
 Progress part_of(const Progress& whole, double from, double to)
@@ -256,6 +265,51 @@ StrategyPlan judged(Strategy strategy, CoveringPath covering, const Part& part,
     return plan;
 }
 
+// What is wrong with a path, the worst first: whether it gouges, the gouged and the uncut
+// area in mm^2. What is uncut can be cut later.
+std::tuple<bool, double, double> faults_of(const StrategyPlan& plan)
+{
+    double gouged = plan.deviation.gouge_area_mm2;
+    if (plan.of_protected)
+        gouged += plan.of_protected->gouge_area_mm2;
+    return {plan.verdict == Verdict::Gouged, gouged, plan.deviation.uncut_area_mm2};
+}
+
+// The plan; if it leaves a little more than the scallop height, laid again for a lower one.
+// Places are found covered on samples, and the surface between them may differ.
+StrategyPlan laid_again_if_uncut(StrategyPlan plan, const Part& part,
+                                 const BallCutter& cutter, const StrategyOptions& options)
+{
+    const double height = options.scallop_height;
+    StrategyOptions silent = options;
+    silent.progress = {};
+    StrategyOptions lowered = silent;
+    for (int trial = 0; trial < most_laid_again; ++trial) {
+        const double beyond = plan.deviation.max_scallop_mm - height;
+        const bool is_a_little = plan.verdict != Verdict::Gouged &&
+                                 beyond + plan.deviation.scallop_bound_mm > 0 &&
+                                 beyond <= little_beyond * height;
+        if (plan.is_good() || !is_a_little)
+            break;
+        lowered.scallop_height -=
+            std::max(lowered_by * beyond, least_lowered_share * height);
+        lowered.direction = plan.covering.direction;
+        StrategyPlan again = plan;
+        try {
+            again =
+                judged(plan.strategy, covering_by(plan.strategy, part, cutter, lowered),
+                       part, Cutter::ball(cutter.radius()), silent);
+        } catch (const LimitError&) {
+            break;  // a lower height needs more samples
+        }
+        again.covering.compared = plan.covering.compared;
+        if (!again.is_good() && faults_of(plan) <= faults_of(again))
+            break;
+        plan = std::move(again);
+    }
+    return plan;
+}
+
 // A path that has not been judged, and the length by which it is compared.
 struct Candidate {
     Strategy strategy;
@@ -266,6 +320,9 @@ struct Candidate {
 // A strategy is not laid if its estimated length exceeds the least one by this factor.
 // Estimates differ from lengths by some per cent.
 constexpr double worth_laying = 1.08;
+// The direction of plane sections is not searched for if their length in few directions exceeds
+// the least one by this factor.
+constexpr double worth_searching = 1.15;
 // The same for passes along parameter lines on a large part.
 constexpr double worth_following = 1.25;
 
@@ -314,6 +371,7 @@ public:
         attempt(Strategy::Planar, [&] { cover(); });
         for (const Strategy strategy : every_strategy)
             attempt(strategy, [&] { try_one(strategy); });
+        attempt(Strategy::Planar, [&] { search_further(); });
         std::stable_sort(estimated_.begin(), estimated_.end(),
                          [](const Estimated& a, const Estimated& b) {
                              return a.travel() < b.travel();
@@ -321,7 +379,7 @@ public:
         // passes along parameter lines are planned last on a large part: the length of
         // another path tells whether they are worth it
         for (const bool follows : {false, true})
-            for (const Estimated& one : estimated_)
+            for (Estimated& one : estimated_)
                 if (follows_parameters(one.strategy) == follows)
                     attempt(one.strategy, [&] { lay(one); });
         if (candidates_.empty())
@@ -336,7 +394,7 @@ public:
     std::optional<Candidate> next()
     {
         candidates_.clear();
-        for (const Estimated& one : estimated_) {
+        for (Estimated& one : estimated_) {
             TriedStrategy& own = tried(one.strategy);
             if (!std::exchange(own.estimated_mm, std::nullopt))
                 continue;
@@ -351,11 +409,19 @@ public:
     // The paths, the shortest one first.
     std::vector<Candidate>& candidates() { return candidates_; }
     std::vector<TriedStrategy>& tried() { return tried_; }
+    TriedStrategy& tried(Strategy strategy)
+    {
+        return *std::find_if(tried_.begin(), tried_.end(), [&](const TriedStrategy& one) {
+            return one.strategy == strategy;
+        });
+    }
 
 private:
     struct Estimated {
         Strategy strategy;
         Trials trials;
+        // of Strategy::Planar, as long as it has only been estimated
+        std::unique_ptr<DirectionSearch> search = {};
 
         double travel() const { return trials.travel.value_or(0); }
     };
@@ -370,13 +436,6 @@ private:
         } catch (const LimitError& error) {
             refuse(strategy, error.what());
         }
-    }
-
-    TriedStrategy& tried(Strategy strategy)
-    {
-        return *std::find_if(tried_.begin(), tried_.end(), [&](const TriedStrategy& one) {
-            return one.strategy == strategy;
-        });
     }
 
     void refuse(Strategy strategy, std::string message)
@@ -430,10 +489,17 @@ private:
         if (!follows_parameters(strategy)) {
             cover();
             require_few_squares();
-            Trials trials = trials_of(strategy, part_, *covered_, own);
+            Estimated estimated{strategy, {}};
+            if (strategy == Strategy::Planar && !own.direction) {
+                estimated.search = std::make_unique<DirectionSearch>(
+                    *covered_, cutter_, own, parameter_directions(part_));
+                estimated.trials.travel = estimated.search->coarse_travel();
+            } else {
+                estimated.trials = trials_of(strategy, part_, *covered_, own);
+            }
             if (strategy == Strategy::Field)
-                trials.travel = field_travel(*covered_, cutter_, own);
-            estimated_.push_back({strategy, std::move(trials)});
+                estimated.trials.travel = field_travel(*covered_, cutter_, own);
+            estimated_.push_back(std::move(estimated));
         } else if (is_large()) {
             Trials trials;
             trials.travel = estimated_along(strategy, own);
@@ -490,6 +556,20 @@ private:
         });
     }
 
+    static void search_directions(Estimated& one)
+    {
+        one.trials.directions = std::exchange(one.search, nullptr)->directions({});
+        one.trials.travel = one.trials.directions->travel;
+    }
+
+    // Searches for the direction of Strategy::Planar where it may give the shortest path.
+    void search_further()
+    {
+        for (Estimated& one : estimated_)
+            if (one.search && one.travel() <= worth_searching * least_travel())
+                search_directions(one);
+    }
+
     // Whether a strategy may give the shortest path, by its estimate.
     bool is_promising(const Estimated& one) const
     {
@@ -500,7 +580,7 @@ private:
                (candidates_.empty() || !is_large());
     }
 
-    void lay(const Estimated& one)
+    void lay(Estimated& one)
     {
         const StrategyOptions own = next_share();
         if (is_promising(one))
@@ -509,8 +589,10 @@ private:
             tried(one.strategy).estimated_mm = one.travel();
     }
 
-    void lay(const Estimated& one, const StrategyOptions& options)
+    void lay(Estimated& one, const StrategyOptions& options)
     {
+        if (one.search)
+            search_directions(one);
         if (follows_parameters(one.strategy))
             add(one.strategy, covering_by(one.strategy, part_, cutter_, options));
         else
@@ -529,16 +611,6 @@ private:
     std::size_t steps_ = 0;
 };
 
-// What is wrong with a path, the worst first: whether it gouges, the gouged and the uncut
-// area in mm^2. What is uncut can be cut later.
-std::tuple<bool, double, double> faults_of(const StrategyPlan& plan)
-{
-    double gouged = plan.deviation.gouge_area_mm2;
-    if (plan.of_protected)
-        gouged += plan.of_protected->gouge_area_mm2;
-    return {plan.verdict == Verdict::Gouged, gouged, plan.deviation.uncut_area_mm2};
-}
-
 }  // namespace
 
 std::size_t most_part_samples(double memory_gib)
@@ -553,8 +625,10 @@ StrategyPlan plan_by_strategy(Strategy strategy, const Part& part,
     require_sound(cutter.radius(), options);
     CoveringPath covering =
         covering_by(strategy, part, cutter, with_progress(options, 0, made_share));
-    return judged(strategy, std::move(covering), part, Cutter::ball(cutter.radius()),
-                  with_progress(options, made_share, 1));
+    return laid_again_if_uncut(
+        judged(strategy, std::move(covering), part, Cutter::ball(cutter.radius()),
+               with_progress(options, made_share, 1)),
+        part, cutter, options);
 }
 
 CoveringPath covering_by_strategy(Strategy strategy, const Part& part,
@@ -596,26 +670,33 @@ BestPlan plan_by_best_strategy(const Part& part, const BallCutter& cutter,
     require_sound(cutter.radius(), options);
     StrategyComparison comparison{part, cutter, options};
     comparison.run();
-    std::vector<TriedStrategy>& tried = comparison.tried();
-    std::optional<StrategyPlan> cleanest;
-    // Whether the path is good; then it is the cleanest one.
-    const auto judge = [&](Candidate& candidate) {
-        StrategyPlan plan =
-            judged(candidate.strategy, std::move(candidate.covering), part,
-                   Cutter::ball(cutter.radius()), with_progress(options, made_share, 1));
-        const bool is_good = plan.is_good();
-        if (!cleanest || is_good || faults_of(plan) < faults_of(*cleanest))
-            cleanest = std::move(plan);
-        return is_good;
+    const auto travel_of = [&](const StrategyPlan& plan) {
+        return counted_travel(plan.economy, options.distance, CountedMoves::Cuts);
     };
-    bool is_found = std::ranges::any_of(comparison.candidates(), judge);
-    while (!is_found) {
+    std::optional<StrategyPlan> best;
+    const auto judge = [&](Candidate& candidate) {
+        StrategyPlan plan = laid_again_if_uncut(
+            judged(candidate.strategy, std::move(candidate.covering), part,
+                   Cutter::ball(cutter.radius()), with_progress(options, made_share, 1)),
+            part, cutter, options);
+        comparison.tried(plan.strategy).travel_mm = travel_of(plan);
+        const bool is_better =
+            !best || (plan.is_good() != best->is_good() ? plan.is_good()
+                      : plan.is_good() ? travel_of(plan) < travel_of(*best)
+                                       : faults_of(plan) < faults_of(*best));
+        if (is_better)
+            best = std::move(plan);
+    };
+    for (Candidate& candidate : comparison.candidates())
+        if (!best || !best->is_good() || candidate.travel < travel_of(*best))
+            judge(candidate);
+    while (!best->is_good()) {
         std::optional<Candidate> candidate = comparison.next();
         if (!candidate)
             break;
-        is_found = judge(*candidate);
+        judge(*candidate);
     }
-    return {std::move(*cleanest), std::move(tried)};
+    return {std::move(*best), std::move(comparison.tried())};
 }
 
 }  // namespace endmill

@@ -2,7 +2,6 @@
 #include "endmill/gouge/detail/swept_axis.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include <Eigen/Geometry>
@@ -21,7 +20,8 @@ SweptAxis::SweptAxis(const Vec3& from, const Vec3& to, const Vec3& axis)
       axis_{axis},
       feed_{axis.unitOrthogonal()},
       length_{0},
-      rise_{(to - from).dot(axis)}
+      rise_{(to - from).dot(axis)},
+      inverse_square_{0}
 {
     const Vec3 along = to - from;
     const Vec3 across = along - rise_ * axis;
@@ -34,28 +34,8 @@ SweptAxis::SweptAxis(const Vec3& from, const Vec3& to, const Vec3& axis)
         base_ += std::min(rise_, 0.0) * axis;
         rise_ = 0;
     }
-}
-
-Vec3 SweptAxis::nearest(const Vec3& point) const
-{
-    using Place = Eigen::Vector2d;  // coordinates along the feed and along the axis
-    const Vec3 from_base = point - base_;
-    const Place place{from_base.dot(feed_), from_base.dot(axis_)};
-    const bool is_inside = 0 <= place[0] && place[0] <= length_ &&
-                           place[1] * length_ >= rise_ * place[0] && length_ > 0;
-    Place best = place;
-    if (!is_inside) {
-        const Place move{length_, rise_};
-        const double square = move.squaredNorm();
-        const double share =
-            square > 0 ? std::clamp(place.dot(move) / square, 0.0, 1.0) : 0;
-        best = share * move;  // the shanks at both ends of the move are tested next
-        for (const Place& end : {Place{0, std::max(place[1], 0.0)},
-                                 Place{length_, std::max(place[1], rise_)}})
-            if ((end - place).squaredNorm() < (best - place).squaredNorm())
-                best = end;
-    }
-    return base_ + best[0] * feed_ + best[1] * axis_;
+    const double square = length_ * length_ + rise_ * rise_;
+    inverse_square_ = square > 0 ? 1 / square : 0;
 }
 
 double SweptAxis::farthest_along(const Vec3& direction) const

@@ -2,6 +2,7 @@
 #include "endmill/strategy/detail/iso_scallop.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <functional>
@@ -17,12 +18,14 @@ namespace {
 
 // Share of it by which a sample may miss its cover.
 constexpr double slack_share = 0.005;
-// Samples across a strip for the result, and fewer for a part that would have very many. Its
-// strips are narrow, and narrow strips need fewer: errors between samples are of third order
-// in their distance, and the square of that distance is proportional to the scallop height.
+// Samples across a strip for the result, and fewer for a part that would have very many,
+// where the strips are narrow for the ball. Errors between samples are of third order in
+// their distance, and the scallop height is of second order in the width of a strip. Thus the
+// share of the height that is missed grows with the distance of samples over the radius.
 constexpr double samples_across = 5;
 constexpr double least_samples_across = 2.5;
 constexpr std::size_t most_dense_samples = 200'000;
+constexpr double coarse_spacing = 0.14;  // in radii
 // Rounds in which a pass is bent, for the choice and for the result.
 constexpr int few_rounds = 0;
 constexpr int rounds = 4;
@@ -142,12 +145,19 @@ PartSamples samples_for_march(const CoveredPart& part, double height,
                               std::size_t most_samples)
 {
     const double width = strip_width(part.cutter(), height);
-    try {
-        return part.samples(width / samples_across,
-                            std::min(most_samples, most_dense_samples));
-    } catch (const LimitError&) {
-        return part.samples(width / least_samples_across, most_samples);
-    }
+    const double dense = width / samples_across;
+    const double coarse = width / least_samples_across;
+    const std::array trials{
+        std::pair{dense, std::min(most_samples, most_dense_samples)},
+        std::pair{std::clamp(coarse_spacing * part.cutter().radius(), dense, coarse),
+                  most_samples}};
+    for (const auto& [spacing, most] : trials)
+        try {
+            return part.samples(spacing, most);
+        } catch (const LimitError&) {
+            continue;  // with fewer samples
+        }
+    return part.samples(coarse, most_samples);
 }
 
 }  // namespace
