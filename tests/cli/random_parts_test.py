@@ -213,6 +213,16 @@ class RandomParts(ProgramTest):
                 self.assert_clean(facts, height)
                 self.assert_not_gouged(facets, diameter)
 
+    def test_what_is_left_beside_deep_creases_is_cut_by_a_path_for_a_lower_height(self):
+        # the first path leaves 0.106 and 0.116 mm
+        for seed in (6, 12):
+            with self.subTest(seed=seed):
+                facets, diameter, height = random_mesh(seed, DEEP)
+                status, facts, messages = self.plan(self.file(as_off(facets), "part.off"), diameter, height, "iso-scallop")
+                self.assertEqual(status, 0, messages)
+                self.assert_clean(facts, height)
+                self.assert_not_gouged(facets, diameter)
+
     def test_a_detour_over_a_corner_of_a_mesh_is_tested(self):
         # the ball touches a corner beside the border of this mesh in many places
         facets, diameter, height = random_mesh(5, ROUGH)

@@ -62,6 +62,13 @@ class Strategies(ProgramTest):
         # between the neighbours of a pass that is a strip apart, at least the scallop of two strips remains
         self.assertGreater(facts["max_scallop_mm"], 1)
 
+    def test_small_ball_on_a_part_of_many_samples_is_clean(self):
+        # with samples only 2.5 across a strip this path left 0.502 mm
+        facts = self.summary("plan", SURFACES / "net_rot24_7D.json", "--cutter", "ball:7.5", "--scallop", "0.5", "--strategy",
+                             "iso-scallop", "--bound", "none", "-o", "small")
+        self.assertEqual(facts["verdict"], "clean")
+        self.assertLessEqual(facts["max_left_mm"], 0.5)
+
     def test_best_is_the_shortest_of_those_tried(self):
         for distance, key in (("contact", "cut_contact_mm"), ("cl", "cut_tip_mm")):
             with self.subTest(distance=distance):

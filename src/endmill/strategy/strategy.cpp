@@ -46,13 +46,14 @@ constexpr double made_share = 0.9;
 constexpr double dropped_share = 0.8;
 constexpr int most_dropped_trials = 4;
 
-// A path that leaves more than the scallop height by at most this share of it is laid again,
-// so often at most, for a height that is lower by a multiple of what is left beyond, and by at
-// least a share of the height.
-constexpr double little_beyond = 0.1;
-constexpr int most_laid_again = 2;
+// A path that leaves more than the scallop height by at most a little, a share of it, is laid
+// again, so often at most. Each time the height is lower by a multiple of what is left beyond,
+// and by at least a share of the height, but never below another share.
+constexpr double little_beyond = 0.3;
+constexpr int most_laid_again = 3;
 constexpr double lowered_by = 1.5;
 constexpr double least_lowered_share = 0.002;
+constexpr double least_height_share = 0.5;
 
 // Reports the share of a part of some work as a share of the whole.
 Progress part_of(const Progress& whole, double from, double to)
@@ -283,29 +284,29 @@ StrategyPlan laid_again_if_uncut(StrategyPlan plan, const Part& part,
     const double height = options.scallop_height;
     StrategyOptions silent = options;
     silent.progress = {};
+    silent.direction = plan.covering.direction;
     StrategyOptions lowered = silent;
-    for (int trial = 0; trial < most_laid_again; ++trial) {
-        const double beyond = plan.deviation.max_scallop_mm - height;
-        const bool is_a_little = plan.verdict != Verdict::Gouged &&
-                                 beyond + plan.deviation.scallop_bound_mm > 0 &&
-                                 beyond <= little_beyond * height;
-        if (plan.is_good() || !is_a_little)
-            break;
+    double beyond = plan.deviation.max_scallop_mm - height;
+    const bool is_a_little = plan.verdict != Verdict::Gouged &&
+                             beyond + plan.deviation.scallop_bound_mm > 0 &&
+                             beyond <= little_beyond * height;
+    for (int trial = 0; is_a_little && !plan.is_good() && trial < most_laid_again;
+         ++trial) {
         lowered.scallop_height -=
             std::max(lowered_by * beyond, least_lowered_share * height);
-        lowered.direction = plan.covering.direction;
-        StrategyPlan again = plan;
+        if (lowered.scallop_height < least_height_share * height)
+            break;
         try {
-            again =
+            StrategyPlan again =
                 judged(plan.strategy, covering_by(plan.strategy, part, cutter, lowered),
                        part, Cutter::ball(cutter.radius()), silent);
+            again.covering.compared = plan.covering.compared;
+            beyond = again.deviation.max_scallop_mm - height;
+            if (again.is_good() || faults_of(again) < faults_of(plan))
+                plan = std::move(again);
         } catch (const LimitError&) {
             break;  // a lower height needs more samples
         }
-        again.covering.compared = plan.covering.compared;
-        if (!again.is_good() && faults_of(plan) <= faults_of(again))
-            break;
-        plan = std::move(again);
     }
     return plan;
 }

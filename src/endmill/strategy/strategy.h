@@ -52,6 +52,8 @@ std::size_t most_part_samples(double memory_gib);
 ///
 /// Places that a protected part keeps the ball from coming within half the scallop height of
 /// need not be covered, and are not judged. No move enters the protected part.
+///
+/// A path that is judged to leave a little too much is laid again for a lower height.
 /// Strategy::IsoU and IsoV do not avoid it: they plan only if their path is clear of it.
 /// Source: docs/methods/iso-scallop.md.
 /// \param strategy how passes are laid.
@@ -101,7 +103,8 @@ struct BestPlan {
 /// Plans by the strategies that suit the part and returns the plan with the shortest cuts
 /// among those judged good. Strategy::IsoU and IsoV are planned. The others are compared
 /// by trials on few samples, and those that are estimated to be 8 per cent longer than the
-/// shortest are not planned.
+/// shortest are not planned. The direction of Strategy::Planar is searched for only if its
+/// length in few directions is within 15 per cent of the shortest.
 ///
 /// A part is large if its area exceeds 4000 squares of a strip's width. Of the strategies other
 /// than Strategy::IsoU and IsoV, only the one with the least estimate is then planned. IsoU and
