@@ -97,14 +97,22 @@ struct Trial {
     double cost = 0;
 };
 
+// How the passes of a trial are laid and measured.
+struct TrialRules {
+    double height;        // scallop height, mm
+    TravelKind distance;  // whose length counts
+    int bending_rounds;
+};
+
 Trial trial(const PartSamples& samples, const MarchStart& start, const BallCutter& cutter,
-            double height, TravelKind distance, int bending_rounds)
+            const TrialRules& rules)
 {
-    Coverage coverage{samples, cutter, layout_share * height};
-    Trial result{lay_lines(coverage, start, slack_share * height, bending_rounds)};
-    const double width = strip_width(cutter, height);
+    Coverage coverage{samples, cutter, layout_share * rules.height};
+    Trial result{
+        lay_lines(coverage, start, slack_share * rules.height, rules.bending_rounds)};
+    const double width = strip_width(cutter, rules.height);
     for (const LevelLine& line : result.lines) {
-        const double own = length(line, samples, cutter.radius(), distance);
+        const double own = length(line, samples, cutter.radius(), rules.distance);
         result.travel += own;
         result.cost += own + (own < width ? short_pass_price : pass_price) * width;
     }
@@ -126,7 +134,7 @@ std::vector<RankedStart> ranked(const std::vector<MarchStart>& starts,
     parallel_for(starts.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
             const Trial tried =
-                trial(few.samples, starts[k], cutter, few.height, distance, few_rounds);
+                trial(few.samples, starts[k], cutter, {few.height, distance, few_rounds});
             ranked[k] = {starts[k], tried.travel, tried.cost};
             counter.finish_item();
         }
@@ -205,8 +213,8 @@ LaidPasses iso_scallop_passes(const CoveredPart& part, const BallCutter& cutter,
     ShareCounter counter{options.progress, ranked_share, 1, trials.size()};
     parallel_for(trials.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
-            trials[k] =
-                trial(samples, starts.best[k], cutter, height, options.distance, rounds);
+            trials[k] = trial(samples, starts.best[k], cutter,
+                              {height, options.distance, rounds});
             counter.finish_item();
         }
     });
