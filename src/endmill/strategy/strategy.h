@@ -85,15 +85,6 @@ CoveringPath covering_by_strategy(Strategy strategy, const Part& part,
                                   const BallCutter& cutter,
                                   const StrategyOptions& options);
 
-/// A strategy that was tried, and its result.
-struct TriedStrategy {
-    Strategy strategy;
-    std::optional<double> travel_mm;  ///< of its cuts; nothing if it made no path
-    /// Length of its cuts by trials; set if it was not planned for that reason.
-    std::optional<double> estimated_mm;
-    std::string refusal;  ///< why it can make no path; else empty
-};
-
 /// The shortest path that is judged good, and the strategies that were compared.
 struct BestPlan {
     StrategyPlan plan;

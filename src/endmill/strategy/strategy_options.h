@@ -17,7 +17,7 @@
 #include "endmill/strategy/protected_part.h"
 
 /// \file
-/// The strategies, their options, and the path that each returns.
+/// The strategies, their options, and what each returns.
 
 namespace endmill {
 
@@ -87,6 +87,15 @@ struct CoveringPath {
     /// Area in mm^2 of the places that the ball cannot come near to: parts of a mesh that face
     /// the tool, and what a protected part bars. They need not be covered.
     double unreached_mm2 = 0;
+};
+
+/// A strategy that was tried, and its result.
+struct TriedStrategy {
+    Strategy strategy;
+    std::optional<double> travel_mm;  ///< of its cuts; nothing if it made no path
+    /// Length of its cuts by trials; set if it was not planned for that reason.
+    std::optional<double> estimated_mm;
+    std::string refusal;  ///< why it can make no path; else empty
 };
 
 }  // namespace endmill

@@ -105,6 +105,19 @@ std::span<const Surface> CoveredPart::surfaces() const
     return {};
 }
 
+double rough_area(const CoveredPart& part, std::size_t most_samples)
+{
+    constexpr double no_spacing = 1e9;  // mm, a distance of samples that no part exceeds
+    const PartSamples first = part.samples(no_spacing, most_samples);
+    double area = 0;
+    for (const auto& [a, b, c] : first.triangles())
+        area += (first.point(b) - first.point(a))
+                    .cross(first.point(c) - first.point(a))
+                    .norm() /
+                2;
+    return area;
+}
+
 FewSamples few_samples(const CoveredPart& part, const FewSamplesLimits& limits,
                        double height, std::size_t most_samples)
 {

@@ -108,6 +108,9 @@ private:
     Source source_;
 };
 
+/// The area of a part by the first net of each of its patches, or by its mesh, mm^2.
+double rough_area(const CoveredPart& part, std::size_t most_samples);
+
 /// Samples for trials, and the scallop height for which they are dense enough.
 struct FewSamples {
     PartSamples samples;

@@ -48,9 +48,6 @@ constexpr double least_turn = 2 * pi / 180;
 constexpr double searched_share = 0.6;
 constexpr double coarse_share = 0.5;
 
-// Distance of samples that no part exceeds, mm.
-constexpr double no_spacing = 1e9;
-
 // The direction between 0 and half a turn.
 double half_turn(double angle)
 {
@@ -74,14 +71,7 @@ double search_height(const CoveredPart& part, const BallCutter& cutter,
                      const StrategyOptions& options)
 {
     const double radius = cutter.radius();
-    // the area by the first net of each patch
-    const PartSamples first = part.samples(no_spacing, options.most_samples);
-    double area = 0;
-    for (const auto& [a, b, c] : first.triangles())
-        area += (first.point(b) - first.point(a))
-                    .cross(first.point(c) - first.point(a))
-                    .norm() /
-                2;
+    const double area = rough_area(part, options.most_samples);
     const double half_strip = std::min(
         search_samples_across * std::sqrt(2 * area / search_samples) / 2, radius);
     const double few = radius - std::sqrt(radius * radius - half_strip * half_strip);
