@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Speed of five-axis removal, posting and reading, with the bars.
+// Speed of five-axis planning, removal, posting and reading, with the bars.
 //
 //   benchmarks-five-axis OUTPUT_FOLDER
 //
-// About ten minutes; measures time, so nothing else should run. Columns: README.md beside
+// About a minute; measures time, so nothing else should run. Columns: README.md beside
 // this.
 
 #include <chrono>
@@ -12,6 +12,7 @@
 #include "benchmarks/five-axis/leaning_path.h"
 #include "benchmarks/height_parts.h"
 #include "endmill/core/parallel.h"
+#include "endmill/orientation/oriented_path.h"
 #include "endmill/post/gcode_reader.h"
 #include "endmill/post/machine_gcode.h"
 #include "endmill/post/machine_path.h"
@@ -56,6 +57,20 @@ double judged_saddle(const ToolPath& path, const Cutter& cutter, double pitch,
     task.resolution = pitch;
     task.engine = engine;
     return seconds_of([&] { verify_path(task); });
+}
+
+// Planning on the low saddle with an axis chosen at each contact, for 20 000 contacts.
+double field_of_axes(const Cutter& cutter, double scallop_height)
+{
+    const std::vector<Surface> saddle{low_saddle_surface()};
+    OrientedOptions options;
+    options.mode = AxisMode::Field;
+    options.scallop_height = scallop_height;
+    options.safe_height = LowSaddle::block().high.z() + 1;
+    std::size_t contacts = 0;
+    const double time = seconds_of(
+        [&] { contacts = plan_oriented(saddle, cutter, options).path.points.size(); });
+    return time / static_cast<double>(contacts) * 20'000;
 }
 
 PartOnMachine table_table()
@@ -104,6 +119,10 @@ int main(int argc, char** argv)
                         judged_saddle(upright, ball, pitch, RemovalEngine::FiveAxis) /
                             judged_saddle(upright, ball, pitch, RemovalEngine::ThreeAxis),
                         "times", 4});
+
+        result.add_row({"planning with a field of axes, for 20 000 contacts",
+                        field_of_axes(ball, run.number("field_scallop_height_mm")), "s",
+                        8});
 
         const PartOnMachine setup = table_table();
         MachinePath made;

@@ -2,8 +2,10 @@
 #include "endmill/strategy/detail/field.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
+#include "endmill/core/error.h"
 #include "endmill/strategy/detail/coverage.h"
 #include "endmill/strategy/detail/guide_field.h"
 #include "endmill/strategy/detail/section_march.h"
@@ -31,15 +33,29 @@ std::vector<LaidPass> passes_along_field(const PartSamples& samples,
         .passes();
 }
 
+PartSamples samples_for_field(const CoveredPart& part, double height,
+                              std::size_t most_samples)
+{
+    const double spacing = strip_width(part.cutter(), height) / field_samples_across;
+    try {
+        return part.samples(spacing, std::min(most_samples, most_field_samples));
+    } catch (const LimitError&) {
+        if (most_samples < most_field_samples)
+            throw;
+        throw LimitError{"the part would need more than " +
+                         std::to_string(most_field_samples) +
+                         " samples at this scallop height, the most with which field "
+                         "plans; expected a larger --scallop or another --strategy"};
+    }
+}
+
 }  // namespace
 
 LaidPasses field_passes(const CoveredPart& part, const BallCutter& cutter,
                         const StrategyOptions& options)
 {
     const double height = options.scallop_height;
-    PartSamples samples =
-        part.samples(strip_width(cutter, height) / field_samples_across,
-                     std::min(options.most_samples, most_field_samples));
+    PartSamples samples = samples_for_field(part, height, options.most_samples);
     std::vector<LaidPass> passes =
         passes_along_field(samples, cutter, height, options.distance);
     return {std::move(samples), std::move(passes)};

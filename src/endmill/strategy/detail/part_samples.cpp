@@ -360,9 +360,7 @@ bool PartSamples::divide_edges(
             if (!first || middles.of(a, b))
                 continue;
             if (points_.size() >= most_samples_)
-                throw LimitError{"the part needs more than " +
-                                 std::to_string(most_samples_) +
-                                 " samples for this scallop height"};
+                throw_too_many(static_cast<double>(points_.size()), most_samples_);
             const std::int32_t middle = add_between(a, b);
             *first = *first < 0 ? middle : *first;
             representatives_.push_back(*first);
