@@ -326,7 +326,7 @@ std::vector<MeshEdge> PartSamples::longest_edges() const
 // together.
 // \return whether there are any.
 bool PartSamples::divide_edges(
-    std::vector<MeshEdge> edges,
+    std::span<const MeshEdge> edges,
     const std::function<std::int32_t(std::int32_t a, std::int32_t b)>& add_between)
 {
     if (edges.empty())

@@ -191,7 +191,7 @@ private:
     void refine();
     std::vector<MeshEdge> longest_edges() const;
     bool divide_edges(
-        std::vector<MeshEdge> edges,
+        std::span<const MeshEdge> edges,
         const std::function<std::int32_t(std::int32_t a, std::int32_t b)>& add_between);
     CutterContact on_surface(const SurfacePoint& at, int number) const;
     std::int32_t add_at(std::int32_t a, std::int32_t b, double share);
