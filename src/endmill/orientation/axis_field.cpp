@@ -304,7 +304,8 @@ private:
                                 std::to_string(contact) + ", " + place_of(contact) +
                                 ": " + std::string{axis_rule_name(last)} +
                                 " removes the last one; expected wider ranges of lead "
-                                "and tilt, or a smaller cutter"};
+                                "and tilt (--lead-range, --tilt-range), or a smaller "
+                                "cutter"};
         return states;
     }
 
@@ -442,7 +443,7 @@ private:
                 place_of(to) + ", is within " +
                 to_text(options_.greatest_turn.written_degrees()) +
                 " degrees of those at the contact before; expected wider ranges of lead "
-                "and tilt"};
+                "and tilt (--lead-range, --tilt-range)"};
         std::fill(is_layer_.begin() + static_cast<std::ptrdiff_t>(from),
                   is_layer_.begin() + static_cast<std::ptrdiff_t>(to), 1);
     }

@@ -166,7 +166,8 @@ private:
         if (found == candidates.end())
             throw GeometryError{
                 "no tool axis is allowed at " + surface.name_of(place) +
-                ", between two rows of a pass; expected wider ranges of lead and tilt"};
+                ", between two rows of a pass; expected wider ranges of lead and tilt "
+                "(--lead-range, --tilt-range)"};
         return posed(surface, wanted, *found);
     }
 
