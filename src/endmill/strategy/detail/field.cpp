@@ -2,6 +2,7 @@
 #include "endmill/strategy/detail/field.h"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -13,8 +14,8 @@
 namespace endmill {
 namespace {
 
-// Samples across a strip.
-constexpr double field_samples_across = 6;
+// Samples across a strip, fewer if they would be too many.
+constexpr std::array<double, 3> field_samples_across{6, 4, 3};
 // The factors of a guide field grow faster than the samples.
 constexpr std::size_t most_field_samples = 400'000;
 // Share of the layout height by which a sample may miss its cover.
@@ -33,20 +34,24 @@ std::vector<LaidPass> passes_along_field(const PartSamples& samples,
         .passes();
 }
 
+// As dense as the guide field permits.
 PartSamples samples_for_field(const CoveredPart& part, double height,
                               std::size_t most_samples)
 {
-    const double spacing = strip_width(part.cutter(), height) / field_samples_across;
-    try {
-        return part.samples(spacing, std::min(most_samples, most_field_samples));
-    } catch (const LimitError&) {
-        if (most_samples < most_field_samples)
-            throw;
-        throw LimitError{"the part would need more than " +
-                         std::to_string(most_field_samples) +
-                         " samples at this scallop height, the most with which field "
-                         "plans; expected a larger --scallop or another --strategy"};
-    }
+    const double width = strip_width(part.cutter(), height);
+    for (const double across : field_samples_across)
+        try {
+            return part.samples(width / across,
+                                std::min(most_samples, most_field_samples));
+        } catch (const LimitError&) {
+            if (across == field_samples_across.back() &&
+                most_samples < most_field_samples)
+                throw;
+        }
+    throw LimitError{"the part would need more than " +
+                     std::to_string(most_field_samples) +
+                     " samples at this scallop height, the most with which field plans; "
+                     "expected a larger --scallop or another --strategy"};
 }
 
 }  // namespace
