@@ -79,5 +79,19 @@ TEST(ScaledTravel, IsInverseToTheWidthOfStrips)
     EXPECT_NEAR(scaled_travel(100, ball, 1, 1), 100, 1e-12);
 }
 
+// On a plane of 24 cm^2 triangles with sides of 1 mm need at least about 2771 samples.
+TEST(RequirePossible, RefusesAnAreaForTooManySamplesOnly)
+{
+    const Part part = std::vector<Surface>{test::plane(60, 40)};
+    const CoveredPart covered{part, BallCutter{5}, {0.01, 0.5}};
+    const double least = 2400 / (std::sqrt(3) / 2);
+    EXPECT_NO_THROW(require_possible(covered, 1, static_cast<std::size_t>(least + 1)));
+    EXPECT_THROW(require_possible(covered, 1, static_cast<std::size_t>(least - 1)),
+                 LimitError);
+    EXPECT_THROW(require_possible(covered, 1e-200, 1'000'000), LimitError);
+    // the true number of samples is above the bound
+    EXPECT_GT(covered.samples(1, 1'000'000).size(), least);
+}
+
 }  // namespace
 }  // namespace endmill

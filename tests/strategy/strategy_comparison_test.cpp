@@ -81,5 +81,20 @@ TEST(StrategyComparison, StatesWhyAStrategyIsRefused)
     EXPECT_THROW(none.run(), GeometryError);
 }
 
+// Strips of so small a height are refused at once, whatever lays them.
+TEST(StrategyComparison, RefusesAHeightForWhichNothingWouldEnd)
+{
+    const Part part = std::vector<Surface>{test::plane(60, 40)};
+    for (const double height : {1e-12, 1e-300}) {
+        const StrategyOptions options =
+            options_for(std::get<std::vector<Surface>>(part), height);
+        StrategyComparison comparison{part, BallCutter{5}, options};
+        EXPECT_THROW(comparison.run(), LimitError);
+        for (const TriedStrategy& one : comparison.tried())
+            EXPECT_NE(one.refusal.find("squares of a strip's width"), std::string::npos)
+                << one.refusal;
+    }
+}
+
 }  // namespace
 }  // namespace endmill

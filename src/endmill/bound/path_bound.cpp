@@ -266,14 +266,17 @@ PathBound mesh_bound(const TriangleMesh& mesh, const BoundProblem& problem,
     require(problem.length == BoundedLength::Tip, "mesh_bound: only tips have a bound");
     const double area = facing_area(mesh);
     if (area == 0)
-        throw GeometryError{"mesh_bound: no facet of the mesh faces the tool"};
+        throw GeometryError{"no facet of the mesh faces the tool"};
     const double spacing = checked_spacing(
         area, mesh_spacing_share * 2 * plane_half_width(problem), options);
     MeshDensitySearch search{
         mesh, problem, {spacing, options.random_places, options.progress}};
     const FoundDensity found = search.run();
     if (found.greatest_inflow == 0)
-        throw GeometryError{"mesh_bound: the ball fits nowhere on the mesh"};
+        throw GeometryError{
+            "the mesh is smaller than what the ball covers at rest, or the ball fits "
+            "nowhere "
+            "on it"};
     // A centre gamma below its place on an edge moves on a smaller circle.
     const double factor = 1 - problem.stray / problem.cutter.radius();
     return estimated_from(found, factor, problem, search.spacing(), cells_of(search));

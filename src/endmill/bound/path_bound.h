@@ -118,7 +118,8 @@ PathBound certified_bound(std::span<const Surface> surfaces,
 /// contact does not move.
 ///
 /// The bound is for the facets that face the tool, N.z > 0, where the ball comes within half the
-/// scallop height without entering the mesh. It holds for paths as for path_bound, with the
+/// scallop height and enters the mesh by at most gamma and a twentieth of that height. Parts of
+/// facets that are too large to be covered at once have no weight. It holds for paths as for path_bound, with the
 /// centre of the ball at most gamma below a place where it touches the mesh. A path that is lifted
 /// in concave places may be shorter, by gamma times the angle of its turns there. Where facets meet
 /// at less than 30 degrees the mesh stands for a smooth part, whose normals are the means of

@@ -132,10 +132,17 @@ StrategyPlan laid_again_if_uncut(StrategyPlan plan, const Part& part,
                        part, Cutter::ball(cutter.radius()), silent);
             again.covering.compared = plan.covering.compared;
             beyond = again.deviation.max_scallop_mm - height;
+            // The planner looked for places that keep more than the lower height.
+            if (again.verdict == Verdict::Clean) {
+                again.covering.uncovered.clear();
+                again.covering.uncovered_mm2 = 0;
+            }
             if (again.is_good() || faults_of(again) < faults_of(plan))
                 plan = std::move(again);
         } catch (const LimitError&) {
             break;  // a lower height needs more samples
+        } catch (const GeometryError&) {
+            break;  // that path enters a protected part
         }
     }
     return plan;

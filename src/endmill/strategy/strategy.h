@@ -102,7 +102,8 @@ struct BestPlan {
 /// IsoV are estimated by a plan for a greater height, and planned unless the estimate exceeds
 /// the length of that path by more than 25 per cent. With more than 20 000 squares only IsoU
 /// and IsoV are compared, unless the part is a mesh. These rules depend on the part alone, not
-/// on the time that planning takes.
+/// on the time that planning takes. On a large part a path along parameter lines could thus be
+/// shorter than the one returned, if its estimate is more than 25 per cent too long.
 ///
 /// Paths are judged in the order of their lengths, up to the first good one. If none is good,
 /// one that does not gouge is returned, of these the one that leaves the least area uncut; if

@@ -54,7 +54,8 @@ struct StrategyOptions {
     std::shared_ptr<const ProtectedPart> protected_part = {};
     std::size_t most_points = 40'000'000;   ///< a longer path throws LimitError
     std::size_t most_samples = 20'000'000;  ///< a part that needs more throws LimitError
-    /// If set, it is called with the finished share, 0 to 1.
+    /// If set, it is called with the finished share, 0 to 1; by several threads, also at once,
+    /// and a share may be less than the one before.
     std::function<void(double share)> progress = {};
 };
 

@@ -26,7 +26,7 @@ struct MeshPlace {
 /// As DensitySearch, for the tips of paths over a mesh.
 ///
 /// Places are those where a ball on the middle of a piece of a facet does not enter the mesh by
-/// more than gamma; random places lie on facets, edges and corners, where the ball pivots. Pieces
+/// more than gamma and h / 20; random places lie on facets, edges and corners, where the ball pivots. Pieces
 /// that the ball comes nowhere within half the scallop height of have no weight.
 /// Source: docs/methods/path-length-bound.md, section 11.
 class MeshDensitySearch {

@@ -2,6 +2,7 @@
 #include "endmill/strategy/detail/covered_part.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "endmill/core/error.h"
@@ -116,6 +117,16 @@ double rough_area(const CoveredPart& part, std::size_t most_samples)
                     .norm() /
                 2;
     return area;
+}
+
+void require_possible(const CoveredPart& part, double spacing, std::size_t most_samples)
+{
+    // An equilateral triangle has the greatest area for its longest side, and there are about
+    // two triangles for each sample.
+    const double area_of_sample = std::sqrt(3) / 2 * spacing * spacing;
+    const double needed = rough_area(part, most_samples) / area_of_sample;
+    if (needed > static_cast<double>(most_samples))
+        throw_too_many_samples(needed, most_samples);
 }
 
 FewSamples few_samples(const CoveredPart& part, const FewSamplesLimits& limits,

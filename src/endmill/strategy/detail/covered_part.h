@@ -111,6 +111,10 @@ private:
 /// The area of a part by the first net of each of its patches, or by its mesh, mm^2.
 double rough_area(const CoveredPart& part, std::size_t most_samples);
 
+/// Refuses a part of so large an area that samples at this distance would be too many.
+/// \throws LimitError. A part that passes may still need too many.
+void require_possible(const CoveredPart& part, double spacing, std::size_t most_samples);
+
 /// Samples for trials, and the scallop height for which they are dense enough.
 struct FewSamples {
     PartSamples samples;

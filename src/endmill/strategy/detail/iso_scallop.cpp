@@ -16,7 +16,7 @@
 namespace endmill {
 namespace {
 
-// Share of it by which a sample may miss its cover.
+// Share of the layout height by which a sample may miss its cover.
 constexpr double slack_share = 0.005;
 // Samples across a strip for the result, and fewer for a part that would have very many,
 // where the strips are narrow for the ball. Errors between samples are of third order in
@@ -174,6 +174,9 @@ PartSamples samples_for_march(const CoveredPart& part, double height,
 ScallopStarts scallop_starts(const CoveredPart& part, const BallCutter& cutter,
                              const StrategyOptions& options)
 {
+    require_possible(part,
+                     strip_width(cutter, options.scallop_height) / least_samples_across,
+                     options.most_samples);
     const FewSamples few =
         few_samples(part, trial_samples, options.scallop_height, options.most_samples);
     const std::vector<MarchStart> starts = march_starts(few.samples);

@@ -153,7 +153,9 @@ std::vector<MeshEdge> edges_between(std::span<const Triangle> triangles,
     return crossing;
 }
 
-[[noreturn]] void throw_too_many(double needed, std::size_t most_samples)
+}  // namespace
+
+void throw_too_many_samples(double needed, std::size_t most_samples)
 {
     std::ostringstream message;
     message << std::setprecision(2) << "the part would need more than " << needed
@@ -162,8 +164,6 @@ std::vector<MeshEdge> edges_between(std::span<const Triangle> triangles,
             << " for the memory (--max-memory); a larger --scallop needs fewer";
     throw LimitError{message.str()};
 }
-
-}  // namespace
 
 PartSamples::PartSamples(std::span<const Surface> surfaces, std::span<const double> sides,
                          double spacing, std::size_t most_samples)
@@ -286,7 +286,7 @@ void PartSamples::require_enough() const
     }
     const double needed = area / (std::sqrt(0.75) * spacing_ * spacing_);
     if (needed > static_cast<double>(most_samples_))
-        throw_too_many(needed, most_samples_);
+        throw_too_many_samples(needed, most_samples_);
 }
 
 // Halves the longest edge of every triangle, until none is longer than the spacing. Sides of
@@ -360,7 +360,8 @@ bool PartSamples::divide_edges(
             if (!first || middles.of(a, b))
                 continue;
             if (points_.size() >= most_samples_)
-                throw_too_many(static_cast<double>(points_.size()), most_samples_);
+                throw_too_many_samples(static_cast<double>(points_.size()),
+                                       most_samples_);
             const std::int32_t middle = add_between(a, b);
             *first = *first < 0 ? middle : *first;
             representatives_.push_back(*first);

@@ -59,6 +59,10 @@ struct PartSampling {
     std::shared_ptr<const ProtectedPart> guard = {};
 };
 
+/// \throws LimitError with a message that says how many samples a part would need, and how
+///         many are allowed.
+[[noreturn]] void throw_too_many_samples(double needed, std::size_t most_samples);
+
 /// A part, sampled by a triangle net with a normal at each sample. The distance between
 /// neighbours is limited along the surface, so that a steep wall has as many samples as a
 /// level place of the same area. Samples at one place, such as those on both sides of the

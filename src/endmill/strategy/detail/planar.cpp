@@ -109,6 +109,8 @@ DirectionSearch::DirectionSearch(const CoveredPart& part, const BallCutter& cutt
                             options.most_samples)},
       equal_(equal_steps)
 {
+    require_possible(part, strip_width(cutter, asked_height_) / planar_samples_across,
+                     options.most_samples);
     std::vector<double> angles;
     for (std::size_t k = 0; k < equal_steps; k += first_steps)
         angles.push_back(equal_angle(k));
@@ -245,7 +247,8 @@ PlanarDirections DirectionSearch::directions(const std::function<void(double)>& 
     result.travel = scaled_travel(known.front().travel, cutter_, height_, asked_height_);
     for (const Tried& one : known) {
         const bool is_new = std::ranges::none_of(result.best, [&](Angle other) {
-            return std::abs(other.radians() - one.angle) < least_turn;
+            const double turn = std::abs(other.radians() - one.angle);
+            return std::min(turn, pi - turn) < least_turn;
         });
         if (is_new && result.best.size() < laid_directions)
             result.best.push_back(Angle::radians(one.angle));

@@ -2,6 +2,7 @@
 #include "endmill/strategy/detail/strategy_comparison.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <limits>
 #include <sstream>
@@ -31,8 +32,18 @@ constexpr double most_squares_compared = 4000;
 constexpr double most_squares_sampled = 20'000;
 // Passes along parameter lines are estimated for so many squares.
 constexpr double squares_for_estimate = 1000;
+// Best does not plan them for so many squares: it would take hours.
+constexpr double most_squares_followed = 1e9;
 // A height is doubled for such an estimate, up to this share of the radius.
 constexpr double greatest_estimated_share = 0.2;
+
+// To a whole number of at most nine digits.
+std::string rounded(double number)
+{
+    std::ostringstream text;
+    text << std::setprecision(9) << std::round(number);
+    return text.str();
+}
 
 }  // namespace
 
@@ -103,7 +114,9 @@ void StrategyComparison::attempt(Strategy strategy, const std::function<void()>&
 void StrategyComparison::refuse(Strategy strategy, std::string message)
 {
     tried(strategy).refusal = std::move(message);
-    failure_ = std::current_exception();
+    // it plans every kind of part, so that its reason says most
+    if (!failure_ || strategy == Strategy::Planar)
+        failure_ = std::current_exception();
 }
 
 StrategyOptions StrategyComparison::next_share()
@@ -162,6 +175,13 @@ void StrategyComparison::try_one(Strategy strategy)
         if (strategy == Strategy::Field)
             estimated.trials.travel = field_travel(*covered_, cutter_, own);
         estimated_.push_back(std::move(estimated));
+    } else if (const double needed = squares(options_.scallop_height);
+               needed > most_squares_followed) {
+        throw LimitError{"the part has " + rounded(needed) +
+                         " squares of a strip's width, and best plans along parameter "
+                         "lines for at most " +
+                         rounded(most_squares_followed) +
+                         "; expected a larger cutter or scallop height"};
     } else if (is_large()) {
         Trials trials;
         trials.travel = estimated_along(strategy, own);
@@ -178,13 +198,12 @@ void StrategyComparison::require_few_squares() const
     if (needed <= most_squares_sampled ||
         !std::holds_alternative<std::vector<Surface>>(part_))
         return;
-    std::ostringstream message;
-    message << std::fixed << std::setprecision(0) << "the part has " << needed
-            << " squares of a strip's width, and best samples parts of at most "
-            << most_squares_sampled
-            << ", to save time; name this strategy to plan by it, or allow a larger "
-               "scallop height";
-    throw LimitError{message.str()};
+    throw LimitError{
+        "the part has " + rounded(needed) +
+        " squares of a strip's width, and best samples parts of at most " +
+        rounded(most_squares_sampled) +
+        ", to save time; name this strategy to plan by it, or allow a larger "
+        "scallop height"};
 }
 
 // The length of passes along parameter lines, from that for a greater height.

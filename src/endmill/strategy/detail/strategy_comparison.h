@@ -29,7 +29,7 @@ public:
                        const StrategyOptions& options);
 
     /// Compares all strategies, and lays those that may give the shortest path.
-    /// \throws what the last strategy was refused for, if none makes a path.
+    /// \throws the reason for which Strategy::Planar was refused, if none makes a path.
     void run();
 
     /// Lays the most promising of the strategies that have only been estimated; nothing if
@@ -79,7 +79,7 @@ private:
     std::vector<Estimated> estimated_;
     std::vector<Candidate> candidates_;
     std::vector<TriedStrategy> tried_;
-    std::exception_ptr failure_;
+    std::exception_ptr failure_;  // of Strategy::Planar, else the first
     std::size_t steps_ = 0;
 };
 
