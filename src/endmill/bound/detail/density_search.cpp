@@ -172,9 +172,10 @@ FoundDensity DensitySearch::run()
     start_from(lattice_places(grid_.cells(), options_.node_spacing / 2));
     refine_density(
         grid_, places_, density_,
-        [&] { test(lattice_places(grid_.cells(), options_.node_spacing / 4)); },
-        [&](std::uint64_t seed) { test_at_random(seed); },
-        [&](double share) { report(share); });
+        {.denser =
+             [&] { test(lattice_places(grid_.cells(), options_.node_spacing / 4)); },
+         .at_random = [&](std::uint64_t seed) { test_at_random(seed); },
+         .report = [&](double share) { report(share); }});
     const std::vector<ContactPlace> last =
         random_places(options_.random_places, last_seed);
     std::vector<double> discs(last.size());

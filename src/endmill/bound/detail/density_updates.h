@@ -144,32 +144,35 @@ std::vector<std::size_t> join_exceeding(const Grid& grid, std::span<const double
     return exceeding;
 }
 
+/// How a search finds further places, and what it reports.
+struct DensityTests {
+    std::function<void()> denser;  ///< adds places of a denser lattice that exceed 1
+    /// Adds the random places of a seed that exceed 1, and places beside them.
+    std::function<void(std::uint64_t seed)> at_random;
+    std::function<void(double share)>
+        report;  ///< takes the share of the work that is done
+};
+
 /// The updates and tests of a search, from the first density and its places on.
-/// \param test_denser adds the places of a denser lattice that exceed 1.
-/// \param test_at_random adds the random places of a seed that exceed 1, and places beside.
-/// \param report called with the share of the work that is done.
 template <typename Grid, typename Place>
 void refine_density(const Grid& grid, std::vector<std::vector<FlowAt<Place>>>& places,
-                    std::vector<double>& density,
-                    const std::function<void()>& test_denser,
-                    const std::function<void(std::uint64_t seed)>& test_at_random,
-                    const std::function<void(double share)>& report)
+                    std::vector<double>& density, const DensityTests& tests)
 {
     constexpr int first_updates = 40;
     constexpr int second_updates = 20;
     constexpr int later_updates = 12;
     constexpr int joining_tests = 3;
-    report(0.1);
+    tests.report(0.1);
     improve_density(grid, places, density, first_updates);
-    report(0.2);
-    test_denser();
+    tests.report(0.2);
+    tests.denser();
     improve_density(grid, places, density, second_updates);
     for (int k = 0; k < joining_tests; ++k) {
-        report(0.5 + 0.1 * k);
-        test_at_random(last_seed + 1 + k);
+        tests.report(0.5 + 0.1 * k);
+        tests.at_random(last_seed + 1 + k);
         improve_density(grid, places, density, later_updates);
     }
-    report(0.8);
+    tests.report(0.8);
 }
 
 /// Divides a density by the greatest inflow of the last test, if that exceeds 1.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "endmill/surface/surface_jet.h"
 
@@ -59,7 +60,8 @@ inline bool contains(const Interval& outer, const Interval& inner)
 inline Interval reciprocal(const Interval& a)
 {
     if (contains(a, 0))
-        return {-INFINITY, INFINITY};
+        return {-std::numeric_limits<double>::infinity(),
+                std::numeric_limits<double>::infinity()};
     return {1 / a.high, 1 / a.low};
 }
 

@@ -54,7 +54,8 @@ public:
 private:
     static std::size_t number(int i, int j)
     {
-        return static_cast<std::size_t>((i + j) * (i + j + 1) / 2 + j);
+        const auto degree = static_cast<std::size_t>(i + j);
+        return degree * (degree + 1) / 2 + static_cast<std::size_t>(j);
     }
 
     std::array<Interval, static_cast<std::size_t>((Order + 1) * (Order + 2) / 2)>

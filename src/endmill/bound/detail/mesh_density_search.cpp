@@ -277,10 +277,10 @@ FoundDensity MeshDensitySearch::run()
         for (std::size_t k = begin; k < end; ++k)
             places_[k] = flows_at(starts[k]);
     });
-    refine_density(
-        lattice_, places_, density_, [&] { test(denser); },
-        [&](std::uint64_t seed) { test_at_random(seed); },
-        [&](double share) { report(share); });
+    refine_density(lattice_, places_, density_,
+                   {.denser = [&] { test(denser); },
+                    .at_random = [&](std::uint64_t seed) { test_at_random(seed); },
+                    .report = [&](double share) { report(share); }});
     std::mt19937_64 engine{last_seed};
     const std::vector<MeshPlace> last =
         random_places(all_, options_.random_places, engine);
