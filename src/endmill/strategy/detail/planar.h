@@ -33,6 +33,7 @@ public:
     /// \param part, cutter as below; the part must outlive this object.
     /// \param options as below, without a direction.
     /// \param further directions to compare beside those of the search.
+    /// \throws LimitError if the search, or the passes of planar_passes, need too many samples.
     DirectionSearch(const CoveredPart& part, const BallCutter& cutter,
                     const StrategyOptions& options, std::span<const Angle> further);
 

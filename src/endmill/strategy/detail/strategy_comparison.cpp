@@ -18,11 +18,11 @@ namespace {
 // A strategy is not laid if its estimated length exceeds the least one by this factor.
 // Estimates differ from lengths by some per cent.
 constexpr double worth_laying = 1.08;
+// The same for passes along parameter lines on a large part.
+constexpr double worth_following = 1.25;
 // The direction of plane sections is not searched for if their length in few directions exceeds
 // the least one by this factor.
 constexpr double worth_searching = 1.15;
-// The same for passes along parameter lines on a large part.
-constexpr double worth_following = 1.25;
 
 // A part is large if it has more squares with the side of a strip's width. On a large part
 // one strategy is laid on samples at most, and a still larger one is not sampled where there
@@ -32,10 +32,10 @@ constexpr double most_squares_compared = 4000;
 constexpr double most_squares_sampled = 20'000;
 // Passes along parameter lines are estimated for so many squares.
 constexpr double squares_for_estimate = 1000;
-// Best does not plan them for so many squares: it would take hours.
-constexpr double most_squares_followed = 1e9;
 // A height is doubled for such an estimate, up to this share of the radius.
 constexpr double greatest_estimated_share = 0.2;
+// Such passes are refused on more squares: planning them would take hours.
+constexpr double most_squares_followed = 1e9;
 
 // To a whole number of at most nine digits.
 std::string rounded(double number)
@@ -114,7 +114,7 @@ void StrategyComparison::attempt(Strategy strategy, const std::function<void()>&
 void StrategyComparison::refuse(Strategy strategy, std::string message)
 {
     tried(strategy).refusal = std::move(message);
-    // it plans every kind of part, so that its reason says most
+    // Planar plans every kind of part, so that its reason says most.
     if (!failure_ || strategy == Strategy::Planar)
         failure_ = std::current_exception();
 }
