@@ -14,10 +14,10 @@
 
 #include <fmt/format.h>
 
-#include "cli/child_process.h"
 #include "cli/command.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/job/child_process.h"
 #include "endmill/post/gcode_reader.h"
 #include "endmill/post/program.h"
 
@@ -30,6 +30,7 @@ constexpr int most_listed_tools = 900;  // leaves room for greater numbers
 // Share of the memory limit for its output, from which the path is then made.
 constexpr double output_share = 0.25;
 constexpr double most_memory_gib = 2;  // address space; rs274 needs a tenth
+constexpr int most_open_files = 64;
 
 bool is_blank_or_tab(char letter)
 {
@@ -250,6 +251,15 @@ std::string place_of(const std::string& line, const std::vector<std::string>& li
                        "a program that LinuxCNC accepts"}};
 }
 
+ChildLimits limits_of(const InterpreterTask& task)
+{
+    return {.wall_seconds = task.most_seconds,
+            .processor_seconds = task.most_seconds,
+            .address_space_bytes = one_gib * most_memory_gib,
+            .file_bytes = one_gib * output_share * task.limits.max_memory_gib,
+            .open_files = most_open_files};
+}
+
 // Throws unless the interpreter accepted the program.
 void require_accepted(const ChildResult& result, const InterpreterTask& task,
                       const std::string& log, const std::vector<std::string>& lines)
@@ -336,11 +346,11 @@ std::string canonical_output(const InterpreterTask& task)
                     .arguments = {"-g", "-t", "tools.tbl", "-v", "parameters.var",
                                   "program.ngc", "moves.txt"},
                     .folder = folder.path(),
-                    .most_seconds = task.most_seconds};
+                    .log = folder.path() / "log.txt",
+                    .environment = minimal_environment(folder.path()),
+                    .limits = limits_of(task)};
     if (task.block_delete)
         child.arguments.insert(child.arguments.begin(), "-b");
-    child.most_memory_bytes = one_gib * most_memory_gib;
-    child.most_file_bytes = one_gib * output_share * task.limits.max_memory_gib;
     const ChildResult result = run_child(child);
     require_accepted(result, task, content_of(folder.path() / "log.txt"), lines);
     std::string moves = content_of(folder.path() / "moves.txt");

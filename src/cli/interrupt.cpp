@@ -10,8 +10,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "cli/child_process.h"
 #include "endmill/files/output_folder.h"
+#include "endmill/job/child_process.h"
 
 namespace endmill {
 namespace {

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+/// \file
+/// All public headers of the module `job`.
+
+#include "endmill/job/child_process.h"
+#include "endmill/job/ranks.h"
