@@ -5,4 +5,6 @@
 /// All public headers of the module `job`.
 
 #include "endmill/job/child_process.h"
+#include "endmill/job/folder_lock.h"
+#include "endmill/job/program_options.h"
 #include "endmill/job/ranks.h"

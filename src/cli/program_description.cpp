@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/program_description.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "build_facts.h"
+#include "endmill/job/child_process.h"
+
+namespace endmill {
+namespace {
+
+// Commands that a step or a case cannot run: they run others, or have no input and no result.
+constexpr std::array<std::string_view, 5> left_out{"run", "sweep", "demo", "eval",
+                                                   "cite"};
+// Options that a run sets itself, or that do not change its result.
+constexpr std::array<std::string_view, 8> of_the_run{
+    "--help",  "--output",  "--json",        "--quiet",
+    "--force", "--threads", "--json-errors", "--json-progress"};
+
+OptionValue value_of(const CLI::Option& option)
+{
+    if (option.get_items_expected_max() == 0)
+        return OptionValue::None;
+    const std::string type = option.get_type_name();
+    constexpr std::array<std::string_view, 4> files{"FILE", "PART2", "SUMMARY",
+                                                    "TOOLPATH"};
+    if (std::ranges::find(files, type) != files.end())
+        return OptionValue::File;
+    if (type == "MACHINE" || type == "STOCK" || type.ends_with("|FILE"))
+        return OptionValue::FileOrWord;
+    return OptionValue::Text;
+}
+
+ProgramCommand command_of(const CLI::App& command)
+{
+    ProgramCommand described{command.get_name(), {}, false};
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->get_positional()) {
+            described.has_input = true;
+            continue;
+        }
+        const std::string name = option->get_name();
+        if (std::ranges::find(of_the_run, name) == of_the_run.end())
+            described.options.push_back({name, value_of(*option)});
+    }
+    return described;
+}
+
+}  // namespace
+
+ProgramDescription description_of(const CLI::App& program)
+{
+    ProgramDescription described{running_program(), std::string{program_version}, {}};
+    for (const CLI::App* command : program.get_subcommands({}))
+        if (std::ranges::find(left_out, command->get_name()) == left_out.end())
+            described.commands.push_back(command_of(*command));
+    return described;
+}
+
+}  // namespace endmill

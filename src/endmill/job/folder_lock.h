@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace endmill {
+
+/// The lock of a folder in which only one process may work at a time. The system releases it
+/// when its process ends in any way, so that a lock never outlives its owner.
+class FolderLock {
+public:
+    /// Takes the lock.
+    /// \param folder an existing folder. The lock is the file .endmill-lock in it, which holds
+    ///        the number of the process.
+    /// \param what   the work of the folder, for the message, such as "a run".
+    /// \throws OutputError if another process has it, with the number of that process; or if
+    ///         the file cannot be written.
+    FolderLock(const std::filesystem::path& folder, const std::string& what);
+    ~FolderLock();                           ///< releases it and removes the file
+    FolderLock(const FolderLock&) = delete;  ///< one lock, one owner
+    FolderLock& operator=(const FolderLock&) = delete;  ///< not assignable either
+
+private:
+    std::filesystem::path file_;
+    int descriptor_ = -1;
+};
+
+}  // namespace endmill
