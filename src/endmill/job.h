@@ -6,5 +6,7 @@
 
 #include "endmill/job/child_process.h"
 #include "endmill/job/folder_lock.h"
+#include "endmill/job/job_file.h"
+#include "endmill/job/job_run.h"
 #include "endmill/job/program_options.h"
 #include "endmill/job/ranks.h"

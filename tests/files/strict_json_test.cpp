@@ -129,6 +129,22 @@ TEST(JsonValue, AMissingKeyIsNamedAndAnOptionalOneIsNot)
     EXPECT_THAT([&] { number.find_member("c"); }, refuses("f:/a: 1; expected an object"));
 }
 
+TEST(JsonValue, AnArgumentIsATextOfTheCommandLine)
+{
+    const auto argument = [](const std::string& value) {
+        const JsonDocument document{"{\"x\": " + value + "}", "a.json"};
+        const JsonValue root = document.root();
+        return root.member("x").argument();
+    };
+    EXPECT_EQ(argument("\"ball:10\""), "ball:10");
+    EXPECT_EQ(argument("200000"), "200000");
+    EXPECT_EQ(argument("0.1"), "0.1");
+    EXPECT_EQ(argument("true"), "true");
+    EXPECT_EQ(argument("[0, 0.5, -1]"), "0,0.5,-1");
+    for (const char* text : {"null", "{}", "[]", "[[1]]", "[\"a\"]"})
+        EXPECT_THROW(argument(text), FormatError) << text;
+}
+
 TEST(JsonValue, ATruthIsTrueOrFalse)
 {
     const auto read = [](const JsonValue& value) { value.truth(); };

@@ -108,6 +108,16 @@ JsonValue JsonValue::item(std::size_t index) const&
     return {(*value_)[index], *this, {}, index};
 }
 
+bool JsonValue::is_truth() const
+{
+    return value_->is_boolean();
+}
+
+bool JsonValue::is_object() const
+{
+    return value_->is_object();
+}
+
 bool JsonValue::is_text() const
 {
     return value_->is_string();
@@ -127,6 +137,22 @@ std::string_view JsonValue::word(std::span<const std::string_view> words) const
     if (found == words.end())
         throw complaint(shown(), one_of(words, given));
     return *found;
+}
+
+std::string JsonValue::argument() const
+{
+    if (value_->is_string())
+        return text();
+    if (value_->is_boolean())
+        return truth() ? "true" : "false";
+    if (value_->is_number())
+        return value_->is_number_integer() ? value_->dump() : to_text(number());
+    if (!value_->is_array() || size() == 0)
+        throw complaint(shown(), "a number, a text, true, false or a list of numbers");
+    std::string joined;
+    for (std::size_t i = 0; i < size(); ++i)
+        joined += (i == 0 ? "" : ",") + to_text(item(i).number());
+    return joined;
 }
 
 bool JsonValue::truth() const

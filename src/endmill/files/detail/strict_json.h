@@ -65,12 +65,23 @@ public:
     /// Whether this is a string.
     bool is_text() const;
 
+    /// Whether this is true or false.
+    bool is_truth() const;
+
+    /// Whether this is an object.
+    bool is_object() const;
+
     /// The string, unchanged. \throws FormatError if this is not a string.
     std::string text() const;
 
     /// The one of `words` that this string equals.
     /// \throws FormatError, with a suggestion, if this is none of them.
     std::string_view word(std::span<const std::string_view> words) const;
+
+    /// The value as an argument of a command line: a text unchanged, a number as `to_text`,
+    /// "true" or "false", numbers of an array joined by commas.
+    /// \throws FormatError if this is anything else.
+    std::string argument() const;
 
     /// True or false. \throws FormatError if this is neither.
     bool truth() const;
