@@ -2,7 +2,9 @@
 #include "endmill/job/job_run.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -11,6 +13,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/files/detail/json_tree.h"
 #include "endmill/files/output_folder.h"
 #include "endmill/files/read_file.h"
 #include "endmill/job/child_process.h"
@@ -40,6 +43,14 @@ std::string name_of(JobStep step)
     return std::string{job_step_name(step)};
 }
 
+// A number for a message.
+std::string rounded(double number)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.4g", number);
+    return text.data();
+}
+
 // What the line on standard error of a command is.
 struct ChildLines {
     std::string code = {};                   // of its error
@@ -65,6 +76,24 @@ std::string refusal_of(JobStep step)
             return "the path is not within its tolerances";
     }
     return {};
+}
+
+// What the summary of `verify` says of its verdict; empty if it says nothing.
+std::string verdict_in(const fs::path& folder)
+{
+    try {
+        const Tree summary =
+            *json_tree(read_file(folder / "summary.json"), "summary.json", {});
+        std::string text = summary.value("verdict", "");
+        for (const auto& [key, word] : {std::pair{"max_gouge_mm", "gouge"},
+                                        std::pair{"max_scallop_mm", "remaining stock"}})
+            if (summary.contains(key) && summary[key].is_number())
+                text += std::string{", "} + word + " up to " +
+                        rounded(summary[key].get<double>()) + " mm";
+        return text;
+    } catch (const Error&) {
+        return {};
+    }
 }
 
 // What may help where the answer of a step is no.
@@ -461,6 +490,8 @@ void Runner::judge(JobStep step, const ChildResult& result, const ChildLines& li
     if (result.end == ChildEnd::Signalled)
         reason = "the command was ended by signal " + std::to_string(result.code) +
                  (reason.empty() ? "" : ": ") + reason;
+    else if (reason.empty() && is_no && step == JobStep::Verify)
+        reason = refusal_of(step) + ": " + verdict_in(folder_of(step));
     else if (reason.empty())
         reason = is_no
                      ? refusal_of(step)
