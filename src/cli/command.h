@@ -31,7 +31,8 @@ struct CommonOptions {
     bool quiet = false;
     FullFolder full_folder = FullFolder::Refuse;  ///< Accept with --force
     std::optional<int> threads;                   ///< empty: all cores
-    bool json_errors = false;  ///< main also finds it itself, since parsing may fail
+    bool json_progress = false;  ///< progress as lines of JSON, for programs
+    bool json_errors = false;    ///< main also finds it itself, since parsing may fail
     ReadLimits limits;
     std::set<std::string>
         given;  ///< names of the options on the command line, as "--gap"
@@ -57,5 +58,6 @@ void add_machine_command(CLI::App& program, Action& action);  ///< report on a m
 void add_setup_command(CLI::App& program, Action& action);    ///< find a setup
 void add_sweep_command(CLI::App& program, Action& action);    ///< run many cases
 void add_cite_command(CLI::App& program, Action& action);     ///< list the sources
+void add_run_command(CLI::App& program, Action& action);      ///< run a job
 
 }  // namespace endmill

@@ -38,6 +38,10 @@ void add_common_options(CLI::App& command, CommonOptions& options)
                {"--max-extent", "MM", "largest coordinate of a file, and largest cutter"},
                options.limits.max_extent_mm)
         ->group(group);
+    command
+        .add_flag("--json-progress", options.json_progress,
+                  "print progress on standard error as JSON, one object a line")
+        ->group(group);
     command.add_flag("--json-errors", options.json_errors, "print errors as JSON")
         ->group(group);
     command.parse_complete_callback([&command, &options] {

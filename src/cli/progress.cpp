@@ -15,6 +15,7 @@ namespace endmill {
 namespace {
 
 constexpr std::chrono::milliseconds redraw_interval{200};
+constexpr std::chrono::milliseconds object_interval{500};  // of --json-progress
 constexpr std::chrono::seconds quiet_time{1};
 constexpr std::chrono::seconds line_interval{10};  // where there is no terminal
 
@@ -66,7 +67,8 @@ std::string waiting_time(double seconds)
 }
 
 ProgressLine::ProgressLine(std::string work, const CommonOptions& options, double later)
-    : work_{std::move(work)},
+    : is_json_{options.json_progress},
+      work_{std::move(work)},
       later_{later}
 {
     if (options.quiet)
@@ -136,6 +138,11 @@ void ProgressLine::run()
     std::unique_lock lock{mutex_};
     const auto is_over = [this] { return is_over_; };
     next_line_ = next_line_time();
+    if (is_json_) {
+        while (!is_over_changed_.wait_for(lock, object_interval, is_over))
+            print_object();
+        return;
+    }
     if (!is_terminal()) {
         while (!is_over_changed_.wait_until(lock, next_check_time(), is_over))
             if (Clock::now() >= next_line_ || is_early_line_due())
@@ -169,15 +176,19 @@ double ProgressLine::seconds_left() const
     return elapsed_since(work_start_) * (1 - share_ + later_) / share_;
 }
 
+bool ProgressLine::has_estimate() const
+{
+    return share_ >= least_share && elapsed_since(work_start_) >= least_seconds &&
+           (share_ < 1 || later_ > 0);
+}
+
 std::string ProgressLine::text(Estimate estimate) const
 {
     std::string text =
         fmt::format("{}: {}{}{:.0f} s", work_, state_, state_.empty() ? "" : ", ",
                     elapsed_since(program_start));
-    const double spent = elapsed_since(work_start_);
-    const bool is_known = share_ >= least_share && spent >= least_seconds;
     const bool has_rest = share_ > 0 && (share_ < 1 || later_ > 0);
-    if (has_rest && (is_known || estimate == Estimate::Rough))
+    if (has_rest && (has_estimate() || estimate == Estimate::Rough))
         text += fmt::format(", about {} left", waiting_time(seconds_left()));
     return text;
 }
@@ -195,6 +206,20 @@ void ProgressLine::print_line()
     std::fflush(stderr);
     has_line_ = true;
     next_line_ = next_line_time();
+}
+
+void ProgressLine::print_object() const
+{
+    const Json progress{
+        {"work", work_},
+        {"state", state_.empty() ? Json(nullptr) : Json(state_)},
+        {"share", share_ > 0 ? Json(share_) : Json(nullptr)},
+        {"elapsed_s", elapsed_since(program_start)},
+        {"left_s", has_estimate() ? Json(seconds_left()) : Json(nullptr)}};
+    const Json object{{"progress", progress}};
+    std::fprintf(stderr, "%s\n",
+                 object.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
+    std::fflush(stderr);
 }
 
 }  // namespace endmill

@@ -15,8 +15,10 @@ namespace endmill {
 /// Progress on standard error: the current work, the share that is done, the time since
 /// the program began, and the time that is left. On a terminal it is one line, which
 /// appears after one second and is removed at the end. Elsewhere a line is printed every
-/// ten seconds, and one after a second when work seems to need more than ten. With --quiet
-/// there is none. A separate thread updates the time, so it changes even if the work reports
+/// ten seconds, and one after a second when work seems to need more than ten. With
+/// --json-progress a line with a JSON object is printed every half second: its key `progress`
+/// has the keys `work`, `state`, `share`, `elapsed_s` and `left_s`; an unknown one is null. With --quiet there is no
+/// progress. A separate thread updates the time, so it changes even if the work reports
 /// nothing. If the system has no thread or no memory for it, there is no progress. Any thread
 /// may report progress.
 ///
@@ -60,8 +62,10 @@ private:
     void run();
     void draw();
     void print_line();
+    void print_object() const;
     enum class Estimate { Sound, Rough };  // of the time left
     std::string text(Estimate estimate) const;
+    bool has_estimate() const;
     double seconds_left() const;
     Clock::time_point next_check_time() const;
     bool is_early_line_due() const;
@@ -69,6 +73,7 @@ private:
     std::mutex mutex_;
     std::condition_variable is_over_changed_;
     bool is_over_ = false;
+    bool is_json_;  // an object for programs in place of a line
     bool is_shown_ = false;
     std::string work_;
     Clock::time_point work_start_ = Clock::now();

@@ -35,7 +35,6 @@ struct SweepCommandOptions {
     SweepShard shard;
     std::optional<int> jobs;
     bool resume = false;
-    bool json_progress = false;
     KeptCases kept = KeptCases::None;
     std::optional<double> most_seconds;
     std::optional<double> most_gib;
@@ -150,8 +149,7 @@ ExitCode sweep(const SweepCommandOptions& options, const ProgramDescription& pro
     SweepOptions running = sweep_options(options, ranks, program);
     SweepTotals totals;
     {
-        const auto progress =
-            sweep_progress("sweep", options.common, options.json_progress);
+        const auto progress = sweep_progress("sweep", options.common);
         running.progress = [&](const SweepProgress& state) { progress->show(state); };
         totals = run_sweep(plan, running, workers);
     }
@@ -187,8 +185,6 @@ void add_sweep_options(CLI::App& command, SweepCommandOptions& options)
     add_number(command,
                {"--limit-gib", "GIB", "memory of a case (default: its --max-memory)"},
                options.most_gib);
-    command.add_flag("--json-progress", options.json_progress,
-                     "print progress as JSON, one object a line");
     add_common_options(command, options.common);
 }
 

@@ -53,7 +53,8 @@ public:
                   {"left_s", nullptr}};
         if (done > 0)
             line["left_s"] = rounded(elapsed * rest / done);
-        std::fprintf(stderr, "%s\n", line.dump().c_str());
+        std::fprintf(stderr, "%s\n", Json{{"progress", line}}.dump().c_str());
+        std::fflush(stderr);
     }
 
 private:
@@ -68,10 +69,9 @@ private:
 }  // namespace
 
 std::unique_ptr<SweepProgressView> sweep_progress(const std::string& work,
-                                                  const CommonOptions& options,
-                                                  bool as_json)
+                                                  const CommonOptions& options)
 {
-    if (as_json)
+    if (options.json_progress && !options.quiet)
         return std::make_unique<JsonLines>();
     return std::make_unique<Line>(work, options);
 }

@@ -9,8 +9,9 @@
 
 namespace endmill {
 
-/// The progress of a sweep on standard error: a ProgressLine, or with --json-progress one JSON
-/// object a line, at most five a second and one at the end.
+/// The progress of a sweep on standard error: a ProgressLine, or with --json-progress a line
+/// with a JSON object at most five times a second and at the end: its key `progress` has the
+/// keys `done`, `cases`, `failed`, `elapsed_s` and `left_s`.
 class SweepProgressView {
 public:
     SweepProgressView() = default;                         ///< for derived classes
@@ -23,7 +24,6 @@ public:
 
 /// The view that the options ask for.
 std::unique_ptr<SweepProgressView> sweep_progress(const std::string& work,
-                                                  const CommonOptions& options,
-                                                  bool as_json);
+                                                  const CommonOptions& options);
 
 }  // namespace endmill

@@ -6,6 +6,8 @@
 
 #include "endmill/job/child_process.h"
 #include "endmill/job/folder_lock.h"
+#include "endmill/job/job_file.h"
+#include "endmill/job/job_run.h"
 #include "endmill/job/program_options.h"
 #include "endmill/job/ranks.h"
 #include "endmill/job/sweep.h"

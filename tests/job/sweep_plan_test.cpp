@@ -20,7 +20,7 @@ class SweepPlanTest : public testing::Test {
 protected:
     SweepPlanTest()
     {
-        put("part.json", "{}");
+        put("part.json", R"({"format": "endmill-job/1", "part": {"file": "part.json"}})");
         put("cases.csv", "scallop,cutter\n0.1,a\n0.2,\n");
     }
     void put(const std::string& name, const std::string& content) const

@@ -12,7 +12,7 @@
 #include "endmill/files/path_file.h"
 #include "endmill/job/detail/case_command.h"
 #include "endmill/job/detail/case_values.h"
-#include "endmill/job/detail/option_text.h"
+#include "endmill/job/job_file.h"
 
 namespace endmill {
 namespace {
@@ -25,13 +25,9 @@ constexpr const char* summary_name = "summary.json";
 // The columns of the results that every sweep has.
 constexpr std::array<std::string_view, 4> columns_of_all{"case", "exit_code", "message",
                                                          "wall_s"};
-// The steps of a job, in the order of their folders, such as 02-plan.
-constexpr std::array<std::string_view, 7> steps_of_job{"setup",  "plan",  "trim", "feed",
-                                                       "verify", "clamp", "post"};
 // The forms in which a plan may give its cases.
 constexpr std::array<std::string_view, 3> forms{"grid", "list", "random"};
 
-// The text of `path`, which may come from a file.
 fs::path beside(const fs::path& plan, const std::string& name)
 {
     return (plan.parent_path() / name).lexically_normal();
@@ -40,7 +36,7 @@ fs::path beside(const fs::path& plan, const std::string& name)
 std::string content_of_list(const JsonValue& list, const fs::path& plan,
                             const ReadLimits& limits)
 {
-    const fs::path file = beside(plan, option_text(list));
+    const fs::path file = beside(plan, checked_argument(list));
     std::error_code ignored;
     if (fs::equivalent(file, plan, ignored))
         throw list.complaint(list.shown() + ", the plan itself", "a CSV file");
@@ -62,19 +58,20 @@ std::vector<std::string> parts_of(std::string_view path)
 // The folder of a step in the results of a job.
 std::string folder_of_step(const JsonValue& column, const std::string& step)
 {
-    const auto* const found = std::ranges::find(steps_of_job, step);
-    if (found == steps_of_job.end())
+    const auto* const found = std::ranges::find(job_step_names, step);
+    if (found == job_step_names.end())
         throw column.complaint(
             column.shown(),
             "a step and a key of its summary, such as \"plan.tcd_mm\"; "
             "the steps are " +
-                one_of(steps_of_job, step));
-    return '0' + std::to_string(found - steps_of_job.begin() + 1) + '-' + step + '/';
+                one_of(job_step_names, step));
+    return '0' + std::to_string(found - job_step_names.begin() + 1) + '-' + step + '/';
 }
 
 SummaryColumn column_of(const JsonValue& column, const CaseCommand& command)
 {
-    SummaryColumn made{option_text(column), summary_name, parts_of(option_text(column))};
+    SummaryColumn made{checked_argument(column), summary_name,
+                       parts_of(checked_argument(column))};
     if (command.is_job()) {
         made.file = folder_of_step(column, made.keys.front()) + summary_name;
         made.keys.erase(made.keys.begin());
@@ -106,7 +103,7 @@ std::vector<SummaryColumn> columns_of(const JsonValue& columns,
 void add_fixed(std::vector<KeyValue>& fixed, const std::string& key,
                const JsonValue& value, const CaseCommand& command)
 {
-    fixed.push_back({key, option_text(value)});
+    fixed.push_back({key, checked_argument(value)});
     try {
         command.require_key(key);
         command.require_value(fixed.back());
@@ -158,6 +155,16 @@ struct SweepPlan::Content {
     CaseValues values;
     std::vector<std::string> parameters;
     std::vector<SummaryColumn> columns;
+
+    // All that a case gives to the command.
+    std::vector<KeyValue> given(const std::vector<std::string>& varied) const
+    {
+        std::vector<KeyValue> all = fixed;
+        for (std::size_t i = 0; i < varied.size(); ++i)
+            if (!varied[i].empty())
+                all.push_back({parameters[i], varied[i]});
+        return all;
+    }
 };
 
 namespace {
@@ -186,6 +193,17 @@ void require_no_key_twice(const JsonValue& root, std::span<const KeyValue> fixed
             throw root.complaint(
                 "key \"" + given.key + "\" has one value for all cases and varies too",
                 "only one of them");
+}
+
+// The keys of a job are those of all cases: the first one shows whether the job has them.
+void require_first_job(const JsonValue& root, const CaseCommand& command,
+                       std::span<const KeyValue> given)
+{
+    try {
+        command.require_job(given);
+    } catch (const DomainError& error) {
+        throw root.complaint(std::string{"case 0: "} + error.what(), "");
+    }
 }
 
 std::string hash_of(std::string_view version, std::string_view plan,
@@ -240,6 +258,8 @@ SweepPlan parse_sweep_plan(std::string_view content, const fs::path& path,
     if (command.needs_input() && !plan.gives("input"))
         throw root.complaint("no input",
                              "the key input with a file, or a parameter input");
+    if (command.is_job())
+        require_first_job(root, command, plan.content_->given(plan.values(0)));
     return plan;
 }
 
@@ -302,12 +322,7 @@ std::vector<std::string> SweepPlan::values(std::uint64_t number) const
 
 std::vector<std::string> SweepPlan::arguments(std::uint64_t number) const
 {
-    std::vector<KeyValue> given = content_->fixed;
-    const std::vector<std::string> varied = values(number);
-    for (std::size_t i = 0; i < varied.size(); ++i)
-        if (!varied[i].empty())
-            given.push_back({parameters()[i], varied[i]});
-    return content_->command.arguments(given);
+    return content_->command.arguments(content_->given(values(number)));
 }
 
 bool SweepPlan::gives(std::string_view key) const

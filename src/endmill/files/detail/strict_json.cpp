@@ -105,11 +105,6 @@ std::vector<std::string_view> JsonValue::keys() const
     return all;
 }
 
-bool JsonValue::is_array() const
-{
-    return value_->is_array();
-}
-
 std::size_t JsonValue::size() const
 {
     if (!value_->is_array())
@@ -121,6 +116,16 @@ JsonValue JsonValue::item(std::size_t index) const&
 {
     assert(index < size());
     return {(*value_)[index], *this, {}, index};
+}
+
+bool JsonValue::is_truth() const
+{
+    return value_->is_boolean();
+}
+
+bool JsonValue::is_object() const
+{
+    return value_->is_object();
 }
 
 bool JsonValue::is_text() const
@@ -144,9 +149,20 @@ std::string_view JsonValue::word(std::span<const std::string_view> words) const
     return *found;
 }
 
-bool JsonValue::is_truth() const
+std::string JsonValue::argument() const
 {
-    return value_->is_boolean();
+    if (value_->is_string())
+        return text();
+    if (value_->is_boolean())
+        return truth() ? "true" : "false";
+    if (value_->is_number())
+        return value_->is_number_integer() ? value_->dump() : to_text(number());
+    if (!value_->is_array() || size() == 0)
+        throw complaint(shown(), "a number, a text, true, false or a list of numbers");
+    std::string joined;
+    for (std::size_t i = 0; i < size(); ++i)
+        joined += (i == 0 ? "" : ",") + to_text(item(i).number());
+    return joined;
 }
 
 bool JsonValue::truth() const
@@ -167,11 +183,6 @@ std::int64_t JsonValue::whole_number(std::int64_t low, std::int64_t high) const
         throw complaint(shown(), "a whole number from " + std::to_string(low) + " to " +
                                      std::to_string(high));
     return number;
-}
-
-bool JsonValue::is_number() const
-{
-    return value_->is_number();
 }
 
 double JsonValue::number() const

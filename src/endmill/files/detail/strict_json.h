@@ -60,9 +60,6 @@ public:
     /// \throws FormatError if this is not an object.
     std::vector<std::string_view> keys() const;
 
-    /// Whether this is an array.
-    bool is_array() const;
-
     /// Number of items. \throws FormatError if this is not an array.
     std::size_t size() const;
 
@@ -73,6 +70,12 @@ public:
     /// Whether this is a string.
     bool is_text() const;
 
+    /// Whether this is true or false.
+    bool is_truth() const;
+
+    /// Whether this is an object.
+    bool is_object() const;
+
     /// The string, unchanged. \throws FormatError if this is not a string.
     std::string text() const;
 
@@ -80,8 +83,10 @@ public:
     /// \throws FormatError, with a suggestion, if this is none of them.
     std::string_view word(std::span<const std::string_view> words) const;
 
-    /// Whether this is true or false.
-    bool is_truth() const;
+    /// The value as an argument of a command line: a text unchanged, a number as `to_text`,
+    /// "true" or "false", numbers of an array joined by commas.
+    /// \throws FormatError if this is anything else.
+    std::string argument() const;
 
     /// True or false. \throws FormatError if this is neither.
     bool truth() const;
@@ -89,9 +94,6 @@ public:
     /// A number without fraction and exponent; 3.0 is refused.
     /// \throws FormatError unless it is one from `low` to `high`.
     std::int64_t whole_number(std::int64_t low, std::int64_t high) const;
-
-    /// Whether this is a number.
-    bool is_number() const;
 
     /// A number; finite, because `json_tree` refuses others.
     /// \throws FormatError if this is not a number.

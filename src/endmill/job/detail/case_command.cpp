@@ -9,6 +9,7 @@
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/read_file.h"
+#include "endmill/job/job_file.h"
 
 namespace endmill {
 namespace {
@@ -85,6 +86,24 @@ void CaseCommand::require_job_key(const std::string& key) const
     const std::string option = key.substr(dot + 1);
     if (!command->find(option))
         throw DomainError{unknown_key(option, command->keys())};
+}
+
+void CaseCommand::require_job(std::span<const KeyValue> given) const
+{
+    std::vector<JobSetting> settings;
+    fs::path file;
+    for (const auto& [key, value] : given) {
+        if (key == input_key)
+            file = input_of(value);
+        else
+            settings.push_back({key, value});
+    }
+    const Job job = read_job(file, program_, settings);
+    require_other_file(job.part);
+    for (const auto& named :
+         {job.protect, job.skip_facets, job.material, job.control, job.stock})
+        if (named && named->is_file)
+            require_other_file(*named->value);
 }
 
 bool CaseCommand::checks_values(const std::string& key) const

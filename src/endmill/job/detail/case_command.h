@@ -30,10 +30,12 @@ public:
 
     const std::string& name() const { return command_.name; }  ///< such as "plan"
     bool is_job() const { return name() == "run"; }            ///< whether it runs a job
-    bool needs_input() const
-    {
-        return command_.needs_input;
-    }  ///< if not, it may have one
+    /// Whether it cannot run without an input.
+    bool needs_input() const { return command_.needs_input; }
+
+    /// Reads a job with the settings of a case, for what only the reader of jobs knows.
+    /// \throws as `read_job`; DomainError if it names the plan. \pre is_job()
+    void require_job(std::span<const KeyValue> given) const;
 
     /// Checks that the command knows a key.
     /// \throws DomainError with a suggestion.

@@ -9,7 +9,6 @@
 
 #include "endmill/core/text.h"
 #include "endmill/files/detail/csv_lines.h"
-#include "endmill/job/detail/option_text.h"
 #include "endmill/job/detail/random_share.h"
 
 namespace endmill {
@@ -43,7 +42,7 @@ std::vector<std::string> checked_texts(const JsonValue& values, const std::strin
     std::vector<std::string> texts;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const JsonValue item = values.item(i);
-        texts.push_back(option_text(item));
+        texts.push_back(checked_argument(item));
         at_place(item, [&] {
             if (command.checks_values(key))
                 command.require_value({key, texts.back()});
@@ -55,6 +54,21 @@ std::vector<std::string> checked_texts(const JsonValue& values, const std::strin
 }
 
 }  // namespace
+
+bool has_control_characters(const std::string& text)
+{
+    return printable(text) != text;
+}
+
+std::string checked_argument(const JsonValue& value)
+{
+    std::string text = value.argument();
+    if (text.empty())
+        throw value.complaint("an empty text", "a value");
+    if (has_control_characters(text))
+        throw value.complaint(value.shown(), "a text without control characters");
+    return text;
+}
 
 CaseGrid::CaseGrid(const JsonValue& axes, const CaseCommand& command)
 {

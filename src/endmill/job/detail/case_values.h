@@ -21,6 +21,13 @@ namespace endmill {
 /// The most cases of a sweep.
 inline constexpr std::uint64_t most_cases = 10'000'000;
 
+/// Whether the text has control characters or is no UTF-8.
+bool has_control_characters(const std::string& text);
+
+/// The value as a word of the command line.
+/// \throws FormatError as JsonValue::argument, and if it is empty or has control characters.
+std::string checked_argument(const JsonValue& value);
+
 /// All combinations of the steps of several axes. The last axis varies fastest.
 class CaseGrid {
 public:

@@ -1,0 +1,617 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/job/job_run.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdio>
+#include <system_error>
+#include <utility>
+#include <variant>
+
+#include <nlohmann/json.hpp>
+
+#include "endmill/core/error.h"
+#include "endmill/core/text.h"
+#include "endmill/files/detail/json_tree.h"
+#include "endmill/files/output_folder.h"
+#include "endmill/files/read_file.h"
+#include "endmill/job/child_process.h"
+#include "endmill/job/detail/file_hash.h"
+#include "endmill/job/detail/job_record.h"
+#include "endmill/job/detail/job_steps.h"
+#include "endmill/job/folder_lock.h"
+
+namespace endmill {
+namespace {
+
+namespace fs = std::filesystem;
+using Tree = nlohmann::json;
+
+constexpr const char* record_name = "job.json";
+constexpr int limit_exit = 6;
+constexpr int fault_exit = 7;
+constexpr int signal_exit = 128;
+
+fs::path whole_path(const fs::path& path)
+{
+    return fs::absolute(path).lexically_normal();
+}
+
+std::string name_of(JobStep step)
+{
+    return std::string{job_step_name(step)};
+}
+
+// A number for a message.
+std::string rounded(double number)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.4g", number);
+    return text.data();
+}
+
+// What the line on standard error of a command is.
+struct ChildLines {
+    std::string code = {};                   // of its error
+    std::string error = {};                  // message of its error
+    std::string last = {};                   // last line that is nothing else
+    std::vector<std::string> warnings = {};  // without the name of the program
+};
+
+// The message for an answer that is no, by the step that gave it.
+std::string refusal_of(JobStep step)
+{
+    switch (step) {
+        case JobStep::Setup:
+        case JobStep::Clamp:
+            return "the part is not machinable as asked";
+        case JobStep::Verify:
+            return "the path is not clean";
+        case JobStep::Feed:
+            return "some moves have no feasible feed";
+        case JobStep::Plan:
+        case JobStep::Trim:
+        case JobStep::Post:
+            return "the path is not within its tolerances";
+    }
+    return {};
+}
+
+// What the summary of `verify` says of its verdict; empty if it says nothing.
+std::string verdict_in(const fs::path& folder)
+{
+    try {
+        const Tree summary =
+            *json_tree(read_file(folder / "summary.json"), "summary.json", {});
+        std::string text = summary.value("verdict", "");
+        for (const auto& [key, word] : {std::pair{"max_gouge_mm", "gouge"},
+                                        std::pair{"max_scallop_mm", "remaining stock"}})
+            if (summary.contains(key) && summary[key].is_number())
+                text += std::string{", "} + word + " up to " +
+                        rounded(summary[key].get<double>()) + " mm";
+        return text;
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+// What may help where the answer of a step is no.
+std::string advice_for(JobStep step)
+{
+    switch (step) {
+        case JobStep::Setup:
+        case JobStep::Clamp:
+            return "another machine, wider limits or setup.max_setups";
+        case JobStep::Plan:
+            return "a smaller tool, larger tolerances or a trim step";
+        case JobStep::Trim:
+            return "trim.method envelope or a smaller tool";
+        case JobStep::Feed:
+            return "larger limits of the tool or feed.allow_infeasible";
+        case JobStep::Verify:
+            return "another plan, larger tolerances or a finer verify.resolution";
+        case JobStep::Post:
+            return "another control";
+    }
+    return {};
+}
+
+class Runner {
+public:
+    Runner(const Job& job, const ProgramDescription& program,
+           const JobRunOptions& options)
+        : job_{job},
+          program_{program},
+          options_{options},
+          folder_{options.folder.lexically_normal()}
+    {
+        state_.folder = folder_;
+        record_.name = job.name;
+        record_.version = program.version;
+    }
+
+    JobRun run();
+
+private:
+    std::size_t at(JobStep step) const { return static_cast<std::size_t>(step); }
+    fs::path folder_of(JobStep step) const { return folder_ / job_step_folder(step); }
+    std::string from_folder(const fs::path& file) const;
+
+    void require_own_folder() const;
+    void require_outside(const fs::path& file) const;
+    void require_job_outside() const;
+    void require_inputs(JobStep step, const StepCommand& command) const;
+    bool is_asked(JobStep step) const;
+    bool must_run(JobStep step) const;
+    bool goes_on_after_no(JobStep step) const;
+
+    StepRecord due(JobStep step, const StepCommand& command) const;
+    std::string why_not_up_to_date(JobStep step, const StepRecord& due) const;
+    void do_step(JobStep step);
+    void skip(JobStep step, const std::string& reason);
+    void keep(JobStep step);
+    void execute(JobStep step, const StepCommand& command, StepRecord record);
+    ChildTask task_of(JobStep step, const StepCommand& command, ChildLines& lines) const;
+    void take_line(JobStep step, std::string_view line, ChildLines& lines) const;
+    void judge(JobStep step, const ChildResult& result, const ChildLines& lines);
+    void note_answer(JobStep step);
+    void report(const JobProgress& progress) const;
+    std::optional<double> seconds_after(JobStep step) const;
+    void write_record();
+    void read_earlier();
+    void pass_over(JobStep step);
+    void expect(JobStep step);
+    void do_steps();
+    JobRun outcome() const;
+
+    const Job& job_;
+    const ProgramDescription& program_;
+    const JobRunOptions& options_;
+    fs::path folder_;
+    ChainState state_;
+    std::optional<JobRecord> earlier_;
+    JobRecord record_;
+    bool has_changed_ = false;  // whether a step before this one ran
+    std::optional<JobStep> failed_;
+    std::string code_;
+    std::string message_;
+};
+
+std::string Runner::from_folder(const fs::path& file) const
+{
+    return whole_path(file).lexically_relative(whole_path(folder_)).generic_string();
+}
+
+// Refuses a folder with files that no run of a job made.
+void Runner::require_own_folder() const
+{
+    std::error_code error;
+    if (options_.accepts_full_folder || fs::exists(folder_ / record_name, error) ||
+        !fs::exists(folder_, error))
+        return;
+    if (!fs::is_directory(folder_, error))
+        throw DomainError{"--output: " + shown_path(options_.folder) +
+                          " is a file; expected a folder"};
+    for (const auto& entry : fs::directory_iterator{folder_, error})
+        if (!entry.path().filename().string().starts_with(".endmill-"))
+            throw DomainError{"--output: " + shown_path(options_.folder) +
+                              " is not empty and holds no job.json; expected the folder "
+                              "of a job, a new one, or --force"};
+}
+
+// Refuses a file of the job inside the folder of the results: a step could replace it.
+void Runner::require_outside(const fs::path& file) const
+{
+    const fs::path relative = whole_path(file).lexically_relative(whole_path(folder_));
+    if (!relative.empty() && *relative.begin() != "..")
+        throw DomainError{"--output: " + shown_path(file) +
+                          ", which the job needs, is in this folder for its results; "
+                          "expected another folder"};
+}
+
+void Runner::require_job_outside() const
+{
+    require_outside(job_.file);
+    require_outside(job_.part);
+    for (const auto& option : {job_.protect, job_.skip_facets, job_.machine, job_.tool,
+                               job_.material, job_.control, job_.stock})
+        if (option && option->is_file)
+            require_outside(*option->value);
+    for (const StepRequest& request : job_.steps)
+        for (const GivenOption& option : request.options)
+            if (option.is_file)
+                require_outside(*option.value);
+}
+
+void Runner::require_inputs(JobStep step, const StepCommand& command) const
+{
+    std::error_code error;
+    const auto require = [&](const fs::path& file) {
+        if (!fs::exists(file, error))
+            throw DomainError{"--only " + name_of(step) + ": found no " +
+                              shown_path(file) +
+                              "; expected a run without --only before"};
+    };
+    require(command.input);
+    for (const GivenOption& option : command.options)
+        if (option.is_file)
+            require(*option.value);
+}
+
+bool Runner::is_asked(JobStep step) const
+{
+    return !options_.only || *options_.only == step;
+}
+
+bool Runner::must_run(JobStep step) const
+{
+    return (options_.only && *options_.only == step) ||
+           (options_.from && *options_.from <= step);
+}
+
+// Whether the chain goes on if the answer of a step is no. Several setups are asked for
+// because one does not suffice; trimmed sections take the place of a plan that gouges.
+bool Runner::goes_on_after_no(JobStep step) const
+{
+    return job_.request(step).accepts_no ||
+           (step == JobStep::Setup && plans_from_setups(job_)) ||
+           (step == JobStep::Plan && job_.request(JobStep::Trim).wish == StepWish::Yes);
+}
+
+// The record of a step as it would be if it ran now.
+StepRecord Runner::due(JobStep step, const StepCommand& command) const
+{
+    StepRecord record;
+    record.command = {std::string{job_step_command(step)}, from_folder(command.input)};
+    std::vector<fs::path> files{command.input};
+    files.insert(files.end(), command.beside.begin(), command.beside.end());
+    std::vector<GivenOption> shown = command.options;
+    for (GivenOption& option : shown)
+        if (option.is_file) {
+            files.emplace_back(*option.value);
+            option.value = from_folder(*option.value);
+        }
+    for (std::string& word : arguments_of(shown))
+        record.command.push_back(std::move(word));
+    for (const fs::path& file : files) {
+        std::string name = from_folder(file);
+        if (std::ranges::find(record.inputs, name, &InputHash::file) ==
+            record.inputs.end())
+            record.inputs.push_back({std::move(name), result_sha256(file)});
+    }
+    record.sha256 = step_sha256(program_.version, record.command, record.inputs);
+    return record;
+}
+
+// The reason why a step must run; empty if it is up to date.
+std::string Runner::why_not_up_to_date(JobStep step, const StepRecord& due) const
+{
+    if (must_run(step))
+        return "as asked";
+    if (!earlier_)
+        return "there is no earlier run";
+    const StepRecord& last = earlier_->steps.at(at(step));
+    if (last.state == StepState::Failed)
+        return "it failed";
+    if (last.command.empty())
+        return "it has not run yet";
+    if (last.exit != 0 && !goes_on_after_no(step))
+        return "its answer was no";
+    if (last.sha256 != due.sha256) {
+        if (earlier_->version != program_.version)
+            return "it was made by endmill " + printable(earlier_->version, 40);
+        if (last.command != due.command)
+            return "its options have changed";
+        for (const InputHash& input : due.inputs) {
+            const auto found =
+                std::ranges::find(last.inputs, input.file, &InputHash::file);
+            if (found == last.inputs.end() || found->sha256 != input.sha256)
+                return printable(input.file) + " has changed";
+        }
+        return "its inputs have changed";
+    }
+    try {
+        if (folder_sha256(folder_of(step)) == last.results_sha256)
+            return {};
+    } catch (const FormatError&) {
+        return "its results are missing";
+    }
+    return "its results were changed";
+}
+
+void Runner::skip(JobStep step, const std::string& reason)
+{
+    record_.steps.at(at(step)) = {.state = StepState::NotNeeded, .reason = reason};
+    const bool was_made = earlier_ && !earlier_->steps.at(at(step)).command.empty();
+    std::error_code ignored;  // a step that is not needed changes nothing
+    if (was_made && !options_.dry_run)
+        fs::remove_all(folder_of(step), ignored);
+}
+
+// A step that is up to date.
+void Runner::keep(JobStep step)
+{
+    StepRecord& record = record_.steps.at(at(step));
+    if (record.state != StepState::Done)
+        record.state = StepState::UpToDate;
+    note_answer(step);
+}
+
+// Notes for the steps that follow that this one has results.
+void Runner::note_answer(JobStep step)
+{
+    state_.is_done.at(at(step)) = true;
+    if (step == JobStep::Plan)
+        state_.plan_gouges = record_.steps.at(at(step)).exit == 1;
+}
+
+void Runner::do_step(JobStep step)
+{
+    const auto choice = step_command(job_, step, state_);
+    if (const auto* not_needed = std::get_if<StepNotNeeded>(&choice)) {
+        skip(step, not_needed->reason);
+        return;
+    }
+    const auto& command = std::get<StepCommand>(choice);
+    if (options_.only)
+        require_inputs(step, command);
+    StepRecord record = due(step, command);
+    const std::string reason = why_not_up_to_date(step, record);
+    if (reason.empty())
+        keep(step);
+    else if (options_.dry_run) {
+        record_.steps.at(at(step)) = {.state = StepState::WouldRun, .reason = reason};
+        has_changed_ = true;
+    } else {
+        execute(step, command, std::move(record));
+    }
+}
+
+ChildTask Runner::task_of(JobStep step, const StepCommand& command,
+                          ChildLines& lines) const
+{
+    ChildTask task{.program = program_.program,
+                   .arguments = {std::string{job_step_command(step)}}};
+    const bool is_path = step == JobStep::Clamp;
+    task.arguments.push_back((is_path ? "--path=" : "") + command.input.string());
+    for (std::string& word : arguments_of(command.options))
+        task.arguments.push_back(std::move(word));
+    task.arguments.insert(task.arguments.end(), options_.arguments.begin(),
+                          options_.arguments.end());
+    task.arguments.insert(task.arguments.end(),
+                          {"--output=" + folder_of(step).string(), "--json",
+                           "--json-errors", "--json-progress"});
+    task.environment = inherited_environment();
+    task.error_line = [this, step, &lines](std::string_view line) {
+        take_line(step, line, lines);
+    };
+    return task;
+}
+
+// Sorts a line that a command wrote to its standard error.
+void Runner::take_line(JobStep step, std::string_view line, ChildLines& lines) const
+{
+    constexpr std::string_view warning = "endmill: warning: ";
+    if (line.starts_with(warning)) {
+        lines.warnings.push_back(printable(line.substr(warning.size())));
+        if (options_.warning)
+            options_.warning(name_of(step) + ": " + lines.warnings.back());
+        return;
+    }
+    const Tree tree = Tree::parse(line, nullptr, false);
+    if (!tree.is_object()) {
+        lines.last = printable(line, 300);
+        return;
+    }
+    if (tree.contains("error") && tree["error"].is_object()) {
+        lines.code = tree["error"].value("code", "");
+        lines.error = printable(tree["error"].value("message", ""));
+    }
+    if (!tree.contains("progress") || !tree["progress"].is_object())
+        return;
+    const Tree& told = tree["progress"];
+    JobProgress progress{step};
+    progress.work = told.value("work", "");
+    if (told.contains("share") && told["share"].is_number())
+        progress.share = told["share"].get<double>();
+    const auto after = seconds_after(step);
+    if (after && told.contains("left_s") && told["left_s"].is_number())
+        progress.left_s = told["left_s"].get<double>() + *after;
+    report(progress);
+}
+
+// The time of the steps after this one, as they took earlier; nothing if it is not known.
+std::optional<double> Runner::seconds_after(JobStep step) const
+{
+    if (!earlier_)
+        return step == JobStep::Post ? std::optional{0.0} : std::nullopt;
+    double seconds = 0;
+    for (std::size_t i = at(step) + 1; i < job_step_count; ++i)
+        seconds += earlier_->steps.at(i).wall_s;
+    return seconds;
+}
+
+void Runner::report(const JobProgress& progress) const
+{
+    if (options_.progress)
+        options_.progress(progress);
+}
+
+// Runs the command of a step. Its record is written when its results are complete.
+void Runner::execute(JobStep step, const StepCommand& command, StepRecord record)
+{
+    has_changed_ = true;
+    std::error_code error;
+    fs::remove_all(folder_of(step), error);
+    if (error)
+        throw OutputError{"cannot remove the results of the earlier run in " +
+                          shown_path(folder_of(step)) + ": " + error.message()};
+    record_.steps.at(at(step)) = {};
+    write_record();
+    ChildLines lines;
+    const auto start = std::chrono::steady_clock::now();
+    const ChildResult result = run_child(task_of(step, command, lines));
+    record.wall_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    record.warnings = lines.warnings;
+    record_.steps.at(at(step)) = std::move(record);
+    judge(step, result, lines);
+    StepRecord& judged = record_.steps.at(at(step));
+    if (fs::exists(folder_of(step), error))
+        judged.results_sha256 = folder_sha256(folder_of(step));
+    write_record();
+    report({step,
+            {},
+            {},
+            seconds_after(step),
+            StepResult{step, judged.state, judged.reason, judged.exit, judged.wall_s,
+                       folder_of(step)}});
+}
+
+// Notes how a command ended.
+void Runner::judge(JobStep step, const ChildResult& result, const ChildLines& lines)
+{
+    StepRecord& record = record_.steps.at(at(step));
+    record.state = StepState::Done;
+    record.exit = result.code;
+    if (result.end == ChildEnd::Exited && result.code == 0) {
+        note_answer(step);
+        return;
+    }
+    const bool is_no = result.end == ChildEnd::Exited && result.code == 1;
+    if (result.end == ChildEnd::Signalled)
+        record.exit = signal_exit + result.code;
+    else if (result.end == ChildEnd::OutOfTime)
+        record.exit = limit_exit;
+    else if (result.end == ChildEnd::NotStarted)
+        record.exit = fault_exit;
+    std::string reason = lines.error.empty() ? lines.last : lines.error;
+    if (result.end == ChildEnd::Signalled)
+        reason = "the command was ended by signal " + std::to_string(result.code) +
+                 (reason.empty() ? "" : ": ") + reason;
+    else if (reason.empty() && is_no && step == JobStep::Verify)
+        reason = refusal_of(step) + ": " + verdict_in(folder_of(step));
+    else if (reason.empty())
+        reason = is_no
+                     ? refusal_of(step)
+                     : "the command ended with exit code " + std::to_string(result.code);
+    record.reason = reason;
+    if (is_no && goes_on_after_no(step)) {
+        note_answer(step);
+        if (options_.warning)
+            options_.warning(name_of(step) +
+                             ": the answer is no, and the job goes on: " + reason);
+        return;
+    }
+    record.state = StepState::Failed;
+    failed_ = step;
+    code_ = lines.code.empty() ? "E_STEP" : lines.code;
+    message_ = name_of(step) + ": " + reason;
+    if (is_no)
+        message_ += "; in the job, " + advice_for(step) + " may help, and accept_no [\"" +
+                    name_of(step) + "\"] lets the chain go on";
+}
+
+void Runner::write_record()
+{
+    write_file(folder_ / record_name, job_record_text(record_));
+}
+
+JobRun Runner::outcome() const
+{
+    JobRun run;
+    run.exit = failed_ ? record_.steps.at(at(*failed_)).exit : 0;
+    run.code = code_;
+    run.message = message_;
+    for (std::size_t i = 0; i < job_step_count; ++i) {
+        const auto step = static_cast<JobStep>(i);
+        const StepRecord& record = record_.steps.at(i);
+        run.steps.push_back({step, record.state, record.reason, record.exit,
+                             record.wall_s, options_.folder / job_step_folder(step)});
+    }
+    return run;
+}
+
+// Takes over what an earlier run left. Its steps count as done by this run if it was
+// interrupted.
+void Runner::read_earlier()
+{
+    earlier_ = read_job_record(folder_);
+    if (!earlier_)
+        return;
+    record_.steps = earlier_->steps;
+    if (earlier_->is_finished)
+        for (StepRecord& step : record_.steps)
+            if (step.state == StepState::Done)
+                step.state = StepState::UpToDate;
+    earlier_->steps = record_.steps;
+}
+
+// A step that is not looked at keeps its results, if it has any.
+void Runner::pass_over(JobStep step)
+{
+    const StepRecord& record = record_.steps.at(at(step));
+    if (!record.command.empty() && record.state != StepState::Failed)
+        note_answer(step);
+}
+
+// A step after one that would run: what it does depends on the results of that one.
+void Runner::expect(JobStep step)
+{
+    const bool is_off = job_.request(step).wish == StepWish::No;
+    record_.steps.at(at(step)) = {
+        .state = is_off ? StepState::NotNeeded : StepState::WouldRun,
+        .reason =
+            is_off ? "the job does not want it" : "if it is needed after those before"};
+}
+
+void Runner::do_steps()
+{
+    for (std::size_t i = 0; i < job_step_count; ++i) {
+        const auto step = static_cast<JobStep>(i);
+        if (failed_) {
+            StepRecord& record = record_.steps.at(i);
+            record.state = StepState::NotRun;
+            record.reason = "step " + name_of(*failed_) + " failed";
+        } else if (!is_asked(step))
+            pass_over(step);
+        else if (options_.dry_run && has_changed_)
+            expect(step);
+        else
+            do_step(step);
+    }
+}
+
+JobRun Runner::run()
+{
+    require_own_folder();
+    require_job_outside();
+    if (options_.dry_run) {
+        read_earlier();
+        do_steps();
+        return outcome();
+    }
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    if (error)
+        throw OutputError{"cannot create " + shown_path(folder_) + ": " +
+                          error.message()};
+    const FolderLock lock{folder_, "a run"};
+    read_earlier();
+    do_steps();
+    record_.is_finished = true;
+    record_.exit = failed_ ? record_.steps.at(at(*failed_)).exit : 0;
+    write_record();
+    return outcome();
+}
+
+}  // namespace
+
+JobRun run_job(const Job& job, const ProgramDescription& program,
+               const JobRunOptions& options)
+{
+    return Runner{job, program, options}.run();
+}
+
+}  // namespace endmill
