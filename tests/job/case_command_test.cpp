@@ -48,21 +48,20 @@ TEST_F(CaseCommandTest, SweepsMayRunEveryCommandAndJobs)
 
 TEST_F(CaseCommandTest, MakesTheWordsOfACommand)
 {
-    EXPECT_THAT(
-        command("plan").arguments(std::vector<KeyValue>{{"scallop", "0.1"},
-                                                        {"input", "part.json"},
-                                                        {"arcs", "true"},
-                                                        {"cutter", "a b; $(c)"}}),
-        ElementsAre("plan", (folder.path() / "part.json").string(), "--scallop=0.1",
-                    "--arcs", "--cutter=a b; $(c)"));
+    EXPECT_THAT(command("plan").arguments(std::vector<KeyValue>{{"scallop", "0.1"},
+                                                                {"input", "part.json"},
+                                                                {"arcs", "true"},
+                                                                {"cutter", "a b; $(c)"}}),
+                ElementsAre("plan", (folder.path() / "part.json").string(),
+                            "--scallop=0.1", "--arcs", "--cutter=a b; $(c)"));
     EXPECT_THAT(command("plan").arguments(std::vector<KeyValue>{{"arcs", "false"}}),
                 ElementsAre("plan"));
 }
 
 TEST_F(CaseCommandTest, MakesTheWordsOfAJob)
 {
-    EXPECT_THAT(command("run").arguments(std::vector<KeyValue>{
-                    {"input", "part.json"}, {"plan.scallop", "0.1"}}),
+    EXPECT_THAT(command("run").arguments(std::vector<KeyValue>{{"input", "part.json"},
+                                                               {"plan.scallop", "0.1"}}),
                 ElementsAre("run", (folder.path() / "part.json").string(),
                             "--set=plan.scallop=0.1"));
 }
@@ -71,7 +70,8 @@ TEST_F(CaseCommandTest, RefusesAnUnknownKeyWithASuggestion)
 {
     EXPECT_THAT(complaint("plan", {"scalop", "1"}),
                 HasSubstr("unknown key \"scalop\"; expected"));
-    EXPECT_THAT(complaint("plan", {"scalop", "1"}), HasSubstr("did you mean \"scallop\""));
+    EXPECT_THAT(complaint("plan", {"scalop", "1"}),
+                HasSubstr("did you mean \"scallop\""));
     EXPECT_THAT(complaint("numbers", {"input", "part.json"}), HasSubstr("unknown key"));
     EXPECT_THAT(complaint("run", {"plan.scalop", "1"}),
                 HasSubstr("did you mean \"scallop\""));

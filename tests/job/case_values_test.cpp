@@ -61,10 +61,9 @@ TEST(CaseGrid, VariesTheLastAxisFastest)
 {
     const CaseGrid cases = grid(R"([{"scallop": [1, 2]}, {"cutter": ["a", "b", "c"]}])");
     EXPECT_THAT(cases.keys(), ElementsAre("scallop", "cutter"));
-    EXPECT_THAT(all_of(cases),
-                ElementsAre(ElementsAre("1", "a"), ElementsAre("1", "b"),
-                            ElementsAre("1", "c"), ElementsAre("2", "a"),
-                            ElementsAre("2", "b"), ElementsAre("2", "c")));
+    EXPECT_THAT(all_of(cases), ElementsAre(ElementsAre("1", "a"), ElementsAre("1", "b"),
+                                           ElementsAre("1", "c"), ElementsAre("2", "a"),
+                                           ElementsAre("2", "b"), ElementsAre("2", "c")));
 }
 
 TEST(CaseGrid, VariesTheKeysOfAnAxisTogether)
@@ -72,10 +71,10 @@ TEST(CaseGrid, VariesTheKeysOfAnAxisTogether)
     const CaseGrid cases =
         grid(R"([{"scallop": [1, 2], "cutter": ["a", "b"]}, {"arcs": [true, false]}])");
     EXPECT_THAT(cases.keys(), ElementsAre("cutter", "scallop", "arcs"));
-    EXPECT_THAT(all_of(cases), ElementsAre(ElementsAre("a", "1", "true"),
-                                           ElementsAre("a", "1", "false"),
-                                           ElementsAre("b", "2", "true"),
-                                           ElementsAre("b", "2", "false")));
+    EXPECT_THAT(
+        all_of(cases),
+        ElementsAre(ElementsAre("a", "1", "true"), ElementsAre("a", "1", "false"),
+                    ElementsAre("b", "2", "true"), ElementsAre("b", "2", "false")));
 }
 
 TEST(CaseGrid, RefusesWhatIsNoGrid)
@@ -84,15 +83,17 @@ TEST(CaseGrid, RefusesWhatIsNoGrid)
                 HasSubstr("f:/0/scallop: 2 values; expected 1 as for the other keys"));
     EXPECT_THAT(complaint(grid, "[]"), HasSubstr("f: an empty array; expected"));
     EXPECT_THAT(complaint(grid, "[{}]"), HasSubstr("f:/0: an object without keys"));
-    EXPECT_THAT(complaint(grid, R"([{"scallop": []}])"), HasSubstr("f:/0/scallop: an empty"));
+    EXPECT_THAT(complaint(grid, R"([{"scallop": []}])"),
+                HasSubstr("f:/0/scallop: an empty"));
     EXPECT_THAT(complaint(grid, R"([{"scallop": [1]}, {"scallop": [1]}])"),
                 HasSubstr("f:/1/scallop: key \"scallop\" occurs twice"));
     EXPECT_THAT(complaint(grid, R"([{"scalop": [1]}])"),
                 HasSubstr("f:/0/scalop: unknown key \"scalop\"; expected"));
     EXPECT_THAT(complaint(grid, R"([{"arcs": [true, 1]}])"),
                 HasSubstr("f:/0/arcs/1: found 1; expected true or false"));
-    EXPECT_THAT(complaint(grid, R"([{"tool_file": ["x.json"]}])"),
-                HasSubstr("f:/0/tool_file/0: found /nowhere/x.json, which does not exist"));
+    EXPECT_THAT(
+        complaint(grid, R"([{"tool_file": ["x.json"]}])"),
+        HasSubstr("f:/0/tool_file/0: found /nowhere/x.json, which does not exist"));
 }
 
 TEST(CaseGrid, StatesTheNumberOfTooManyCases)
@@ -110,9 +111,9 @@ TEST(CaseList, HasACaseInEachRow)
     const CaseList cases =
         list("\xef\xbb\xbfscallop,cutter\r\n0.1,\"a, b\"\r\n,ball:3\n0.30,x");
     EXPECT_THAT(cases.keys(), ElementsAre("scallop", "cutter"));
-    EXPECT_THAT(all_of(cases), ElementsAre(ElementsAre("0.1", "a, b"),
-                                           ElementsAre("", "ball:3"),
-                                           ElementsAre("0.30", "x")));
+    EXPECT_THAT(all_of(cases),
+                ElementsAre(ElementsAre("0.1", "a, b"), ElementsAre("", "ball:3"),
+                            ElementsAre("0.30", "x")));
 }
 
 TEST(CaseList, RefusesWhatIsNoList)
@@ -148,7 +149,8 @@ TEST(CaseSamples, FollowTheDocumentedRule)
         const auto values = cases.values(i);
         const auto share = [&](const char* key) { return random_share(11, key, i); };
         EXPECT_EQ(values[0], to_text(-1 + 4 * share("chord_tolerance")));
-        EXPECT_EQ(values[1], std::string(1, "abc"[static_cast<int>(3 * share("cutter"))]));
+        EXPECT_EQ(values[1],
+                  std::string(1, "abc"[static_cast<int>(3 * share("cutter"))]));
         EXPECT_EQ(values[2],
                   std::to_string(1 + static_cast<int>(6 * share("max_memory"))));
         EXPECT_NEAR(number_from_text(values[3]).value(),
@@ -168,18 +170,21 @@ TEST(CaseSamples, OfAKeyDoNotDependOnOtherKeysAndTheCount)
 TEST(CaseSamples, RefuseRangesThatAreNone)
 {
     const auto range = [](const std::string& text) {
-        return complaint(samples, R"({"count": 1, "seed": 1, "parameters": {"scallop": )" +
-                                      text + "}}");
+        return complaint(
+            samples,
+            R"({"count": 1, "seed": 1, "parameters": {"scallop": )" + text + "}}");
     };
     EXPECT_EQ(range(R"({"from": 2, "to": 2})"), "accepted");
     EXPECT_THAT(range(R"({"from": 2, "to": 1})"),
                 HasSubstr("f:/parameters/scallop/to: 1; expected a number from 2 on"));
-    EXPECT_THAT(range(R"({"from": -1e308, "to": 1e308})"), HasSubstr("expected a number"));
+    EXPECT_THAT(range(R"({"from": -1e308, "to": 1e308})"),
+                HasSubstr("expected a number"));
     EXPECT_THAT(range(R"({"from": 0, "to": 1, "scale": "log"})"),
                 HasSubstr("f:/parameters/scallop/from: 0; expected a number above 0"));
     EXPECT_THAT(range(R"({"from": 0.5, "to": 1, "whole": true})"),
                 HasSubstr("0.5; expected a whole number"));
-    EXPECT_THAT(range(R"({"from": 1, "to": 2, "scale": "lin"})"), HasSubstr("\"linear\""));
+    EXPECT_THAT(range(R"({"from": 1, "to": 2, "scale": "lin"})"),
+                HasSubstr("\"linear\""));
     EXPECT_THAT(range(R"({"from": 1, "to": 2, "step": 1})"), HasSubstr("unknown key"));
     EXPECT_THAT(range(R"({"one_of": [1], "from": 1})"), HasSubstr("unknown key"));
     EXPECT_THAT(range(R"({"one_of": []})"), HasSubstr("an empty array"));

@@ -49,9 +49,8 @@ TEST(GeometricBetween, IsThePowerOfTheShare)
         const double share = random_share(3, "x", i);
         for (const auto [low, high] :
              {std::pair{0.01, 0.5}, {1e-9, 1e9}, {3.0, 3.0000001}, {2.0, 2.0}}) {
-            const long double power =
-                low * std::pow(static_cast<long double>(high) / low,
-                               static_cast<long double>(share));
+            const long double power = low * std::pow(static_cast<long double>(high) / low,
+                                                     static_cast<long double>(share));
             EXPECT_NEAR(geometric_between(low, high, share) / power, 1, 1e-13);
         }
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "endmill/core/error.h"
 #include "endmill/job/program_options.h"
 
 namespace endmill {

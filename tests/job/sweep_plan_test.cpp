@@ -72,9 +72,9 @@ TEST_F(SweepPlanTest, LeavesOutTheOptionOfAnEmptyCell)
 {
     const SweepPlan read = plan(R"("list": "cases.csv")");
     EXPECT_EQ(read.count(), 2);
-    EXPECT_THAT(read.arguments(1),
-                ElementsAre("plan", (folder.path() / "part.json").string(),
-                            "--scallop=0.2"));
+    EXPECT_THAT(
+        read.arguments(1),
+        ElementsAre("plan", (folder.path() / "part.json").string(), "--scallop=0.2"));
 }
 
 TEST_F(SweepPlanTest, HashesVersionPlanAndList)
@@ -96,12 +96,12 @@ TEST_F(SweepPlanTest, FindsTheSummariesOfTheStepsOfAJob)
     EXPECT_EQ(read.columns()[0].file, "02-plan/summary.json");
     EXPECT_THAT(read.columns()[0].keys, ElementsAre("tcd_mm"));
     EXPECT_EQ(read.columns()[1].file, "07-post/summary.json");
-    EXPECT_THAT(complaint(R"("grid": [{"plan.scallop": [1]}], "columns": ["plam.x"])",
-                          "run"),
-                HasSubstr("did you mean \"plan\""));
-    EXPECT_THAT(complaint(R"("grid": [{"plan.scallop": [1]}], "columns": ["plan"])",
-                          "run"),
-                HasSubstr("/columns/0: \"plan\"; expected keys of a summary"));
+    EXPECT_THAT(
+        complaint(R"("grid": [{"plan.scallop": [1]}], "columns": ["plam.x"])", "run"),
+        HasSubstr("did you mean \"plan\""));
+    EXPECT_THAT(
+        complaint(R"("grid": [{"plan.scallop": [1]}], "columns": ["plan"])", "run"),
+        HasSubstr("/columns/0: \"plan\"; expected keys of a summary"));
 }
 
 TEST_F(SweepPlanTest, RefusesWhatIsNoPlan)
@@ -110,8 +110,9 @@ TEST_F(SweepPlanTest, RefusesWhatIsNoPlan)
     EXPECT_EQ(complaint(grid), "accepted");
     EXPECT_THAT(complaint(grid + R"(, "gird": 1)"), HasSubstr("did you mean \"grid\""));
     EXPECT_THAT(complaint(grid, "plam"), HasSubstr("did you mean \"plan\""));
-    EXPECT_THAT(complaint(R"("name": "x")"),
-                HasSubstr("none of the keys grid, list and random; expected exactly one"));
+    EXPECT_THAT(
+        complaint(R"("name": "x")"),
+        HasSubstr("none of the keys grid, list and random; expected exactly one"));
     EXPECT_THAT(complaint(grid + R"(, "list": "cases.csv")"),
                 HasSubstr("the keys grid and list; expected exactly one"));
     EXPECT_THAT(complaint(grid + R"(, "options": {"scallop": 1})"),

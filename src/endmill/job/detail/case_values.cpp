@@ -55,6 +55,18 @@ std::vector<std::string> checked_texts(const JsonValue& values, const std::strin
 
 }  // namespace
 
+namespace {
+
+// A whole number with all its digits, as far as a double has them.
+std::string whole_text(double number)
+{
+    constexpr double most = 1e15;
+    return number < most ? std::to_string(static_cast<std::uint64_t>(number))
+                         : to_text(number);
+}
+
+}  // namespace
+
 bool has_control_characters(const std::string& text)
 {
     return printable(text) != text;
@@ -81,7 +93,7 @@ CaseGrid::CaseGrid(const JsonValue& axes, const CaseCommand& command)
     if (axes_.empty())
         throw axes.complaint("an empty array", "at least one object with keys");
     if (product > static_cast<double>(most_cases))
-        throw axes.complaint("a grid of " + to_text(product) + " cases",
+        throw axes.complaint("a grid of " + whole_text(product) + " cases",
                              "at most " + std::to_string(most_cases));
     count_ = static_cast<std::uint64_t>(product);
 }
