@@ -8,5 +8,6 @@
 #include "endmill/job/folder_lock.h"
 #include "endmill/job/job_file.h"
 #include "endmill/job/job_run.h"
+#include "endmill/job/job_step.h"
 #include "endmill/job/program_options.h"
 #include "endmill/job/ranks.h"
