@@ -51,8 +51,8 @@ StepRecord record_of(const JsonValue& value)
 {
     StepRecord record;
     const auto word = value.member("state").word(step_state_words);
-    record.state = static_cast<StepState>(std::ranges::find(state_words, word) -
-                                          state_words.begin());
+    record.state = static_cast<StepState>(std::ranges::find(step_state_words, word) -
+                                          step_state_words.begin());
     if (const auto reason = value.find_member("reason"))
         record.reason = reason->text();
     if (!value.find_member("command"))
