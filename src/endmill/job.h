@@ -8,6 +8,7 @@
 #include "endmill/job/folder_lock.h"
 #include "endmill/job/job_file.h"
 #include "endmill/job/job_run.h"
+#include "endmill/job/job_step.h"
 #include "endmill/job/program_options.h"
 #include "endmill/job/ranks.h"
 #include "endmill/job/sweep.h"

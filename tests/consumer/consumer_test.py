@@ -12,6 +12,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("ENDMILL_BUILD", ROOT / "build/release"))
+# What jobs and commands find beside the installed program.
+DATA = ("controls", "jobs", "machines", "materials", "meshes", "surfaces", "tools")
 SURFACE = ROOT / "datasets/surfaces/net_rot24_7D.json"
 
 
@@ -68,7 +70,7 @@ class WhatIsInstalled(InstalledTest):
         self.assertEqual({Path(path).name for path in package},
                          {"endmillConfig.cmake", "endmillConfigVersion.cmake",
                           "endmillTargets.cmake", "endmillTargets-release.cmake"})
-        data = {f"share/endmill/{kind}/{path.name}" for kind in ("controls", "machines")
+        data = {f"share/endmill/{kind}/{path.name}" for kind in DATA
                 for path in (ROOT / "datasets" / kind).iterdir()}
         self.assertEqual(files - package - libraries,
                          {"bin/endmill", "share/doc/endmill/LICENSE", "share/man/man1/endmill.1",

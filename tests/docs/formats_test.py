@@ -5,6 +5,7 @@ The info string of the fenced block of an example names its format.
 """
 import os
 import re
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -33,6 +34,7 @@ READERS = {
                                 "coefficients --material FILE --cutter ball:10 --flutes 2 --feed-per-tooth 0.05"
                                 " --mu-deg 10 --lambda-deg 20 --pick-feed-ratio 0.5 --depth-ratio 1"),
     "json endmill-tool/1": ("tool.json", "verify PATH --part none --tool FILE"),
+    "json endmill-job/1": ("job.json", "run FILE --dry-run"),
     "json endmill-tools/1": ("tools.json", "verify PATH --part none --tools FILE"),
     "tbl tool-table": ("tools.tbl", "verify PATH --part none --tools FILE --tools-units mm"),
     "csv polyline": ("curves.csv", "trim --polyline FILE"),
@@ -52,6 +54,7 @@ class Formats(unittest.TestCase):
                 self.assertIn(kind, READERS)
                 name, command = READERS[kind]
                 (Path(folder) / name).write_text(text, encoding="utf-8")
+                shutil.copy(MESH, folder)  # the part of the job
                 (Path(folder) / "tips.csv").write_text("tip_x_mm,tip_y_mm,tip_z_mm,tool\n0,0,0,1\n10,0,0,1\n")
                 words = command.replace("FILE", name).replace("PATH", "tips.csv").replace("MESH", str(MESH)).split()
                 done = subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, text=True,

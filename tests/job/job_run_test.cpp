@@ -27,10 +27,10 @@ protected:
     {
         fs::remove(folder_.path() / "calls.txt");
         const ProgramDescription program = job_program(folder_.path(), script);
-        const Job job =
-            parse_job(R"({"format": "endmill-job/1", "part": {"file": "part.json"})" +
-                          (keys.empty() ? "" : ", " + keys) + "}",
-                      folder_.path() / "job-file.json", program);
+        const Job job = parse_job(
+            R"({"format": "endmill-job/1", "feed_mm_per_min": 800, "part": {"file": "part.json"})" +
+                (keys.empty() ? "" : ", " + keys) + "}",
+            folder_.path() / "job-file.json", program);
         JobRunOptions options = asked;
         options.folder = folder_.path() / "out";
         options.warning = [this](const std::string& text) { warnings_.push_back(text); };

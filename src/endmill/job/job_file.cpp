@@ -298,11 +298,6 @@ Job JobReader::read(const JsonValue& root)
 
 }  // namespace
 
-std::string_view job_step_command(JobStep step)
-{
-    return step == JobStep::Clamp ? "setup" : job_step_name(step);
-}
-
 JobSetting job_setting(const std::string& text)
 {
     const std::size_t middle = text.find('=');

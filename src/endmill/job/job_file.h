@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "endmill/files/read_file.h"
+#include "endmill/job/job_step.h"
 #include "endmill/job/program_options.h"
 
 /// \file
@@ -18,33 +19,6 @@
 /// each step of the chain from part to program.
 
 namespace endmill {
-
-/// The steps of the chain, in their order.
-enum class JobStep {
-    Setup,   ///< how the part stands on the machine
-    Plan,    ///< the tool path
-    Trim,    ///< the tool path from trimmed sections of the offset, which does not gouge
-    Feed,    ///< feed and spindle speed of each move
-    Verify,  ///< the verdict on the path
-    Clamp,   ///< where the part is clamped so that the machine runs the path
-    Post,    ///< the program of the machine
-};
-
-/// The names of the steps in files and messages, in the order of the enumeration.
-inline constexpr std::array<std::string_view, 7> job_step_names{
-    "setup", "plan", "trim", "feed", "verify", "clamp", "post"};
-
-/// Number of steps.
-inline constexpr std::size_t job_step_count = job_step_names.size();
-
-/// The name of a step.
-inline std::string_view job_step_name(JobStep step)
-{
-    return job_step_names.at(static_cast<std::size_t>(step));
-}
-
-/// The command of the program that does a step.
-std::string_view job_step_command(JobStep step);
 
 /// Whether a job asks for a step.
 enum class StepWish {

@@ -78,22 +78,19 @@ std::string refusal_of(JobStep step)
     return {};
 }
 
-// What the summary of `verify` says of its verdict; empty if it says nothing.
+// What the summary of `verify` says of its verdict.
+// \throws FormatError if it cannot be read.
 std::string verdict_in(const fs::path& folder)
 {
-    try {
-        const Tree summary =
-            *json_tree(read_file(folder / "summary.json"), "summary.json", {});
-        std::string text = summary.value("verdict", "");
-        for (const auto& [key, word] : {std::pair{"max_gouge_mm", "gouge"},
-                                        std::pair{"max_scallop_mm", "remaining stock"}})
-            if (summary.contains(key) && summary[key].is_number())
-                text += std::string{", "} + word + " up to " +
-                        rounded(summary[key].get<double>()) + " mm";
-        return text;
-    } catch (const Error&) {
-        return {};
-    }
+    const fs::path file = folder / "summary.json";
+    const auto summary = json_tree(read_file(file), shown_path(file), {});
+    std::string text = summary->value("verdict", "");
+    for (const auto& [key, word] : {std::pair{"max_gouge_mm", "gouge"},
+                                    std::pair{"max_scallop_mm", "remaining stock"}})
+        if (summary->contains(key) && (*summary)[key].is_number())
+            text += std::string{", "} + word + " up to " +
+                    rounded((*summary)[key].get<double>()) + " mm";
+    return text;
 }
 
 // What may help where the answer of a step is no.

@@ -8,35 +8,13 @@
 #include <vector>
 
 #include "endmill/job/job_file.h"
+#include "endmill/job/job_step.h"
 
 /// \file
 /// Runs the chain of a job. Each step is a run of the program in a folder of its own, and a
 /// step whose inputs have not changed is not repeated.
 
 namespace endmill {
-
-/// What became of a step.
-enum class StepState {
-    Done,       ///< it ran in this run, or in an earlier part of it that was interrupted
-    UpToDate,   ///< it ran earlier, and nothing that it depends on has changed since
-    NotNeeded,  ///< the job does not need it
-    Failed,     ///< it ended with an error, or its answer is no
-    NotRun,     ///< it was not reached
-    WouldRun,   ///< it is not up to date (dry run)
-};
-
-/// The word for a state in files and messages, such as "up to date".
-std::string word_of(StepState state);
-
-/// A step and what became of it.
-struct StepResult {
-    JobStep step;                       ///< which one
-    StepState state;                    ///< what became of it
-    std::string reason = {};            ///< why it was not needed, failed or would run
-    int exit = 0;                       ///< exit code of its command
-    double wall_s = 0;                  ///< s, that its command took
-    std::filesystem::path folder = {};  ///< of its results
-};
 
 /// Progress of a run.
 struct JobProgress {

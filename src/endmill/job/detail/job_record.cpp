@@ -18,8 +18,6 @@ namespace {
 using Tree = nlohmann::ordered_json;
 
 constexpr std::string_view format = "endmill-job-state/1";
-constexpr std::array<std::string_view, 6> state_words{
-    "done", "up to date", "not needed", "failed", "not run", "would run"};
 
 Tree tree_of(const StepRecord& record, JobStep step)
 {
@@ -52,9 +50,9 @@ std::vector<std::string> texts_of(const JsonValue& list)
 StepRecord record_of(const JsonValue& value)
 {
     StepRecord record;
-    const auto word = value.member("state").word(state_words);
-    record.state = static_cast<StepState>(std::ranges::find(state_words, word) -
-                                          state_words.begin());
+    const auto word = value.member("state").word(step_state_words);
+    record.state = static_cast<StepState>(std::ranges::find(step_state_words, word) -
+                                          step_state_words.begin());
     if (const auto reason = value.find_member("reason"))
         record.reason = reason->text();
     if (!value.find_member("command"))
@@ -76,11 +74,6 @@ StepRecord record_of(const JsonValue& value)
 }
 
 }  // namespace
-
-std::string word_of(StepState state)
-{
-    return std::string{state_words.at(static_cast<std::size_t>(state))};
-}
 
 std::string step_sha256(const std::string& version,
                         const std::vector<std::string>& command,

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "endmill/job/job_run.h"
+#include "endmill/job/job_step.h"
 
 /// \file
 /// job.json ("endmill-job-state/1"): what became of each step, and what it depends on.

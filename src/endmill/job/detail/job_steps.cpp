@@ -228,6 +228,11 @@ Choice Chain::clamp() const
 
 Choice Chain::post() const
 {
+    const bool has_feed =
+        is_done(JobStep::Feed) ||
+        std::ranges::find(job_.feeds, "--feed", &GivenOption::name) != job_.feeds.end();
+    if (wish(JobStep::Post) == StepWish::Default && !has_feed)
+        return StepNotNeeded{"the job states no feed_mm_per_min and no material"};
     StepCommand command = begun(JobStep::Post, path());
     if (job_.rotary_axes > 0) {
         add(command.options, job_.machine);
