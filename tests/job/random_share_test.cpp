@@ -47,7 +47,7 @@ TEST(GeometricBetween, IsThePowerOfTheShare)
 {
     for (int i = 0; i < 1000; ++i) {
         const double share = random_share(3, "x", i);
-        for (const auto [low, high] :
+        for (const auto& [low, high] :
              {std::pair{0.01, 0.5}, {1e-9, 1e9}, {3.0, 3.0000001}, {2.0, 2.0}}) {
             const long double power = low * std::pow(static_cast<long double>(high) / low,
                                                      static_cast<long double>(share));
