@@ -81,6 +81,14 @@ Earlier earlier_results(const SweepIdentity& identity, const SweepOptions& optio
     return journal ? Earlier::Journal : Earlier::Results;
 }
 
+void require_no_file(const fs::path& folder)
+{
+    std::error_code error;
+    if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+        throw DomainError{"output folder " + shown_path(folder) +
+                          " is a file; expected a new or empty folder"};
+}
+
 // Refuses a folder with files of somebody else.
 void require_usable(const SweepOptions& options)
 {
@@ -88,9 +96,6 @@ void require_usable(const SweepOptions& options)
     std::error_code error;
     if (options.full_folder == FullFolder::Accept || !fs::exists(options.folder, error))
         return;
-    if (!fs::is_directory(options.folder, error))
-        throw DomainError{"output folder " + shown_path(options.folder) +
-                          " is a file; expected a new or empty folder"};
     for (const auto& entry : fs::directory_iterator{options.folder, error})
         if (!entry.path().filename().string().starts_with(own))
             throw DomainError{"output folder " + shown_path(options.folder) +
@@ -289,6 +294,7 @@ SweepTotals run_sweep(const SweepPlan& plan, const SweepOptions& options,
 {
     const auto start = Clock::now();
     const SweepIdentity identity = identity_of(plan, options.shard);
+    require_no_file(options.folder);
     Earlier earlier = earlier_results(identity, options);
     if (earlier == Earlier::Nothing)
         require_usable(options);
