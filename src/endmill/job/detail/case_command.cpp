@@ -35,7 +35,7 @@ std::string unknown_key(const std::string& key, const std::vector<std::string>& 
 }
 
 // A word that begins with a hyphen would be an option.
-std::string no_option(std::string word)
+std::string no_option(const std::string& word)
 {
     return word.starts_with('-') ? "./" + word : word;
 }
@@ -148,7 +148,7 @@ std::vector<std::string> CaseCommand::arguments(std::span<const KeyValue> given)
         if (key == input_key && command_.has_input)
             words.push_back(no_option(input_of(value)));
         else if (is_job())
-            options.push_back({"--set", key + '=' + value});
+            options.push_back({"--set", std::string{key}.append("=").append(value)});
         else if (auto option = given_option(*command_.find(key), value, base_))
             options.push_back(*std::move(option));
     }

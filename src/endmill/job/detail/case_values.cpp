@@ -131,47 +131,71 @@ std::vector<std::string> CaseGrid::values(std::uint64_t number) const
     return all;
 }
 
+namespace {
+
+// Checks the rows of a list. A value that was checked in its column is not checked again.
+class RowCheck {
+public:
+    RowCheck(const std::vector<std::string>& keys, const CaseCommand& command)
+        : keys_{keys},
+          command_{command},
+          checked_(keys.size())
+    {
+    }
+
+    void operator()(const CsvLines& lines)
+    {
+        const auto& cells = lines.cells();
+        if (cells.size() != keys_.size())
+            throw lines.complaint("E_CSV", counted(cells.size(), "cell"),
+                                  std::to_string(keys_.size()) + " as in the header");
+        if (cells.size() == 1 && cells.front().empty())
+            throw lines.complaint("E_CSV", "an empty line", "a value");
+        try {
+            for (std::size_t i = 0; i < cells.size(); ++i)
+                check(i, cells[i]);
+        } catch (const DomainError& error) {
+            throw lines.complaint("E_CSV", error.what(), "");
+        }
+    }
+
+private:
+    void check(std::size_t column, std::string_view cell)
+    {
+        if (has_control_characters(std::string{cell}))
+            throw DomainError{"found a control character; expected a text without"};
+        if (cell.empty() && keys_[column] == "input")
+            throw DomainError{"found an empty cell under input; expected a file"};
+        if (cell.empty() || !command_.checks_values(keys_[column]) ||
+            checked_[column].contains(cell))
+            return;
+        command_.require_value({keys_[column], std::string{cell}});
+        checked_[column].emplace(cell);
+    }
+
+    const std::vector<std::string>& keys_;
+    const CaseCommand& command_;
+    std::vector<std::set<std::string, std::less<>>> checked_;
+};
+
+}  // namespace
+
 CaseList::CaseList(std::string content, const std::filesystem::path& file,
                    const CaseCommand& command)
     : content_{std::move(content)}
 {
     CsvLines lines{content_, printable(file.string())};
-    const auto complaint = [&](const std::string& found) {
-        return lines.complaint("E_CSV", found, "");
-    };
     lines.next();
     try {
         for (const std::string_view cell : lines.cells())
             add_key(keys_, std::string{cell}, command);
     } catch (const DomainError& error) {
-        throw complaint(error.what());
+        throw lines.complaint("E_CSV", error.what(), "");
     }
-    std::vector<std::set<std::string, std::less<>>> checked(keys_.size());
-    const auto check = [&](std::size_t column, std::string_view cell) {
-        if (has_control_characters(std::string{cell}))
-            throw DomainError{"found a control character; expected a text without"};
-        const bool is_missing = cell.empty() && keys_[column] == "input";
-        if (is_missing)
-            throw DomainError{"found an empty cell under input; expected a file"};
-        if (cell.empty() || !command.checks_values(keys_[column]) ||
-            checked[column].contains(cell))
-            return;
-        command.require_value({keys_[column], std::string{cell}});
-        checked[column].emplace(cell);
-    };
-    for (std::size_t begin = content_.size() - lines.rest().size(); lines.next();
-         begin = content_.size() - lines.rest().size()) {
-        if (lines.cells().size() != keys_.size())
-            throw lines.complaint("E_CSV", counted(lines.cells().size(), "cell"),
-                                  std::to_string(keys_.size()) + " as in the header");
-        if (keys_.size() == 1 && lines.cells().front().empty())
-            throw lines.complaint("E_CSV", "an empty line", "a value");
-        try {
-            for (std::size_t i = 0; i < keys_.size(); ++i)
-                check(i, lines.cells()[i]);
-        } catch (const DomainError& error) {
-            throw complaint(error.what());
-        }
+    const auto here = [&] { return content_.size() - lines.rest().size(); };
+    RowCheck check{keys_, command};
+    for (std::size_t begin = here(); lines.next(); begin = here()) {
+        check(lines);
         rows_.push_back(begin);
     }
     if (rows_.empty())

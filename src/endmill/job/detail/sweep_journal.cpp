@@ -109,7 +109,7 @@ std::optional<SweepIdentity> SweepJournal::identity_in(const fs::path& file)
         fail_output("read", file, errno);
     LineReader lines{descriptor};
     const auto line = lines.next();
-    const auto identity = line ? identity_of(*line) : std::nullopt;
+    auto identity = line ? identity_of(*line) : std::nullopt;
     ::close(descriptor);
     if (line && !identity)
         throw complaint(file, 1);
