@@ -2,8 +2,10 @@
 #include "endmill/job/sweep.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -12,7 +14,6 @@
 #include "endmill/core/text.h"
 #include "endmill/files/detail/output_path.h"
 #include "endmill/files/read_file.h"
-#include "endmill/job/child_process.h"
 #include "endmill/job/detail/case_workers.h"
 #include "endmill/job/detail/sweep_journal.h"
 #include "endmill/job/detail/sweep_results.h"
@@ -111,31 +112,38 @@ void make_folder(const fs::path& folder)
         fail_output("create the output folder", folder, error.value());
 }
 
-// A folder for the results of running cases. The folders of runs that were killed are
-// removed.
+// Removes the results of cases that ran when an earlier run was killed.
+void remove_unfinished(const fs::path& results)
+{
+    std::error_code ignored;
+    fs::remove_all(results / working_name, ignored);
+}
+
+// A folder of a new name for the results of running cases. It is no PrivateFolder: an
+// interruption would remove results while they are read for a row.
 class WorkingFolder {
 public:
     explicit WorkingFolder(const fs::path& results) : place_{results / working_name}
     {
-        std::error_code ignored;
-        fs::remove_all(place_, ignored);
         make_folder(place_);
-        folder_.emplace(place_);
+        std::string name = (place_ / "XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr)
+            fail_output("create a folder in", place_, errno);
+        path_ = name;
     }
     ~WorkingFolder()
     {
-        folder_.reset();
         std::error_code ignored;
         fs::remove_all(place_, ignored);
     }
     WorkingFolder(const WorkingFolder&) = delete;
     WorkingFolder& operator=(const WorkingFolder&) = delete;
 
-    const fs::path& path() const { return folder_->path(); }
+    const fs::path& path() const { return path_; }
 
 private:
     fs::path place_;
-    std::optional<PrivateFolder> folder_;
+    fs::path path_;
 };
 
 // The number of a case as the name of a folder.
@@ -200,6 +208,7 @@ void run_open_cases(const SweepPlan& plan, const SweepOptions& options,
 {
     const std::uint64_t size = options.shard.size(plan.count());
     const std::uint64_t before = journal.count();
+    remove_unfinished(options.folder);
     if (before == size)
         return;
     const WorkingFolder working{options.folder};
