@@ -70,6 +70,7 @@ ExitCode run(int argc, char** argv, bool json_errors)
     add_cite_command(program, action);
     add_run_command(program, action);
     add_demo_command(program, action);
+    add_sweep_command(program, action);
     try {
         program.parse(argc, argv);
     } catch (const CLI::CallForVersion& version) {

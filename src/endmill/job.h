@@ -11,3 +11,6 @@
 #include "endmill/job/job_step.h"
 #include "endmill/job/program_options.h"
 #include "endmill/job/ranks.h"
+#include "endmill/job/sweep.h"
+#include "endmill/job/sweep_plan.h"
+#include "endmill/job/sweep_workers.h"

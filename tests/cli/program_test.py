@@ -6,7 +6,7 @@ import unittest
 from program import ROOT, ProgramTest, endmill, plane
 
 COMMANDS = ("info", "sample", "plan", "trim", "verify", "post", "feed", "coefficients", "toollife", "setup", "machine",
-            "eval", "cite")
+            "eval", "cite", "run", "demo", "sweep")
 
 
 class Program(ProgramTest):

@@ -35,6 +35,7 @@ READERS = {
                                 " --mu-deg 10 --lambda-deg 20 --pick-feed-ratio 0.5 --depth-ratio 1"),
     "json endmill-tool/1": ("tool.json", "verify PATH --part none --tool FILE"),
     "json endmill-job/1": ("job.json", "run FILE --dry-run"),
+    "json endmill-sweep/1": ("sweep.json", "sweep FILE"),
     "json endmill-tools/1": ("tools.json", "verify PATH --part none --tools FILE"),
     "tbl tool-table": ("tools.tbl", "verify PATH --part none --tools FILE --tools-units mm"),
     "csv polyline": ("curves.csv", "trim --polyline FILE"),

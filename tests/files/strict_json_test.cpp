@@ -129,6 +129,15 @@ TEST(JsonValue, AMissingKeyIsNamedAndAnOptionalOneIsNot)
     EXPECT_THAT([&] { number.find_member("c"); }, refuses("f:/a: 1; expected an object"));
 }
 
+TEST(JsonValue, KeysAreThoseOfAnObject)
+{
+    const JsonDocument document{R"({"b": [1], "a": 2})", "f"};
+    const JsonValue root = document.root();
+    EXPECT_THAT(root.keys(), testing::ElementsAre("a", "b"));
+    const JsonValue array = root.member("b");
+    EXPECT_THAT([&] { array.keys(); }, refuses("f:/b: an array of 1; expected an object"));
+}
+
 TEST(JsonValue, AnArgumentIsATextOfTheCommandLine)
 {
     const auto argument = [](const std::string& value) {

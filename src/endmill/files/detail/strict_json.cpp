@@ -95,6 +95,16 @@ void JsonValue::allow_only(std::span<const std::string_view> keys) const
                                                             one_of(keys, key));
 }
 
+std::vector<std::string_view> JsonValue::keys() const
+{
+    if (!value_->is_object())
+        throw complaint(shown(), "an object");
+    std::vector<std::string_view> all;
+    for (auto member = value_->begin(); member != value_->end(); ++member)
+        all.emplace_back(member.key());
+    return all;
+}
+
 std::size_t JsonValue::size() const
 {
     if (!value_->is_array())

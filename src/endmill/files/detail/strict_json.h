@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -54,6 +55,10 @@ public:
     /// \throws FormatError if this is not an object, or has a key outside `keys`; the
     ///         message suggests the closest key.
     void allow_only(std::span<const std::string_view> keys) const;
+
+    /// The keys of this object in alphabetical order. They are views into the document.
+    /// \throws FormatError if this is not an object.
+    std::vector<std::string_view> keys() const;
 
     /// Number of items. \throws FormatError if this is not an array.
     std::size_t size() const;
