@@ -223,7 +223,7 @@ private:
         }
     }
 
-    RankMessage take_message(std::deque<RankMessage>::iterator place)
+    RankMessage take_message(const std::deque<RankMessage>::iterator& place)
     {
         RankMessage message = std::move(*place);
         inbox_.erase(place);
@@ -366,12 +366,18 @@ ExitCode end_other_rank()
 
 ExitCode end_ranks_by_exception(bool json_errors) noexcept
 {
-    if (!ranks || ranks->rank() == 0) {
-        const ExitCode exit = report_current_exception(json_errors);
-        return ranks ? end_ranks(exit) : exit;
+    const bool is_first = !ranks || ranks->rank() == 0;
+    ExitCode exit = is_first ? report_current_exception(json_errors) : ExitCode::Fault;
+    try {
+        if (!is_first)
+            exit = end_other_rank();
+        else if (ranks)
+            ranks->end_others(exit);
+        ranks.reset();
+    } catch (...) {
+        // There is no way left to end together: mpirun ends the others.
+        _exit(static_cast<int>(exit));
     }
-    const ExitCode exit = end_other_rank();
-    ranks.reset();
     return exit;
 }
 
