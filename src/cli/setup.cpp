@@ -5,12 +5,14 @@
 #include <memory>
 
 #include "cli/console.h"
+#include "cli/program_ranks.h"
 #include "cli/progress.h"
 #include "cli/setup_files.h"
 #include "cli/setup_idle.h"
 #include "cli/setup_points.h"
 #include "cli/setup_summary.h"
 #include "cli/setup_toolpath.h"
+#include "cli/setup_visibility.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
@@ -47,6 +49,10 @@ std::vector<SetupAnswer> ranked_answers(const SetupInput& input,
 ExitCode run_setup(const SetupCommandOptions& options)
 {
     check_setup_options(options);
+    if (program_ranks().rank() > 0) {
+        send_visibility(options);
+        return ExitCode::Yes;
+    }
     if (!options.points.empty())
         return run_setup_points(options);
     if (!options.toolpath.empty())
