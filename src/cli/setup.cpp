@@ -111,6 +111,7 @@ void add_setup_command(CLI::App& program, Action& action)
         "it would need), the answer is undecided, or the setup exceeds the travel of "
         "the\n"
         "linear axes (with --within-travel: every pose that was tried exceeds it).\n\n"
+        "mpirun -n N endmill setup PART ... divides the directions among N processes.\n\n"
         "Example:\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine W/caxyBz/T -o teapot\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine all --from-visibility "

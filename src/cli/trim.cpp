@@ -278,6 +278,8 @@ void add_trim_command(CLI::App& program, Action& action)
         "Exit 1: the path gouges deeper than --tolerance, or a fold remains. With "
         "--method\n"
         "all the exit code is that of method envelope.\n\n"
+        "mpirun -n N endmill trim --polyline FILE ... divides the curves among N "
+        "processes.\n\n"
         "Example:\n"
         "  endmill trim datasets/surfaces/valley.json --cutter ball:20 --method all "
         "--repeat 5 --figure worst\n"

@@ -2,8 +2,9 @@
 """The program as a whole: help, version, unknown words, cite."""
 import re
 import unittest
+from pathlib import Path
 
-from program import ROOT, ProgramTest, endmill, plane
+from program import ENDMILL, ROOT, ProgramTest, endmill, plane
 
 COMMANDS = ("info", "sample", "plan", "trim", "verify", "post", "feed", "coefficients", "toollife", "setup", "machine",
             "eval", "cite", "run", "demo", "sweep")
