@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""setup and trim under mpirun: the files of one process, errors from one rank, and the end of a run whose rank dies."""
+"""setup, trim and sweep under mpirun: the files of one process, errors from one rank, and the end of a run whose rank dies."""
 import json
 import os
 import random
@@ -199,6 +199,89 @@ class Mpi(ProgramTest):
                     continue
             time.sleep(0.1)
         raise RuntimeError("no such rank")
+
+
+class Sweeps(ProgramTest):
+    """A sweep on four ranks, whole or killed. With ENDMILL_FAULTS=long it is killed 100 times, else 8 times."""
+
+    CASES = 40
+    KILLS = 100 if os.environ.get("ENDMILL_FAULTS") == "long" else 8
+
+    def setUp(self):
+        super().setUp()
+        if not MPI_PROGRAM.exists():
+            self.skipTest("endmill-mpi was not built")
+        self.plan = self.file({"format": "endmill-sweep/1", "command": "coefficients",
+                               "options": {"material": str(ROOT / "datasets/materials/steel.json"), "flutes": 2,
+                                           "lambda_deg": 20, "pick_feed_ratio": 0.5, "mu_deg": 0},
+                               "random": {"count": self.CASES, "seed": 3, "parameters": {
+                                   "cutter": {"one_of": ["ball:10", "ball:6", "ball:x"]},
+                                   "depth_ratio": {"from": 0.1, "to": 1}, "feed_per_tooth": {"from": 0.01, "to": 0.1}}},
+                               "columns": ["torque_n_m"]}, "plan.json")
+
+    def results(self, folder):
+        """The rows without times, and what else is in the folder."""
+        place = self.folder / folder
+        rows = [line.rpartition(b",")[0] for line in (place / "results.csv").read_bytes().splitlines()]
+        return rows, sorted(path.name for path in place.iterdir())
+
+    def one_process(self):
+        subprocess.run([ENDMILL, "sweep", self.plan, "-o", self.folder / "one", "--quiet"], check=True)
+        return self.results("one")
+
+    def test_results_are_those_of_one_process(self):
+        expected = self.one_process()
+        self.assertEqual(len(expected[0]), self.CASES + 1)
+        done = mpirun(4, "sweep", self.plan, "-o", self.folder / "four")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.results("four"), expected)
+        self.assertEqual(done.stdout.count("written to"), 1)
+
+    def test_bad_plans_are_reported_once(self):
+        bad = self.file({"format": "endmill-sweep/1", "command": "mill"}, "bad.json")
+        done = mpirun(4, "sweep", bad, "-o", self.folder / "bad")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertEqual(len(error_lines(done.stderr)), 1, done.stderr)
+        self.assert_nothing_left("plan.json", "bad.json")
+
+    @staticmethod
+    def ranks_of(launcher):
+        """The process numbers of the ranks by rank."""
+        numbers = {}
+        for place in Path("/proc").glob("[0-9]*"):
+            try:
+                words = (place / "stat").read_text().rpartition(")")[2].split()
+                variables = (place / "environ").read_bytes().split(b"\0")
+            except (OSError, IndexError):
+                continue
+            rank = [word.partition(b"=")[2] for word in variables if word.startswith(b"OMPI_COMM_WORLD_RANK=")]
+            if int(words[1]) == launcher and rank:
+                numbers[int(rank[0])] = int(place.name)
+        return numbers
+
+    def test_a_sweep_whose_rank_was_killed_goes_on(self):
+        expected = self.one_process()
+        chance = random.Random(11)
+        killed = 0
+        for kill in range(self.KILLS):
+            shutil.rmtree(self.folder / "four", ignore_errors=True)
+            command = [*MPIRUN, "-n", "4", ENDMILL, "sweep", self.plan, "-o", self.folder / "four", "--resume"]
+            with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                  stderr=subprocess.DEVNULL) as process:
+                while process.poll() is None and not (self.folder / "four").exists():
+                    time.sleep(0.01)
+                time.sleep(chance.random())
+                number = self.ranks_of(process.pid).get(kill % 4)
+                if number and process.poll() is None:
+                    os.kill(number, signal.SIGKILL)
+                killed += process.wait(timeout=120) != 0
+            # It goes on by any number of processes.
+            command = [ENDMILL, "sweep", self.plan, "-o", self.folder / "four", "--resume", "--quiet"]
+            done = mpirun(4, *command[1:]) if kill % 2 else subprocess.run(command, capture_output=True, text=True,
+                                                                           check=False, timeout=120)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(self.results("four"), expected, f"kill {kill}")
+        self.assertGreater(killed, self.KILLS // 4)
 
 
 if __name__ == "__main__":
