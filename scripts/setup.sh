@@ -11,6 +11,7 @@ Installs the missing Debian packages of the groups, or of all groups. It needs r
 apt-get only if something is missing. The other scripts call it with the groups they need.
 
   build        compiler, CMake and libraries: the program endmill and the experiments
+  mpi          Open MPI and Boost.MPI: the program endmill-mpi
   figures      draws the figures of results/report.html
   benchmarks   libraries that the benchmarks compare with
   tests        test framework, checks of format and style, interpreter of G-code

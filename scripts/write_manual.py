@@ -25,7 +25,7 @@ def main(program, folder):
         return 1
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    version = said.stdout.split()[-1]
+    version = said.stdout.split()[1]
     (folder / "endmill.1").write_text(page(helps, version), encoding="utf-8")
     (folder / "endmill").write_text(completion(helps), encoding="utf-8")
     return 0

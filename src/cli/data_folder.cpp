@@ -13,13 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The folder of the running program, or empty if the system does not report it.
-fs::path program_folder()
-{
-    std::error_code ignored;
-    return fs::read_symlink("/proc/self/exe", ignored).parent_path();
-}
-
 std::optional<fs::path> folder_above(fs::path above, const fs::path& wanted)
 {
     std::error_code ignored;
@@ -33,6 +26,12 @@ std::optional<fs::path> folder_above(fs::path above, const fs::path& wanted)
 }
 
 }  // namespace
+
+fs::path program_folder()
+{
+    std::error_code ignored;
+    return fs::read_symlink("/proc/self/exe", ignored).parent_path();
+}
 
 fs::path data_folder(const std::string& option, const std::string& kind)
 {

@@ -6,6 +6,9 @@
 
 namespace endmill {
 
+/// The folder of the running program, or empty if the system does not report it.
+std::filesystem::path program_folder();
+
 /// The folder of data that is delivered with the program, such as "machines". The search
 /// order is share/endmill/KIND of the installation, datasets/KIND in any folder above the
 /// program (a build folder), and datasets/KIND in the current folder.

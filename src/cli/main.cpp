@@ -20,6 +20,8 @@
 #include "cli/console.h"
 #include "cli/help_formatter.h"
 #include "cli/interrupt.h"
+#include "cli/mpi_launch.h"
+#include "cli/program_ranks.h"
 #include "cli/usage_message.h"
 #include "endmill/files/output_folder.h"
 
@@ -52,7 +54,10 @@ ExitCode run(int argc, char** argv, bool json_errors)
                      "endmill"};
     program.formatter(std::make_shared<HelpFormatter>());
     program.footer(footer);
-    program.set_version_flag("--version", "endmill " + std::string{program_version});
+    program.set_version_flag(
+        "--version",
+        "endmill " + std::string{program_version} +
+            (mpi_program().empty() ? " (without endmill-mpi)" : " (with endmill-mpi)"));
     program.require_subcommand(1);
     Action action;
     add_info_command(program, action);
@@ -155,9 +160,10 @@ int main(int argc, char** argv)
     handle_interrupts();
     const bool json_errors = std::ranges::any_of(arguments, is_json_errors);
     try {
-        return static_cast<int>(run(argc, argv, json_errors));
+        begin_ranks(arguments);
+        return static_cast<int>(end_ranks(run(argc, argv, json_errors)));
     } catch (...) {
         wait_if_interrupted();
-        return static_cast<int>(report_current_exception(json_errors));
+        return static_cast<int>(end_ranks_by_exception(json_errors));
     }
 }

@@ -54,6 +54,9 @@ ProgramCommand command_of(const CLI::App& command)
 ProgramDescription description_of(const CLI::App& program)
 {
     ProgramDescription described{running_program(), std::string{program_version}, {}};
+    // A step or a case is no rank of its own.
+    if (described.program.filename() == "endmill-mpi")
+        described.program.replace_filename("endmill");
     for (const CLI::App* command : program.get_subcommands({}))
         if (std::ranges::find(left_out, command->get_name()) == left_out.end())
             described.commands.push_back(command_of(*command));

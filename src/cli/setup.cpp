@@ -5,12 +5,14 @@
 #include <memory>
 
 #include "cli/console.h"
+#include "cli/program_ranks.h"
 #include "cli/progress.h"
 #include "cli/setup_files.h"
 #include "cli/setup_idle.h"
 #include "cli/setup_points.h"
 #include "cli/setup_summary.h"
 #include "cli/setup_toolpath.h"
+#include "cli/setup_visibility.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
@@ -47,6 +49,10 @@ std::vector<SetupAnswer> ranked_answers(const SetupInput& input,
 ExitCode run_setup(const SetupCommandOptions& options)
 {
     check_setup_options(options);
+    if (program_ranks().rank() > 0) {
+        send_visibility(options);
+        return ExitCode::Yes;
+    }
     if (!options.points.empty())
         return run_setup_points(options);
     if (!options.toolpath.empty())
@@ -105,6 +111,7 @@ void add_setup_command(CLI::App& program, Action& action)
         "it would need), the answer is undecided, or the setup exceeds the travel of "
         "the\n"
         "linear axes (with --within-travel: every pose that was tried exceeds it).\n\n"
+        "mpirun -n N endmill setup PART ... divides the directions among N processes.\n\n"
         "Example:\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine W/caxyBz/T -o teapot\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine all --from-visibility "

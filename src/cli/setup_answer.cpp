@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "cli/progress.h"
+#include "cli/setup_visibility.h"
 #include "endmill/visibility/visibility.h"
 
 namespace endmill {
@@ -22,27 +23,6 @@ using Clock = std::chrono::steady_clock;
 double seconds_since(Clock::time_point start)
 {
     return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-PartVisibility computed(const SetupInput& input, const StoredVisibility& file,
-                        const CommonOptions& options)
-{
-    ProgressLine progress{"casting rays", options};
-    const auto cells = static_cast<double>(input.grid.centres.size());
-    VisibilityOptions visibility;
-    visibility.incidence = file.incidence;
-    visibility.kind = file.kind;
-    visibility.progress = [&](std::size_t done) {
-        progress.show(static_cast<double>(done) / cells);
-    };
-    PartVisibility found = part_visibility(input.mesh, input.grid.centres, visibility);
-    if (!file.tool.empty()) {
-        progress.begin("clearing shank and holder");
-        keep_reachable(
-            found, input.mesh, input.grid.centres, tool_body(*input.tool),
-            [&](std::size_t done) { progress.show(static_cast<double>(done) / cells); });
-    }
-    return found;
 }
 
 // Progress of the search over whole cones, in the unit of its objective.
@@ -167,7 +147,7 @@ SetupVisibility visibility_for(const SetupInput& input,
         found.file.part_checksum = part_checksum(input.mesh);
         found.file.kind = options.visibility;
         found.file.tool = body_text(input.tool);
-        found.file.visibility = computed(input, found.file, options.common);
+        found.file.visibility = divided_visibility(input, options);
     }
     if (!input.skipped.empty())
         found.without_skipped = without_cones(found.file.visibility, input.skipped);

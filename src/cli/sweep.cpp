@@ -12,6 +12,7 @@
 #include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/program_description.h"
+#include "cli/program_ranks.h"
 #include "cli/surface_facts.h"
 #include "cli/sweep_progress.h"
 #include "endmill/core/error.h"
@@ -39,13 +40,6 @@ struct SweepCommandOptions {
     std::optional<double> most_seconds;
     std::optional<double> most_gib;
 };
-
-// The only rank of a program that is not run by MPI.
-Ranks& ranks_of_sweep()
-{
-    static OneRank one;
-    return one;
-}
 
 // Parses "I/N". \throws CLI::ValidationError
 SweepShard shard_argument(const std::string& option, const std::string& text)
@@ -209,7 +203,7 @@ void add_sweep_command(CLI::App& program, Action& action)
         "  endmill sweep datasets/sweeps/scallops.json --jobs 2 -o scallops");
     command->callback([options, &program, &action] {
         action = [options, &program] {
-            Ranks& ranks = ranks_of_sweep();
+            Ranks& ranks = program_ranks();
             if (ranks.rank() == 0)
                 return sweep(*options, description_of(program), ranks);
             serve_sweep(ranks);

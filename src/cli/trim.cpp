@@ -12,9 +12,11 @@
 #include "cli/console.h"
 #include "cli/idle_options.h"
 #include "cli/memory_limit.h"
+#include "cli/program_ranks.h"
 #include "cli/shown_numbers.h"
 #include "cli/trim_comparison.h"
 #include "cli/trim_files.h"
+#include "cli/trim_ranks.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/trimming/trimmed_planes.h"
@@ -135,8 +137,7 @@ Outcome trim_all(const TrimInput& input, const TrimOptions& options,
     // Run once without timing: the first run also starts the threads and fills the
     // caches.
     if (!input.dropped_part())
-        trim_planes(input.sections, input.ranges(), trimming_methods().front(),
-                    trimming_options(options, 1));
+        trimmed_sections(input, trimming_methods().front(), trimming_options(options, 1));
     for (const TrimmingMethod& method : trimming_methods()) {
         if (input.dropped_part() && method.name != mesh_method) {
             outcome.text += "method " + std::string{method.name} + ": not run, " +
@@ -209,6 +210,10 @@ TrimOptions with_chosen_plane(TrimOptions options, std::span<const MethodRuns> r
 ExitCode run_trim(const TrimOptions& given)
 {
     check_trim_options(given);
+    if (program_ranks().rank() > 0) {
+        serve_trimming(given);
+        return ExitCode::Yes;
+    }
     // The arcs of the offset around borders have the radius of the cutter with the allowance.
     if (given.cutter && given.allowance > given.cutter->radius())
         advise_less_memory("a smaller --allowance needs less");
@@ -273,6 +278,8 @@ void add_trim_command(CLI::App& program, Action& action)
         "Exit 1: the path gouges deeper than --tolerance, or a fold remains. With "
         "--method\n"
         "all the exit code is that of method envelope.\n\n"
+        "mpirun -n N endmill trim --polyline FILE ... divides the curves among N "
+        "processes.\n\n"
         "Example:\n"
         "  endmill trim datasets/surfaces/valley.json --cutter ball:20 --method all "
         "--repeat 5 --figure worst\n"

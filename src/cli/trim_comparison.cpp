@@ -9,6 +9,7 @@
 
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
+#include "cli/trim_ranks.h"
 #include "endmill/core/text.h"
 #include "endmill/trimming/trimmed_planes.h"
 
@@ -29,7 +30,7 @@ double run(const TrimmingMethod& method, const TrimInput& input,
 {
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    trimmed = trim_planes(input.sections, input.ranges(), method, options);
+    trimmed = trimmed_sections(input, method, options);
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 

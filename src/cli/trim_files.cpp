@@ -13,6 +13,7 @@
 #include "cli/path_facts.h"
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
+#include "cli/trim_ranks.h"
 #include "cli/trim_stages.h"
 #include "endmill/drop_cutter/clearance.h"
 #include "endmill/figures/section_svg.h"
@@ -200,10 +201,10 @@ TrimResult trim_by(const TrimmingMethod& method, const TrimInput& input,
     result.options = trimming_options(options, section_height(input.sections));
     const OffsetPart* const surfaces = input.offset_part();
     const auto start = Clock::now();
-    result.trimmed = input.dropped_part()
-                         ? untrimmed_planes(input.sections)
-                         : trim_planes(input.sections, input.ranges(), method,
-                                       result.options, progress.shower());
+    result.trimmed =
+        input.dropped_part()
+            ? untrimmed_planes(input.sections)
+            : trimmed_sections(input, method, result.options, progress.shower());
     result.trim_ms =
         std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     progress.begin(name + "comparing with the envelope");

@@ -4,6 +4,7 @@
 /// \file
 /// All public headers of the module `trimming`.
 
+#include "endmill/trimming/curve_shares.h"
 #include "endmill/trimming/cut_out.h"
 #include "endmill/trimming/trimmed_planes.h"
 #include "endmill/trimming/trimming.h"

@@ -5,6 +5,7 @@
 //   ENDMILL_FAULT=CALL:N:EFFECT   the N-th call of CALL, from 1; N+ is the N-th and all later.
 //                                 EFFECT is the number of an error, "kill", or "term": the
 //                                 call succeeds and returns 30 ms after a SIGTERM.
+//   ENDMILL_FAULT_ALONE=1         programs that it starts are without the fault.
 //   ENDMILL_FAULT_COUNTS=FILE     writes how often each call was made, as "CALL COUNT" lines.
 //
 // The call "memory" stands for malloc, calloc, realloc, aligned_alloc and posix_memalign.
@@ -119,6 +120,8 @@ void read_settings()
         std::abort();
     error_number = std::atoi(effect);
     interrupts = std::strcmp(effect, "term") == 0;
+    if (std::getenv("ENDMILL_FAULT_ALONE"))
+        ::unsetenv("ENDMILL_FAULT");
 }
 
 void write_counts()

@@ -172,8 +172,10 @@ def made_call(fault, counts):
     return calls(counts).get(call, 0) >= int(number.rstrip("+"))
 
 
-def environment(fault=None, counts=None):
+def environment(fault=None, counts=None, alone=False):
     settings = {**os.environ, "LD_PRELOAD": LIBRARY}
+    if alone:
+        settings["ENDMILL_FAULT_ALONE"] = "1"
     if fault:
         settings["ENDMILL_FAULT"] = fault
     if counts:

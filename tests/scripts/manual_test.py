@@ -74,7 +74,7 @@ class Written(FakeTree):
         super().setUp()
         cases = "".join(f'  "{words} --help"|"{words}--help") cat <<"TEXT"\n{text}TEXT\n  ;;\n'
                         for words, text in HELPS.items())
-        program = self.write("endmill", f'#!/bin/sh\ncase "$*" in\n  --version) echo endmill 0.1.0 ;;\n'
+        program = self.write("endmill", f'#!/bin/sh\ncase "$*" in\n  --version) echo "endmill 0.1.0 (with endmill-mpi)" ;;\n'
                              f'{cases}  *) exit 2 ;;\nesac\n')
         program.chmod(0o755)
         self.assertEqual(write_manual.main(str(program), self.root / "made"), 0)

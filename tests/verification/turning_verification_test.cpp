@@ -90,6 +90,34 @@ TEST(TurningVerification, AgreesWithThreeAxesIfTheAxisIsConstant)
     }
 }
 
+// Upright, the deviation has the closed forms of sweeps; turned together with the part, the
+// same path is judged by searches on its rays.
+TEST(TurningVerification, UprightPathIsJudgedAsTheSamePathTurned)
+{
+    const Eigen::Matrix3d rotation =
+        Eigen::AngleAxisd{0.4, Vec3{1, 2, 0}.normalized()}.toRotationMatrix();
+    for (const Cutter& cutter : {Cutter::ball(5), Cutter{5, 2}, Cutter::flat(5)}) {
+        ToolPath path = level_passes(1, std::nullopt);
+        path.points[7].location.tip.z() -= 0.03;
+        const Part part = plane_part({20, 0, 0}, {0, 12, 0});
+        const ToolPath leaning_path = turned(path, rotation);
+        const Part leaning_part = turned(part, rotation);
+        const Verification upright =
+            verify_path(task_of(path, cutter, &part, RemovalEngine::FiveAxis));
+        const Verification leaning = verify_path(
+            task_of(leaning_path, cutter, &leaning_part, RemovalEngine::FiveAxis));
+        EXPECT_EQ(upright.verdict, leaning.verdict);
+        const Deviation& a = upright.on_part->deviation;
+        const Deviation& b = leaning.on_part->deviation;
+        EXPECT_NEAR(a.max_gouge_mm, b.max_gouge_mm,
+                    a.gouge_bound_mm + b.gouge_bound_mm + 1e-6);
+        EXPECT_NEAR(a.max_scallop_mm, b.max_scallop_mm,
+                    a.scallop_bound_mm + b.scallop_bound_mm + 1e-6);
+        ASSERT_TRUE(a.deepest && b.deepest);
+        EXPECT_EQ(a.deepest->sweep, b.deepest->sweep);
+    }
+}
+
 // A flat cutter on a head leans by 25 degrees while the table turns in steps of 20 degrees:
 // its disc leaves a cone. With straight tips between the points it would not.
 TEST(TurningVerification, TableTurnsAConeExactlyInCoarseSteps)

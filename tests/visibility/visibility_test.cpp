@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/visibility/visibility.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <numbers>
@@ -216,6 +217,44 @@ TEST(PartVisibility, DoesNotDependOnTheThreads)
             std::ranges::equal(answers[0].map.column(cell), answers[1].map.column(cell)));
 }
 
+TEST(PartVisibility, OfAShareHasTheColumnsOfItsDirections)
+{
+    const TriangleMesh part = test::torus_mesh(20, 10);
+    const SphereGrid grid = sphere_grid("hex:3");
+    for (const VisibilityKind kind : {VisibilityKind::Local, VisibilityKind::Global}) {
+        const VisibilityMap whole =
+            part_visibility(part, grid.centres, {.kind = kind}).map;
+        const DirectionShare share{.first = 2, .step = 5};
+        const VisibilityMap map =
+            part_visibility(part, grid.centres, {.kind = kind, .share = share}).map;
+        std::size_t own = 0;
+        for (std::size_t cell = 0; cell < grid.centres.size(); ++cell)
+            if (own < share.count(map.cells()) && cell == share.direction(own)) {
+                EXPECT_TRUE(std::ranges::equal(map.column(cell), whole.column(cell)));
+                ++own;
+            } else {
+                EXPECT_EQ(std::ranges::count(map.column(cell), std::uint64_t{0}),
+                          std::ssize(map.column(cell)));
+            }
+        EXPECT_EQ(own, share.count(map.cells()));
+    }
+}
+
+TEST(DirectionShare, CoversAllDirectionsOnceWithTheOtherShares)
+{
+    for (std::size_t directions = 0; directions < 10; ++directions) {
+        std::size_t all = 0;
+        for (std::size_t first = 0; first < 4; ++first) {
+            const DirectionShare share{first, 4};
+            const std::size_t count = share.count(directions);
+            all += count;
+            EXPECT_TRUE(count == 0 || share.direction(count - 1) < directions);
+            EXPECT_GE(share.direction(count), directions);
+        }
+        EXPECT_EQ(all, directions);
+    }
+}
+
 TEST(PartVisibility, ReportsTheNumberOfFinishedDirections)
 {
     const SphereGrid grid = sphere_grid("hex:2");
@@ -240,6 +279,7 @@ TEST(PartVisibility, RefusesArgumentsOutsideItsDomain)
                      DomainError);
     EXPECT_EQ(part_visibility({}, up).map.facets(), 0U);
     EXPECT_EQ(part_visibility(part, {}).map.cells(), 0U);
+    EXPECT_THROW(part_visibility(part, {}, {.share = {0, 0}}), DomainError);
 }
 
 TEST(VisibleFractions, AreSharesOfTheSolidAngle)

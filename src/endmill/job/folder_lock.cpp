@@ -17,6 +17,14 @@
 namespace endmill {
 namespace {
 
+[[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& what,
+                         const std::string& process)
+{
+    throw OutputError{shown_path(folder) + ": " + what +
+                      " is at work in this folder, process " + process +
+                      "; expected its end, or another folder"};
+}
+
 [[noreturn]] void fail_to(const std::string& act, const std::filesystem::path& file,
                           int error)
 {
@@ -67,9 +75,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& w
         const std::string process = process_in(descriptor);
         ::close(descriptor);
         if (error == EWOULDBLOCK)
-            throw OutputError{shown_path(folder) + ": " + what +
-                              " is at work in this folder, process " + process +
-                              "; expected its end, or another folder"};
+            refuse(folder, what, process);
         if (error != 0)
             fail_to("lock", file_, error);
     }

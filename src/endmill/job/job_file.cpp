@@ -216,9 +216,8 @@ void JobReader::read_tolerances(const JsonValue& root)
     const auto value = root.find_member("tolerances");
     if (!value)
         return;
-    std::vector<std::string_view> keys;
-    for (const KeyOption& key : tolerance_keys)
-        keys.push_back(key.key);
+    std::array<std::string_view, tolerance_keys.size()> keys;
+    std::ranges::transform(tolerance_keys, keys.begin(), &KeyOption::key);
     value->allow_only(keys);
     job_.tolerances = options_of(*value, tolerance_keys);
     for (const std::string_view key : {"chord_mm", "inner_mm"})

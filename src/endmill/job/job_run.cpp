@@ -59,6 +59,29 @@ struct ChildLines {
     std::vector<std::string> warnings = {};  // without the name of the program
 };
 
+// Whether the answer of a command is no.
+bool is_no(const ChildResult& result)
+{
+    return result.end == ChildEnd::Exited && result.code == 1;
+}
+
+// The exit code of a command, also where it was ended.
+int exit_of(const ChildResult& result)
+{
+    switch (result.end) {
+        case ChildEnd::Exited:
+            return result.code;
+        case ChildEnd::Signalled:
+            return signal_exit + result.code;
+        case ChildEnd::OutOfTime:
+        case ChildEnd::FileTooLong:
+            return limit_exit;
+        case ChildEnd::NotStarted:
+            break;
+    }
+    return fault_exit;
+}
+
 // The message for an answer that is no, by the step that gave it.
 std::string refusal_of(JobStep step)
 {
@@ -151,7 +174,10 @@ private:
     void execute(JobStep step, const StepCommand& command, StepRecord record);
     ChildTask task_of(JobStep step, const StepCommand& command, ChildLines& lines) const;
     void take_line(JobStep step, std::string_view line, ChildLines& lines) const;
+    std::string reason_for(JobStep step, const ChildResult& result,
+                           const ChildLines& lines) const;
     void judge(JobStep step, const ChildResult& result, const ChildLines& lines);
+    void warn(JobStep step, const std::string& text) const;
     void note_answer(JobStep step);
     void report(const JobProgress& progress) const;
     std::optional<double> seconds_after(JobStep step) const;
@@ -392,8 +418,7 @@ void Runner::take_line(JobStep step, std::string_view line, ChildLines& lines) c
     constexpr std::string_view warning = "endmill: warning: ";
     if (line.starts_with(warning)) {
         lines.warnings.push_back(printable(line.substr(warning.size())));
-        if (options_.warning)
-            options_.warning(name_of(step) + ": " + lines.warnings.back());
+        warn(step, lines.warnings.back());
         return;
     }
     const Tree tree = Tree::parse(line, nullptr, false);
@@ -466,48 +491,52 @@ void Runner::execute(JobStep step, const StepCommand& command, StepRecord record
                        folder_of(step)}});
 }
 
+// Why a command did not end with yes.
+std::string Runner::reason_for(JobStep step, const ChildResult& result,
+                               const ChildLines& lines) const
+{
+    const std::string& told = lines.error.empty() ? lines.last : lines.error;
+    if (result.end == ChildEnd::Signalled)
+        return "the command was ended by signal " + std::to_string(result.code) +
+               (told.empty() ? "" : ": ") + told;
+    if (!told.empty())
+        return told;
+    if (!is_no(result))
+        return "the command ended with exit code " + std::to_string(result.code);
+    if (step == JobStep::Verify)
+        return refusal_of(step) + ": " + verdict_in(folder_of(step));
+    return refusal_of(step);
+}
+
 // Notes how a command ended.
 void Runner::judge(JobStep step, const ChildResult& result, const ChildLines& lines)
 {
     StepRecord& record = record_.steps.at(at(step));
     record.state = StepState::Done;
-    record.exit = result.code;
-    if (result.end == ChildEnd::Exited && result.code == 0) {
+    record.exit = exit_of(result);
+    if (record.exit == 0) {
         note_answer(step);
         return;
     }
-    const bool is_no = result.end == ChildEnd::Exited && result.code == 1;
-    if (result.end == ChildEnd::Signalled)
-        record.exit = signal_exit + result.code;
-    else if (result.end == ChildEnd::OutOfTime)
-        record.exit = limit_exit;
-    else if (result.end == ChildEnd::NotStarted)
-        record.exit = fault_exit;
-    std::string reason = lines.error.empty() ? lines.last : lines.error;
-    if (result.end == ChildEnd::Signalled)
-        reason = "the command was ended by signal " + std::to_string(result.code) +
-                 (reason.empty() ? "" : ": ") + reason;
-    else if (reason.empty() && is_no && step == JobStep::Verify)
-        reason = refusal_of(step) + ": " + verdict_in(folder_of(step));
-    else if (reason.empty())
-        reason = is_no
-                     ? refusal_of(step)
-                     : "the command ended with exit code " + std::to_string(result.code);
-    record.reason = reason;
-    if (is_no && goes_on_after_no(step)) {
+    record.reason = reason_for(step, result, lines);
+    if (is_no(result) && goes_on_after_no(step)) {
         note_answer(step);
-        if (options_.warning)
-            options_.warning(name_of(step) +
-                             ": the answer is no, and the job goes on: " + reason);
+        warn(step, "the answer is no, and the job goes on: " + record.reason);
         return;
     }
     record.state = StepState::Failed;
     failed_ = step;
     code_ = lines.code.empty() ? "E_STEP" : lines.code;
-    message_ = name_of(step) + ": " + reason;
-    if (is_no)
+    message_ = name_of(step) + ": " + record.reason;
+    if (is_no(result))
         message_ += "; in the job, " + advice_for(step) + " may help, and accept_no [\"" +
                     name_of(step) + "\"] lets the chain go on";
+}
+
+void Runner::warn(JobStep step, const std::string& text) const
+{
+    if (options_.warning)
+        options_.warning(name_of(step) + ": " + text);
 }
 
 void Runner::write_record()

@@ -154,6 +154,17 @@ std::vector<Trimmed> trim_planes(std::span<const PlaneSection> planes,
     return trimmed;
 }
 
+void clip_planes(std::span<const PlaneSection> planes,
+                 std::span<const std::optional<Interval>> ranges,
+                 std::span<Trimmed> trimmed)
+{
+    require(trimmed.size() == planes.size() &&
+                (ranges.empty() || ranges.size() == planes.size()),
+            "clip_planes: need a result for each plane, and a range for each or none");
+    for (std::size_t k = 0; k < ranges.size(); ++k)
+        cut_off(ranges[k], planes[k].curves, trimmed[k]);
+}
+
 std::vector<Trimmed> untrimmed_planes(std::span<const PlaneSection> planes)
 {
     std::vector<Trimmed> kept(planes.size());

@@ -33,6 +33,15 @@ std::vector<Trimmed> trim_planes(std::span<const PlaneSection> planes,
                                  const TrimmingOptions& options,
                                  const std::function<void(double share)>& progress = {});
 
+/// Clips trimmed sections to ranges of s, as trim_planes does.
+/// \param planes the sections before trimming.
+/// \param ranges one for each plane; empty: no clipping.
+/// \param trimmed results of a method, one for each plane; they are changed.
+/// \throws DomainError unless there are as many results as planes, and as many ranges or none.
+void clip_planes(std::span<const PlaneSection> planes,
+                 std::span<const std::optional<Interval>> ranges,
+                 std::span<Trimmed> trimmed);
+
 /// Sections without loops, such as those of a drop cutter, in the form of trimmed
 /// sections. Every vertex is kept.
 /// \return one result for each plane.

@@ -15,12 +15,18 @@ namespace {
 // The table of methods: name, title, whether the method uses TrimmingOptions::detection,
 // function. A new method needs its header above and one line here.
 constexpr std::array methods{
-    TrimmingMethod{"1", "distance of two points", true, trim_by_distance},
-    TrimmingMethod{"2", "straight lines and subdivision", true, trim_by_lines},
-    TrimmingMethod{"3", "segments in sequence", true, trim_in_sequence},
-    TrimmingMethod{"3r", "segments in sequence, repaired", false, trim_repaired},
-    TrimmingMethod{"envelope", "exact upper envelope", false, envelope_trimming},
-    TrimmingMethod{"winding", "exact winding number", false, winding_trimming},
+    TrimmingMethod{"1", "distance of two points", true, trim_by_distance,
+                   CurveCoupling::None},
+    TrimmingMethod{"2", "straight lines and subdivision", true, trim_by_lines,
+                   CurveCoupling::None},
+    TrimmingMethod{"3", "segments in sequence", true, trim_in_sequence,
+                   CurveCoupling::None},
+    TrimmingMethod{"3r", "segments in sequence, repaired", false, trim_repaired,
+                   CurveCoupling::None},
+    TrimmingMethod{"envelope", "exact upper envelope", false, envelope_trimming,
+                   CurveCoupling::Overlapping},
+    TrimmingMethod{"winding", "exact winding number", false, winding_trimming,
+                   CurveCoupling::Overlapping},
 };
 
 }  // namespace

@@ -9,6 +9,13 @@
 
 namespace endmill {
 
+/// The curves of a plane that a method must trim together.
+enum class CurveCoupling {
+    None,         ///< each open curve by itself, closed ones with all that overlap them
+    Overlapping,  ///< curves whose ranges of s overlap
+    Plane         ///< all curves of the plane
+};
+
 /// A method that removes the loops from the curves of one plane.
 struct TrimmingMethod {
     std::string_view name;   ///< the word for the command line
@@ -19,6 +26,8 @@ struct TrimmingMethod {
     ///     their smallest s.
     /// \throws DomainError if an option of the method is outside its domain.
     Trimmed (*trim)(std::span<const SectionCurve> curves, const TrimmingOptions& options);
+    /// Decides how the curves of a plane are divided among processes.
+    CurveCoupling coupling = CurveCoupling::Plane;
 };
 
 /// All methods, in the order in which tables show them. A new method is one line in the

@@ -183,14 +183,18 @@ PartVisibility part_visibility(const TriangleMesh& part, std::span<const Vec3> d
                                const VisibilityOptions& options)
 {
     require_unit_directions(directions);
+    require(options.share.step > 0, "visibility: need a step above 0 between directions");
     const double least = limit_of(options.incidence);
     const PartFacets facets = part_facets(part);
     PartVisibility visibility{{part.triangles().size(), directions.size()},
                               facets.dropped};
     DirectionCount done{options.progress};
+    const DirectionShare& share = options.share;
+    const std::size_t count = share.count(directions.size());
     if (options.kind == VisibilityKind::Local) {
-        parallel_for(directions.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t cell = begin; cell < end; ++cell) {
+        parallel_for(count, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) {
+                const std::size_t cell = share.direction(k);
                 mark_facing(facets, directions[cell], least, visibility.map.column(cell));
                 done.one_more();
             }
@@ -198,9 +202,10 @@ PartVisibility part_visibility(const TriangleMesh& part, std::span<const Vec3> d
         return visibility;
     }
     SpareRasters rasters{part, facets};
-    parallel_for(directions.size(), [&](std::size_t begin, std::size_t end) {
+    parallel_for(count, [&](std::size_t begin, std::size_t end) {
         std::unique_ptr<ShadowRaster> raster = rasters.take();
-        for (std::size_t cell = begin; cell < end; ++cell) {
+        for (std::size_t k = begin; k < end; ++k) {
+            const std::size_t cell = share.direction(k);
             raster->mark_seen(directions[cell], least, visibility.map.column(cell));
             done.one_more();
         }

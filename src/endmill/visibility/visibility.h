@@ -78,12 +78,29 @@ enum class VisibilityKind {
     Global  ///< the incidence, and occlusion by other facets, as in the paper
 };
 
+/// Every `step`-th direction from `first` on: a share of the work of several processes.
+/// Neighbouring directions of a grid cost about the same, so that such shares do too.
+struct DirectionShare {
+    std::size_t first = 0;  ///< number of a direction
+    std::size_t step = 1;   ///< at least 1
+
+    /// How many of `directions` directions belong to the share.
+    std::size_t count(std::size_t directions) const
+    {
+        return first < directions ? (directions - first - 1) / step + 1 : 0;
+    }
+
+    /// The number of a direction. \param k its place in the share, from 0.
+    std::size_t direction(std::size_t k) const { return first + k * step; }
+};
+
 /// Options of `part_visibility`.
 struct VisibilityOptions {
     /// Upper limit (excluded) of the angle between the direction and the facet's normal.
     /// It is above 0 and at most 90 degrees.
     Angle incidence = Angle::degrees(90);
     VisibilityKind kind = VisibilityKind::Global;  ///< with or without occlusion
+    DirectionShare share = {};  ///< the columns of other directions stay empty
 
     /// If set, it is called after each direction with the number of finished directions.
     /// Any thread may call, one at a time. An exception ends the work.
@@ -115,8 +132,8 @@ struct PartVisibility {
 /// Source: [KangSuh, section 2]; docs/methods/five-axis-setup.md, section 1 (our rule
 /// of occlusion) and section 11 (the method).
 /// \param part facets in mm. \param directions unit to 1e-9. \param options what counts.
-/// \throws DomainError if a direction does not have unit length, or if the incidence is
-///         outside its range.
+/// \throws DomainError if a direction does not have unit length, or if the incidence or the
+///         step of the share is outside its range.
 /// \throws LimitError if the map does not fit into memory.
 PartVisibility part_visibility(const TriangleMesh& part, std::span<const Vec3> directions,
                                const VisibilityOptions& options = {});

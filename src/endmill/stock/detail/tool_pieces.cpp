@@ -49,25 +49,37 @@ struct Waiting {
 
 }  // namespace
 
+ToolPieces::Capsule::Capsule(const Sphere& at_low, const Sphere& at_high)
+    : low{at_low.centre},
+      high{at_high.centre},
+      low_radius{at_low.radius},
+      high_radius{at_high.radius},
+      length{(high - low).norm()},
+      along{Vec3::Zero()},
+      widening{0}
+{
+    if (length > 0) {
+        along = (high - low) / length;
+        widening = (high_radius - low_radius) / length;
+    } else {
+        low_radius = high_radius = std::max(low_radius, high_radius);
+    }
+}
+
 // Over the axis from `low` to `high` the distance of the place minus the radius, which
 // changes evenly, is convex. Its minimum is in closed form.
 double ToolPieces::Capsule::distance(const Vec3& place) const
 {
-    const Vec3 way = high - low;
-    const double length = way.norm();
     const Vec3 from = place - low;
-    if (!(length > 0))
-        return from.norm() - std::max(low_radius, high_radius);
-    const double along = from.dot(way) / length;
-    const double beside = std::sqrt(std::max(0.0, from.squaredNorm() - along * along));
-    const double widening = (high_radius - low_radius) / length;
-    double at = along;
-    if (std::abs(widening) < 1)
-        at += beside * widening / std::sqrt((1 - widening) * (1 + widening));
-    else
+    const double foot = from.dot(along);
+    const double square = std::max(0.0, from.squaredNorm() - foot * foot);
+    double at = foot;
+    if (std::abs(widening) >= 1)
         at = widening > 0 ? length : 0;
+    else if (widening != 0)
+        at += widening * std::sqrt(square / ((1 - widening) * (1 + widening)));
     at = std::clamp(at, 0.0, length);
-    return std::hypot(beside, along - at) - low_radius - widening * at;
+    return std::sqrt(square + (foot - at) * (foot - at)) - low_radius - widening * at;
 }
 
 // The distance of two segments, with the larger radius.
@@ -100,7 +112,7 @@ ToolPieces::Capsule ToolPieces::around(std::size_t piece) const
     };
     const Sphere at_low = end(low);
     const Sphere at_high = end(high);
-    return {at_low.centre, at_high.centre, at_low.radius, at_high.radius};
+    return {at_low, at_high};
 }
 
 ToolPieces::Capsule ToolPieces::around(std::span<const Capsule> some) const
@@ -118,9 +130,8 @@ ToolPieces::Capsule ToolPieces::around(std::span<const Capsule> some) const
                                      (one.*centre - sphere.centre).norm() + one.*radius);
         return sphere;
     };
-    const Sphere low = end(&Capsule::low, &Capsule::low_radius);
-    const Sphere high = end(&Capsule::high, &Capsule::high_radius);
-    return {low.centre, high.centre, low.radius, high.radius};
+    return {end(&Capsule::low, &Capsule::low_radius),
+            end(&Capsule::high, &Capsule::high_radius)};
 }
 
 ToolPieces::ToolPieces(std::vector<ToolPiece> pieces, const Sphere& region)

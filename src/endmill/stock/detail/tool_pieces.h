@@ -56,13 +56,26 @@ public:
     std::vector<std::uint32_t> near_segment(const Vec3& from, const Vec3& to,
                                             double within) const;
 
+    /// Whether a piece may come within a distance of a segment.
+    /// \param within in mm.
+    bool is_near(std::uint32_t piece, const Vec3& from, const Vec3& to,
+                 double within) const
+    {
+        return capsules_[piece].is_near(from, to, within);
+    }
+
 private:
     // Capsule around the axes of the pieces, thickened by the radius of the cutters.
     struct Capsule {
+        Capsule(const Sphere& at_low, const Sphere& at_high);
+
         Vec3 low;            // mm, middle of the lower ends of the axes
         Vec3 high;           // mm, middle of the upper ends
         double low_radius;   // mm
         double high_radius;  // mm
+        double length;       // mm
+        Vec3 along;          // unit, from low to high; 0 without a length
+        double widening;     // of the radius over the length; 0 without a length
 
         double distance(const Vec3& place) const;
         bool is_near(const Vec3& from, const Vec3& to, double within) const;

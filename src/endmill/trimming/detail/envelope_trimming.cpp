@@ -74,11 +74,12 @@ public:
         std::int32_t left = no_segment;
         for (std::size_t k = 0; k < pieces.size(); ++k) {
             if (!is_left_of_all(pieces[k].from))
-                write_place({left, pieces[k].segment}, pieces[k].from, pieces.size() - k);
+                write_place({left, pieces[k].segment}, pieces[k].from,
+                            left == no_segment ? places_of_curve(k) : 0);
             left = pieces[k].segment;
         }
         if (!pieces.empty())
-            write_place({left, no_segment}, envelope_.end, 1);
+            write_place({left, no_segment}, envelope_.end, 0);
         while (next_vertical_ < verticals_.size())
             write_lone(take_vertical());
         return std::move(trimmed_);
@@ -96,7 +97,18 @@ private:
         return place < 0 && envelope_.crossings[~place].p == no_segment;
     }
 
-    // Writes the vertical segments in front of `place`, then the place itself.
+    // The number of places on the curve that begins with piece k. Curves do not share room:
+    // a plane may have millions of them.
+    std::size_t places_of_curve(std::size_t k) const
+    {
+        const auto begin = envelope_.pieces.begin() + static_cast<std::ptrdiff_t>(k);
+        const auto end = std::ranges::find(begin, envelope_.pieces.end(), no_segment,
+                                           &EnvelopePiece::segment);
+        return static_cast<std::size_t>(end - begin) + 1;
+    }
+
+    // Writes the vertical segments in front of `place`, then the place itself. A curve that
+    // begins there has `most_places`, as far as it is known.
     void write_place(const Sides& sides, std::int32_t place, std::size_t most_places)
     {
         if (is_common_vertex(sides, place) && order_.s(place) < next_vertical_s_) {

@@ -13,7 +13,7 @@ namespace {
 
 // Factor of an error bound that is itself computed in doubles: a few roundings, and the
 // terms of second order that the bound omits, are far below a thousandth of it.
-constexpr double bound_margin = 1.001;
+constexpr double doubt_margin = 1.001;
 
 // The double to which all numbers within `error` of `value` are rounded, if it is the
 // same one.
@@ -45,7 +45,7 @@ std::optional<double> rounded_between(double a, double b, const Share& share)
     const DoubleDouble value = DoubleDouble{a} + share.value * way;
     const double error =
         std::abs(way.value()) * (share.error + 0x1p-98) + 0x1p-100 * std::abs(a);
-    return rounded(value, bound_margin * error);
+    return rounded(value, doubt_margin * error);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ SectionPoint rounded_crossing(const SectionLine& p, const SectionLine& q)
         0x1p-99 * std::max(std::abs(left_a.value()) + std::abs(right_a.value()),
                            std::abs(left_b.value()) + std::abs(right_b.value())) +
         std::numeric_limits<double>::min();
-    const Share share{area / span, bound_margin * doubt / std::abs(span.value())};
+    const Share share{area / span, doubt_margin * doubt / std::abs(span.value())};
     const auto s = rounded_between(q.a[0], q.b[0], share);
     const auto z = rounded_between(q.a[1], q.b[1], share);
     if (s && z)

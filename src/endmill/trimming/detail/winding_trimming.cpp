@@ -65,7 +65,7 @@ Trimmed winding_trimming(std::span<const SectionCurve> curves,
         trimmed.curves.push_back(curve_along(border, made));
     std::erase_if(trimmed.curves,
                   [](const TrimmedCurve& curve) { return curve.points.size() < 2; });
-    std::ranges::sort(trimmed.curves, {}, [](const TrimmedCurve& curve) {
+    std::ranges::stable_sort(trimmed.curves, {}, [](const TrimmedCurve& curve) {
         return place(*std::ranges::min_element(curve.points, {}, place));
     });
     return trimmed;

@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/cutter/straight_sweep.h"
+#include "endmill/deviation/detail/deviation_measurement.h"
 #include "endmill/deviation/detail/turning_measurement.h"
 #include "endmill/stock/detail/dexel_removal.h"
 #include "endmill/stock/detail/removable_path.h"
@@ -26,6 +31,9 @@ namespace {
 constexpr double certain_contact = 1e-5;
 // Cells at work in the search for contacts with the part.
 constexpr std::size_t most_contact_cells = 4'000'000;
+// Greatest difference of a unit axis from +z. It moves places a metre up the tool by no more
+// than the rounding of a distance.
+constexpr double upright_tolerance = 1e-13;
 // Limit of coordinates, as for heights.
 constexpr double largest_coordinate = 1e9;  // mm
 
@@ -55,19 +63,62 @@ std::string gap_text(double gap)
     return to_text(std::floor(gap * 1000) / 1000);
 }
 
-PartFindings findings_on(const VerificationTask& task, const PartCharts& charts,
-                         const ToolPieces& cutters, const TurningStock& before)
+// Returns the sweeps of pieces if all of them are straight moves of endless cutters along
+// +z; else nothing.
+std::optional<std::vector<StraightSweep>> upright_sweeps(
+    std::span<const ToolPiece> pieces)
+{
+    std::vector<StraightSweep> sweeps;
+    sweeps.reserve(pieces.size());
+    for (const ToolPiece& piece : pieces) {
+        const auto& [tip, axes] = piece.motion.from();
+        if (piece.motion.turn() != 0 || std::isfinite(piece.body.length()) ||
+            !((axes.col(2) - Vec3::UnitZ()).norm() <= upright_tolerance))
+            return std::nullopt;
+        sweeps.emplace_back(piece.body.cutter(), tip, piece.motion.to().tip);
+    }
+    return sweeps;
+}
+
+// The motions that the deviation is judged by.
+struct JudgedMotions {
+    std::vector<ToolPiece> pieces;  // those of earlier runs first
+    std::size_t earlier;            // number of them
+    Sphere region;                  // holds part and stock
+};
+
+// Measures the deviation. Without a turn, the straight approximation of a motion is its
+// sweep, so that the closed forms of three axes hold.
+TurningDeviation deviation_of(const VerificationTask& task, const PartCharts& charts,
+                              JudgedMotions motions, const TurningStock& before)
 {
     const JudgedPart& judged = *task.judged;
-    const TurnedStock stock{cutters, before.initial_ray()};
-    TurningDeviation found =
-        measure_turning_deviation(charts, stock,
-                                  {.limits = judged.limits,
+    const DeviationOptions options{.limits = judged.limits,
                                    .pitch = task.resolution,
                                    .max_refine = judged.max_refine,
                                    .is_accessible = judged.is_accessible,
                                    .skipped_facets = judged.skipped_facets,
-                                   .progress = judged.progress});
+                                   .progress = judged.progress};
+    if (const auto sweeps = upright_sweeps(motions.pieces)) {
+        Deviation found = measure_deviation(
+            charts, MachinedStock{*sweeps, motions.earlier, before.initial_ray()},
+            options);
+        for (auto* place : {&found.deepest, &found.highest})
+            if (*place && (*place)->sweep >= 0)
+                (*place)->sweep =
+                    motions.pieces[static_cast<std::size_t>((*place)->sweep)].point;
+        // Where nothing is cut, the distance is measured below.
+        if (found.is_cut)
+            return {std::move(found), 0};
+    }
+    const ToolPieces cutters{std::move(motions.pieces), motions.region};
+    return measure_turning_deviation(charts, {cutters, before.initial_ray()}, options);
+}
+
+PartFindings findings_on(const VerificationTask& task, const PartCharts& charts,
+                         JudgedMotions motions, const TurningStock& before)
+{
+    TurningDeviation found = deviation_of(task, charts, std::move(motions), before);
     // With earlier runs the gap is that of all cutters; a path that cuts elsewhere is then
     // not refused.
     if (!found.deviation.is_cut && !before.earlier_moves())
@@ -82,7 +133,7 @@ PartFindings findings_on(const VerificationTask& task, const PartCharts& charts,
         if (*place &&
             (*place)->sweep >= static_cast<std::int32_t>(task.path->points.size()))
             (*place)->sweep = by_earlier_run;
-    PartFindings findings{.limits = judged.limits,
+    PartFindings findings{.limits = task.judged->limits,
                           .deviation = std::move(found.deviation),
                           .collisions = {}};
     if (const HeightStock* heights = before.heights_only())
@@ -173,11 +224,14 @@ Verification verify_turning_path(const VerificationTask& task)
     const ToolPieces bodies{motions.bodies, region};
     std::optional<PartFindings> on_part;
     if (task.judged) {
-        std::vector<ToolPiece> all =
-            before.earlier_motions(static_cast<std::int32_t>(task.path->points.size()));
-        all.insert(all.end(), motions.cutters.begin(), motions.cutters.end());
+        JudgedMotions all{
+            before.earlier_motions(static_cast<std::int32_t>(task.path->points.size())),
+            0, region};
+        all.earlier = all.pieces.size();
+        all.pieces.insert(all.pieces.end(), motions.cutters.begin(),
+                          motions.cutters.end());
         const PartCharts charts = judged_charts(task);
-        on_part = findings_on(task, charts, ToolPieces{std::move(all), region}, before);
+        on_part = findings_on(task, charts, std::move(all), before);
         on_part->collisions =
             turning_contacts(charts, bodies, task.resolution, most_contact_cells);
     }
