@@ -6,7 +6,7 @@ import subprocess
 import unittest
 from pathlib import Path
 
-from faults import ENDMILL, FAILURES, FaultTest, calls, contents, difference, environment, some_of
+from faults import ENDMILL, FAILURES, IS_LONG, FaultTest, calls, contents, difference, environment
 
 JOB = Path(__file__).with_name("small-job.json")
 # Commands that are run again, and what their second run gets besides. FOLDER is the output folder.
@@ -16,6 +16,12 @@ RESUMED = {"run": (["run", JOB, "-o", "FOLDER"], []),
 ALONE = ("sweep",)
 CALLS = ("open", "mkdir", "rename", "unlink", "write", "read", "fsync", "flock", "opendir")
 KILLS = ("open", "mkdir", "rename", "unlink", "write", "fsync", "flock")
+
+
+def spread(count, short, long):
+    """Numbers from 1 to `count`, evenly spread: `long` of them in the long form, else `short`."""
+    most = min(count, long if IS_LONG else short)
+    return sorted({1 + round(k * (count - 1) / max(most - 1, 1)) for k in range(most)})
 
 
 def comparable(name, content):
@@ -68,11 +74,11 @@ class Resumed(FaultTest):
 
     def test_the_next_run_mends_what_a_failing_call_left(self):
         self.check_all(lambda counts: [f"{call}:{number}{later}:{error}" for call in CALLS
-                                       for number in some_of(counts.get(call, 0), 3) for error, later in FAILURES])
+                                       for number in spread(counts.get(call, 0), 3, 10) for error, later in FAILURES])
 
     def test_the_next_run_mends_what_a_kill_left(self):
         self.check_all(lambda counts: [f"{call}:{number}:kill" for call in KILLS
-                                       for number in some_of(counts.get(call, 0), 4)])
+                                       for number in spread(counts.get(call, 0), 4, 40)])
 
 
 if __name__ == "__main__":
