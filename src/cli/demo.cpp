@@ -22,7 +22,8 @@ std::filesystem::path file_in(const std::filesystem::path& folder,
 {
     std::error_code ignored;
     std::filesystem::path found;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator{folder, ignored})
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator{folder, ignored})
         if (entry.path().string().ends_with(ending) &&
             (found.empty() || entry.path() < found))
             found = entry.path();
@@ -58,13 +59,17 @@ void add_demo_command(CLI::App& program, Action& action)
     const auto options = std::make_shared<CommonOptions>();
     add_common_options(*command, *options);
     command->footer(
-        "Runs datasets/jobs/economic-cl-data.json, a job that is delivered with endmill:\n"
-        "plan, verify, post. It writes to --output (default ./endmill-demo) and ends with\n"
+        "Runs datasets/jobs/economic-cl-data.json, a job that is delivered with "
+        "endmill:\n"
+        "plan, verify, post. It writes to --output (default ./endmill-demo) and ends "
+        "with\n"
         "the names of the pictures and of the G-code. Takes some seconds.\n\n"
         "Example:\n"
         "  endmill demo");
     command->callback([options, &action, &program] {
-        action = [options, &program] { return run_demo(*options, description_of(program)); };
+        action = [options, &program] {
+            return run_demo(*options, description_of(program));
+        };
     });
 }
 
