@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/job/folder_lock.h"
 
+#include <array>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -92,6 +95,24 @@ TEST(FolderLock, TakesOverFromAProcessThatWasKilled)
     other.kill();
     EXPECT_TRUE(fs::exists(folder.path() / ".endmill-lock"));
     EXPECT_EQ(refusal(folder.path()), "");
+}
+
+TEST(FolderLock, WaitsForTheChildrenOfAProcessThatWasKilled)
+{
+    const PrivateFolder folder{testing::TempDir()};
+    const pid_t owner = ::fork();
+    if (owner == 0) {
+        const FolderLock lock{folder.path(), "a run"};
+        if (::fork() == 0) {
+            ::usleep(500'000);
+            std::_Exit(0);
+        }
+        ::kill(::getpid(), SIGKILL);
+    }
+    ::waitpid(owner, nullptr, 0);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(refusal(folder.path()), "");
+    EXPECT_GT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds{200});
 }
 
 TEST(FolderLock, IsNotMisledByTheContentOfTheFile)

@@ -3,8 +3,11 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <string_view>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -12,10 +15,15 @@
 #include <unistd.h>
 
 #include "endmill/core/error.h"
+#include "endmill/core/text.h"
 #include "endmill/files/read_file.h"
 
 namespace endmill {
 namespace {
+
+// How long the children of a process that was killed may take to end, and how often to look.
+constexpr std::chrono::seconds longest_end{10};
+constexpr std::chrono::milliseconds look_interval{5};
 
 [[noreturn]] void refuse(const std::filesystem::path& folder, const std::string& what,
                          const std::string& process)
@@ -42,6 +50,22 @@ std::string process_in(int descriptor)
     return number.empty() ? "unknown" : std::string{number};
 }
 
+// Whether a process of this number exists; true if the number is not known.
+bool lives(const std::string& process)
+{
+    const auto number = number_from_text(process);
+    return !number || ::kill(static_cast<pid_t>(*number), 0) == 0 || errno != ESRCH;
+}
+
+// The error of taking the lock; 0 if it was taken.
+int lock_error(int descriptor)
+{
+    while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0)
+        if (errno != EINTR)
+            return errno;
+    return 0;
+}
+
 // Whether the open file is still the one of this name: its last owner may have removed it.
 bool is_still_there(int descriptor, const std::filesystem::path& file)
 {
@@ -56,28 +80,27 @@ bool is_still_there(int descriptor, const std::filesystem::path& file)
 FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& what)
     : file_{folder / ".endmill-lock"}
 {
+    const auto start = std::chrono::steady_clock::now();
     while (descriptor_ < 0) {
-        const int descriptor =
-            ::open(file_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+        // Not closed on exec: child processes hold the lock too.
+        const int descriptor = ::open(file_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW,
+                                      0666);  // NOLINT(android-cloexec-open)
         if (descriptor < 0)
             fail_to("open", file_, errno);
-        int error = 0;
-        while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-            error = errno;
-            if (error != EINTR)
-                break;
-            error = 0;
-        }
+        const int error = lock_error(descriptor);
         if (error == 0 && is_still_there(descriptor, file_)) {
             descriptor_ = descriptor;
             break;
         }
         const std::string process = process_in(descriptor);
         ::close(descriptor);
-        if (error == EWOULDBLOCK)
-            refuse(folder, what, process);
-        if (error != 0)
+        if (error == EWOULDBLOCK) {
+            if (lives(process) || std::chrono::steady_clock::now() - start > longest_end)
+                refuse(folder, what, process);
+            std::this_thread::sleep_for(look_interval);
+        } else if (error != 0) {
             fail_to("lock", file_, error);
+        }
     }
     const std::string number = std::to_string(::getpid()) + "\n";
     const bool is_written = ::ftruncate(descriptor_, 0) == 0 &&

@@ -6,11 +6,13 @@
 
 namespace endmill {
 
-/// The lock of a folder in which only one process may work at a time. The system releases it
-/// when its process ends in any way, so that a lock never outlives its owner.
+/// The lock of a folder in which only one process may work at a time. The child processes
+/// that it starts hold the lock too, and the system releases it when the last of them ends in
+/// any way: a lock never outlives its owners, and nobody meets the children of a process that
+/// was killed at work.
 class FolderLock {
 public:
-    /// Takes the lock.
+    /// Takes the lock. It waits up to 10 s for the children of a process that is gone.
     /// \param folder an existing folder. The lock is the file .endmill-lock in it, which holds
     ///        the number of the process.
     /// \param what   the work of the folder, for the message, such as "a run".
