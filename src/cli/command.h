@@ -55,6 +55,7 @@ void add_toollife_command(CLI::App& program,
                           Action& action);                    ///< economic tool life
 void add_machine_command(CLI::App& program, Action& action);  ///< report on a machine
 void add_setup_command(CLI::App& program, Action& action);    ///< find a setup
+void add_sweep_command(CLI::App& program, Action& action);    ///< run many cases
 void add_cite_command(CLI::App& program, Action& action);     ///< list the sources
 
 }  // namespace endmill

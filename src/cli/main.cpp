@@ -67,6 +67,7 @@ ExitCode run(int argc, char** argv, bool json_errors)
     add_setup_command(program, action);
     add_machine_command(program, action);
     add_eval_command(program, action);
+    add_sweep_command(program, action);
     add_cite_command(program, action);
     try {
         program.parse(argc, argv);

@@ -39,6 +39,7 @@ ProgramCommand command_of(const CLI::App& command)
     for (const CLI::Option* option : command.get_options()) {
         if (option->get_positional()) {
             described.has_input = true;
+            described.needs_input = option->get_required();
             continue;
         }
         const std::string name = option->get_name();

@@ -8,3 +8,6 @@
 #include "endmill/job/folder_lock.h"
 #include "endmill/job/program_options.h"
 #include "endmill/job/ranks.h"
+#include "endmill/job/sweep.h"
+#include "endmill/job/sweep_plan.h"
+#include "endmill/job/sweep_workers.h"

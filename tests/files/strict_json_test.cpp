@@ -129,6 +129,22 @@ TEST(JsonValue, AMissingKeyIsNamedAndAnOptionalOneIsNot)
     EXPECT_THAT([&] { number.find_member("c"); }, refuses("f:/a: 1; expected an object"));
 }
 
+TEST(JsonValue, TellsKindsApart)
+{
+    const std::string file = "f";
+    const JsonDocument document{R"({"b": [1], "a": 2.5, "c": false, "d": "1"})", file};
+    const JsonValue root = document.root();
+    EXPECT_THAT(root.keys(), testing::ElementsAre("a", "b", "c", "d"));
+    EXPECT_TRUE(root.member("b").is_array());
+    EXPECT_FALSE(root.is_array());
+    EXPECT_TRUE(root.member("a").is_number());
+    EXPECT_FALSE(root.member("d").is_number());
+    EXPECT_TRUE(root.member("c").is_truth());
+    EXPECT_FALSE(root.member("a").is_truth());
+    EXPECT_THAT([&] { root.member("b").keys(); },
+                refuses("f:/b: an array of 1; expected an object"));
+}
+
 TEST(JsonValue, ATruthIsTrueOrFalse)
 {
     const auto read = [](const JsonValue& value) { value.truth(); };

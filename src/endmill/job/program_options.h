@@ -35,6 +35,7 @@ struct ProgramCommand {
     std::string name;                    ///< such as "plan"
     std::vector<ProgramOption> options;  ///< in the order of the help
     bool has_input = true;               ///< whether it takes a file without an option
+    bool needs_input = false;            ///< whether it cannot run without that file
 
     /// The option with this key. \return nothing if there is none.
     const ProgramOption* find(std::string_view key) const;

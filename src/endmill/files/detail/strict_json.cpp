@@ -95,6 +95,21 @@ void JsonValue::allow_only(std::span<const std::string_view> keys) const
                                                             one_of(keys, key));
 }
 
+std::vector<std::string_view> JsonValue::keys() const
+{
+    if (!value_->is_object())
+        throw complaint(shown(), "an object");
+    std::vector<std::string_view> all;
+    for (auto member = value_->begin(); member != value_->end(); ++member)
+        all.emplace_back(member.key());
+    return all;
+}
+
+bool JsonValue::is_array() const
+{
+    return value_->is_array();
+}
+
 std::size_t JsonValue::size() const
 {
     if (!value_->is_array())
@@ -129,6 +144,11 @@ std::string_view JsonValue::word(std::span<const std::string_view> words) const
     return *found;
 }
 
+bool JsonValue::is_truth() const
+{
+    return value_->is_boolean();
+}
+
 bool JsonValue::truth() const
 {
     if (!value_->is_boolean())
@@ -147,6 +167,11 @@ std::int64_t JsonValue::whole_number(std::int64_t low, std::int64_t high) const
         throw complaint(shown(), "a whole number from " + std::to_string(low) + " to " +
                                      std::to_string(high));
     return number;
+}
+
+bool JsonValue::is_number() const
+{
+    return value_->is_number();
 }
 
 double JsonValue::number() const

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -55,6 +56,13 @@ public:
     ///         message suggests the closest key.
     void allow_only(std::span<const std::string_view> keys) const;
 
+    /// The keys of this object in alphabetical order. They are views into the document.
+    /// \throws FormatError if this is not an object.
+    std::vector<std::string_view> keys() const;
+
+    /// Whether this is an array.
+    bool is_array() const;
+
     /// Number of items. \throws FormatError if this is not an array.
     std::size_t size() const;
 
@@ -72,12 +80,18 @@ public:
     /// \throws FormatError, with a suggestion, if this is none of them.
     std::string_view word(std::span<const std::string_view> words) const;
 
+    /// Whether this is true or false.
+    bool is_truth() const;
+
     /// True or false. \throws FormatError if this is neither.
     bool truth() const;
 
     /// A number without fraction and exponent; 3.0 is refused.
     /// \throws FormatError unless it is one from `low` to `high`.
     std::int64_t whole_number(std::int64_t low, std::int64_t high) const;
+
+    /// Whether this is a number.
+    bool is_number() const;
 
     /// A number; finite, because `json_tree` refuses others.
     /// \throws FormatError if this is not a number.
