@@ -237,11 +237,9 @@ Outcome trim_as_selected(const TrimInput& input, const TrimOptions& options,
                                    : trim_with(*method, input, options, runs, folder);
 }
 
-ExitCode run_trim(TrimOptions given)
+ExitCode run_trim(const TrimOptions& given)
 {
     check_trim_options(given);
-    if (!given.compare_only.empty() && !given.repeat)
-        given.repeat = 1;
     // The arcs of the offset around borders have the radius of the cutter with the allowance.
     if (given.cutter && given.allowance > given.cutter->radius())
         advise_less_memory("a smaller --allowance needs less");

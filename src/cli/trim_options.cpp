@@ -152,6 +152,7 @@ void add_comparison_options(CLI::App& command, TrimOptions& options)
             "--compare-only",
             [&options](const std::string& list) {
                 options.compare_only = methods_argument(list);
+                options.repeat = options.repeat.value_or(1);
             },
             "compare these methods with the exact one, as --repeat does (default 1), and "
             "write no curves: names as in --method, separated by commas")
