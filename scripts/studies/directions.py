@@ -14,6 +14,7 @@ from .intervals import Tally, percent_columns
 SETTINGS = [("ball:8", 0.2), ("ball:16", 0.05), ("ball:16", 0.2)]  # cutter, and tolerance in mm
 NCL_LIMIT, TCD_LIMIT = 22, 4  # %, least reductions of the printed tables
 EQUAL = 1e-9  # relative difference of two travels that is rounding
+GOUGED = "1"  # exit code: a path of the paper gouges beyond its tolerance
 TOO_LARGE = "4"  # exit code: the surface does not admit the cutter
 
 
@@ -61,6 +62,7 @@ PROPERTIES = {
     "tcd_saves_4": lambda r: reduction(r, "tcd_mm") >= TCD_LIMIT,
     "both_save": lambda r: reduction(r, "ncl") >= NCL_LIMIT and reduction(r, "tcd_mm") >= TCD_LIMIT
     and agree(smaller(r, "ncl"), smaller(r, "tcd_mm")),
+    "a_path_gouges": lambda r: r["exit_code"] == GOUGED,
 }
 
 
@@ -91,9 +93,9 @@ def grouped(results):
 
 
 def check(results):
-    """Raises SystemExit if a case failed for another reason than its cutter. Exit code 1 states a gouge."""
+    """Raises SystemExit if a case failed for another reason than its cutter."""
     for result in results:
-        if result["exit_code"] not in ("0", "1", TOO_LARGE):
+        if result["exit_code"] not in ("0", GOUGED, TOO_LARGE):
             raise SystemExit(f"{result['input']}: exit code {result['exit_code']}, {result['message']}")
 
 

@@ -59,7 +59,10 @@ def number(text):
 
 
 def cells_of(results):
-    """The cells of a group of cases: parts, machinable ones of each kind, and medians of what was found."""
+    """The cells of a group of cases: parts, machinable and undecided ones, and medians of what was found.
+
+    Mode `paper` examines one cell for each cone. If the setup that it finds exceeds the limits, another one may not.
+    """
     by_kind = defaultdict(Tally)
     for result in results:
         by_kind[kind_of(result)].add(result["exit_code"] == YES, 1)
@@ -67,11 +70,12 @@ def cells_of(results):
     areas = [number(r["floored_area_deg2"]) for r in results if r["exit_code"] == YES]
     areas = [area for area in areas if area is not None]
     missed = [100 * share for r in results if (share := number(r["missed_area_share"])) is not None]
-    return [len(results), *whole.percents(), *(by_kind[kind].found for kind in KINDS),
+    undecided = sum(r["exit_code"] == NO and r["proved"] == "false" for r in results)
+    return [len(results), *whole.percents(), undecided, *(by_kind[kind].found for kind in KINDS),
             f"{median(areas):.2f}" if areas else "", f"{median(missed):.4f}" if missed else ""]
 
 
-HEADER = ["row", "parts", *percent_columns("machinable"), *(f"machinable_{kind}" for kind in KINDS),
+HEADER = ["row", "parts", *percent_columns("machinable"), "undecided", *(f"machinable_{kind}" for kind in KINDS),
           "median_floored_area_deg2", "median_missed_area_percent"]
 
 

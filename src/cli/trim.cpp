@@ -233,8 +233,9 @@ Outcome trim_as_selected(const TrimInput& input, const TrimOptions& options,
     const auto methods = trimming_methods();
     const auto method =
         std::ranges::find(methods, method_name(options), &TrimmingMethod::name);
-    return method == methods.end() ? trim_all(input, options, runs, folder)
-                                   : trim_with(*method, input, options, runs, folder);
+    if (method == methods.end())
+        return trim_all(input, options, runs, folder);
+    return trim_with(*method, input, options, runs, folder);
 }
 
 ExitCode run_trim(const TrimOptions& given)

@@ -47,11 +47,14 @@ std::vector<TrimmingMethod> compared_methods(const TrimOptions& options)
     return compared;
 }
 
-// Runs the methods `known` `repetitions` times, each repetition beginning with another one.
+// Runs the methods `known` --repeat times, each repetition beginning with another one.
 void time_methods(const TrimInput& input, std::span<const TrimmingMethod> known,
-                  const TrimmingOptions& options, int repetitions,
-                  std::vector<MethodRuns>& methods, ProgressLine& progress)
+                  const TrimOptions& options, std::vector<MethodRuns>& methods,
+                  ProgressLine& progress)
 {
+    const TrimmingOptions trimming =
+        trimming_options(options, section_height(input.sections));
+    const int repetitions = options.repeat.value_or(0);
     const auto count = static_cast<std::size_t>(repetitions);
     for (std::size_t repetition = 0; repetition < count; ++repetition)
         for (std::size_t k = 0; k < known.size(); ++k) {
@@ -61,7 +64,8 @@ void time_methods(const TrimInput& input, std::span<const TrimmingMethod> known,
             progress.show(fmt::format("repetition {} of {}, method {}", repetition + 1,
                                       repetitions, method.name),
                           done / static_cast<double>(count * known.size()));
-            method.times_ms.push_back(run(known[number], input, options, method.trimmed));
+            method.times_ms.push_back(
+                run(known[number], input, trimming, method.trimmed));
         }
 }
 
@@ -255,7 +259,7 @@ std::vector<MethodRuns> run_methods(const TrimInput& input, const TrimOptions& o
         methods.push_back({method.name, {}, {}, {}});
         run(method, input, trimming, methods.back().trimmed);
     }
-    time_methods(input, known, trimming, options.repeat.value_or(0), methods, progress);
+    time_methods(input, known, options, methods, progress);
     const auto exact = std::ranges::find(methods, exact_method, &MethodRuns::name);
     for (MethodRuns& method : methods) {
         progress.show(fmt::format("differences of method {}", method.name));

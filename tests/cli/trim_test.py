@@ -387,8 +387,8 @@ class Trim(ProgramTest):
         # The tail of the loop of size 1 is 8 / sqrt 5 = 3.58 mm deep, and the other sizes in proportion. Literal detection
         # cuts the W (docs/methods/interference.md, section 11, T7).
         words = ("trim", "--polyline", self.planes_file(), "--detection", "literal", "--tolerance", "1e-6", "--repeat", "2",
-                 "--m1-step", "0.5", "-o", "out")
-        facts = self.summary(*words, "--method", "all")["comparison"]
+                 "--m1-step", "0.5")
+        facts = self.summary(*words, "--method", "all", "-o", "out")["comparison"]
         classes = facts["by_depth"]
         self.assertEqual({name: found["planes"] for name, found in classes.items()},
                          {"none": 1, "below_10_um": 1, "below_100_um": 1, "below_1_mm": 1, "from_1_mm": 1})
@@ -398,8 +398,8 @@ class Trim(ProgramTest):
             self.assertEqual([plane for plane, count in enumerate(wrong) if count], differences["wrong_planes"], method)
         self.assertEqual([classes["none"]["wrong"][method] for method in ("1", "2", "3", "3r")], [1, 1, 1, 0])
         self.assertEqual(sum(found["wrong"]["envelope"] for found in classes.values()), 0)
-        chosen = self.summary(*words, "--compare-only", "1,3r", "--force")
-        names = {path.name for path in (self.folder / "out").rglob("*")}
+        chosen = self.summary(*words, "--compare-only", "1,3r", "-o", "chosen")
+        names = {path.name for path in (self.folder / "chosen").rglob("*")}
         self.assertEqual(names, {"differences.csv", "times.csv", "comparison.svg", "summary.json"})
         self.assertEqual(list(chosen["comparison"]["differences"]), ["1", "3r", "envelope"])
         for method, differences in chosen["comparison"]["differences"].items():

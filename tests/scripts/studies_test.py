@@ -83,7 +83,7 @@ class Directions(FakeTree):
         first, second, _ = directions.SETTINGS
         results = [self.case("bezier-000", first, (100, 50, 50), (200, 60, 60)),  # u is better by all
                    self.case("bezier-000", second, (100, 50, 50), (90, 60, 40)),  # criteria disagree
-                   self.case("grid-000", first, (100, 50, 50), (100, 50, 50)),  # no difference
+                   self.case("grid-000", first, (100, 50, 50), (100, 50, 50), code="1"),  # no difference
                    self.case("grid-001", first, ("", "", ""), ("", "", ""), code="4")]
         header, rows = directions.evaluate(results)["result.csv"]
         found = {row[0]: dict(zip(header, row)) for row in rows}
@@ -94,6 +94,7 @@ class Directions(FakeTree):
         self.assertEqual(found["bezier"]["one_direction_percent"], "100.000")  # by travel u in both settings
         self.assertEqual(found["grid"]["tcd_median_reduction_percent"], "0.000")
         self.assertEqual(found["nurbs"]["ncl_saves_22_percent"], "")
+        self.assertEqual(found["all"]["a_path_gouges_percent"], "33.333")
 
     def test_a_case_that_failed_otherwise_ends_the_evaluation(self):
         bad = self.case("grid-000", directions.SETTINGS[0], (1, 1, 1), (1, 1, 1), code="7")
@@ -111,10 +112,10 @@ class Machinability(FakeTree):
     def test_parts_are_counted_by_machine_and_kind(self):
         one, other = list(machinability.MACHINES)[:2]
         results = [{"input": f"inputs/{kind}-000.off", "machine": machine, "exit_code": code, "message": "",
-                    "floored_area_deg2": area, "missed_area_share": missed}
-                   for machine, kind, code, area, missed in (
-                       (one, "convex", "0", "40", ""), (one, "wheel", "1", "", "0.25"),
-                       (other, "convex", "1", "90", ""), (other, "wheel", "1", "", "0.5"))]
+                    "floored_area_deg2": area, "missed_area_share": missed, "proved": proved}
+                   for machine, kind, code, area, missed, proved in (
+                       (one, "convex", "0", "40", "", "true"), (one, "wheel", "1", "", "0.25", "true"),
+                       (other, "convex", "1", "90", "", "false"), (other, "wheel", "1", "", "0.5", "true"))]
         header, rows = machinability.evaluate(results)["result.csv"]
         found = {row[0]: dict(zip(header, row)) for row in rows}
         self.assertEqual((found[one]["parts"], found[one]["machinable_percent"]), (2, "50.000"))
@@ -122,6 +123,7 @@ class Machinability(FakeTree):
         self.assertEqual(found[one]["median_floored_area_deg2"], "40.00")
         self.assertEqual(found[one]["median_missed_area_percent"], "25.0000")
         self.assertEqual(found["any machine"]["machinable_percent"], "50.000")
+        self.assertEqual([found[machine]["undecided"] for machine in (one, other)], [0, 1])
 
     def test_the_bottom_is_left_out(self):
         cases = machinability.prepare(self.root, 1)
