@@ -102,9 +102,8 @@ TEST(PolylineCsv, RefusesAPlaneThatComesAgainAndAPlaneWhereThereIsOne)
     const auto complaint = [](const std::string& text) {
         return complaint_of([&] { parse_polyline_planes(text, "f.csv"); });
     };
-    EXPECT_THAT(
-        complaint("plane,s_mm,z_mm\n1,0,0\n1,1,0\n2,0,0\n2,1,0\n1,5,0\n1,6,0\n"),
-        HasSubstr("f.csv:6: plane 1 occurs again after another plane"));
+    EXPECT_THAT(complaint("plane,s_mm,z_mm\n1,0,0\n1,1,0\n2,0,0\n2,1,0\n1,5,0\n1,6,0\n"),
+                HasSubstr("f.csv:6: plane 1 occurs again after another plane"));
     EXPECT_THAT(complaint("plane,s_mm,z_mm\n1,0,0\n2,0,0\n"),
                 HasSubstr("f.csv:2: a curve with 1 different point"));
     EXPECT_THAT(complaint("plane,s_mm,z_mm\n-1,0,0\n"),
