@@ -24,7 +24,7 @@ from collections import Counter, defaultdict
 from pathlib import Path
 
 from reproduction.claim_list import DEFINITION, FILE, KINDS, read_claims
-from reproduction.experiments import BESIDE_THE_PAPERS, NOT_A_PAPER, place_of_paper
+from reproduction.experiments import BESIDE_THE_PAPERS, NOT_A_PAPER, has_driver, place_of_paper
 from reproduction.fault import Fault
 from reproduction.tables import read_table
 from reproduction.verdicts import VERDICTS, checked_rows
@@ -35,7 +35,7 @@ PUBLISHED = "published.csv"
 
 def papers_of(root):
     """The folders of the papers, in the order of the report."""
-    folders = {file.parent.parent.name for file in (root / "experiments").glob("*/*/main.cpp")}
+    folders = {folder.parent.name for folder in (root / "experiments").glob("*/*") if has_driver(folder)}
     return sorted(folders - NOT_A_PAPER - set(BESIDE_THE_PAPERS), key=place_of_paper)
 
 
@@ -75,7 +75,7 @@ def check_fields(claim, root, papers):
 
 def is_experiment(root, name):
     """Whether `name` is PAPER/ITEM with a driver."""
-    return name.count("/") == 1 and (root / "experiments" / name / "main.cpp").is_file()
+    return name.count("/") == 1 and has_driver(root / "experiments" / name)
 
 
 def check_row(claim, rows):

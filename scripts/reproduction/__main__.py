@@ -37,8 +37,8 @@ def run_whole(command, root):
 
 
 def build(root, experiments):
-    """Builds the drivers of the experiments."""
-    targets = [e.target for e in experiments]
+    """Builds the drivers of the experiments, and the program for those that are scripts."""
+    targets = list(dict.fromkeys(e.target for e in experiments))
     run_whole(["cmake", "--build", "--preset", "release", "--target", *targets], root)
 
 

@@ -10,12 +10,18 @@ from .fault import Fault
 NOT_A_PAPER = {"support"}  # a library that the drivers share
 BENCHMARKS = "benchmarks"
 PAPERS = ["economic-cl-data", "interference", "five-axis-setup", "ball-end-milling"]  # in the order of README.md
-BESIDE_THE_PAPERS = ["verification", "economy", "five-axis-paths", BENCHMARKS]  # experiments of this project, shown last
+BESIDE_THE_PAPERS = ["verification", "economy", "five-axis-paths", "sweeps", BENCHMARKS]  # experiments of this project, shown last
+DRIVER, SCRIPT = "main.cpp", "main.py"  # an experiment has one of them
+
+
+def has_driver(folder):
+    """Whether a folder of experiments/PAPER is an experiment."""
+    return any((folder / name).is_file() for name in (DRIVER, SCRIPT))
 
 
 @dataclass(frozen=True)
 class Experiment:
-    """experiments/PAPER/ITEM: one published table or figure, or a benchmark."""
+    """experiments/PAPER/ITEM: one published table or figure, a study by a sweep, or a benchmark."""
 
     root: Path  # of the repository
     paper: str
@@ -35,12 +41,22 @@ class Experiment:
 
     @property
     def target(self):
-        """The name of the driver in the build."""
-        return f"{self.paper}-{self.item}"
+        """The name of the driver in the build; that of the program, which a script runs."""
+        return "endmill" if self.script.is_file() else f"{self.paper}-{self.item}"
+
+    @property
+    def script(self):
+        return self.folder / SCRIPT
 
     @property
     def program(self):
         return self.root / "build/release/experiments" / self.target
+
+    def command(self, output):
+        """The words that run the driver, from the root of the repository. It writes into the folder `output`."""
+        if self.script.is_file():
+            return ["/usr/bin/python3", str(self.script), output]
+        return [str(self.program), output]
 
     def params(self):
         """The contents of params.json, empty without the file."""
@@ -69,7 +85,7 @@ class Experiment:
 
 def find_experiments(root):
     """All experiments under `root`, that is all folders with a driver, figure-5 before figure-12."""
-    folders = [driver.parent for driver in (root / "experiments").glob("*/*/main.cpp")]
+    folders = [folder for folder in (root / "experiments").glob("*/*") if has_driver(folder)]
     found = [Experiment(root, folder.parent.name, folder.name) for folder in folders]
     return sorted((e for e in found if e.paper not in NOT_A_PAPER), key=place_in_report)
 

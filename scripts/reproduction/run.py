@@ -27,7 +27,7 @@ def run(experiment, revision, say):
     started = datetime.now(timezone.utc)
     start = time.monotonic()
     with open(experiment.results / "run.log", "wb") as log:
-        exit_code = call([str(experiment.program), output], experiment.root, log)
+        exit_code = call(experiment.command(output), experiment.root, log)
     seconds = round(time.monotonic() - start, 3)
     record = {
         "experiment": experiment.name,

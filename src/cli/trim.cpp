@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "build_facts.h"
 #include "cli/console.h"
 #include "cli/idle_options.h"
 #include "cli/memory_limit.h"
@@ -119,7 +120,7 @@ void add_comparison(std::span<const MethodRuns> runs, const TrimInput& input,
 {
     if (runs.empty())
         return;
-    Json comparison = comparison_summary(runs, options);
+    Json comparison = comparison_summary(runs, input, options);
     outcome.text += "\n" + comparison_text(comparison, options);
     outcome.summary["comparison"] = std::move(comparison);
     write_comparison(runs, input, options, folder);
@@ -166,6 +167,22 @@ Outcome trim_all(const TrimInput& input, const TrimOptions& options,
     return outcome;
 }
 
+// Writes the comparison of the methods alone.
+Outcome compare_only(const TrimInput& input, const TrimOptions& options,
+                     std::span<const MethodRuns> runs, OutputFolder& folder)
+{
+    Outcome outcome;
+    outcome.summary = {{"name", input.name},
+                       {"source", input.source},
+                       {"endmill", program_version},
+                       {"planes", input.sections.size()}};
+    add_settings(outcome.summary, options,
+                 trimming_options(options, section_height(input.sections)));
+    add_comparison(runs, input, options, folder, outcome);
+    folder.write("summary.json", outcome.summary.dump(2) + "\n");
+    return outcome;
+}
+
 Outcome trim_with(const TrimmingMethod& method, const TrimInput& input,
                   const TrimOptions& options, std::span<const MethodRuns> runs,
                   OutputFolder& folder)
@@ -186,10 +203,10 @@ void check_mesh_options(const TrimOptions& options, const std::string& method)
     require_option(
         method == mesh_method || method == "all",
         "--method " + method + ": " + needs_surface + "; for a mesh expected envelope");
-    refuse_idle_options(
-        options.common,
-        std::array{"--detection", "--m1-step", "--m1-threshold", "--m3", "--repeat"},
-        "a mesh", "a surface: method envelope alone trims a mesh");
+    refuse_idle_options(options.common,
+                        std::array{"--detection", "--m1-step", "--m1-threshold", "--m3",
+                                   "--repeat", "--compare-only"},
+                        "a mesh", "a surface: method envelope alone trims a mesh");
     require_option(
         !options.figure_worst,
         "--figure worst: one method alone trims a mesh; expected the number of "
@@ -205,6 +222,21 @@ TrimOptions with_chosen_plane(TrimOptions options, std::span<const MethodRuns> r
     else if (options.offset && !options.figure)
         options.figure = 0;
     return options;
+}
+
+// Trims by the selected method or methods and writes the results.
+Outcome trim_as_selected(const TrimInput& input, const TrimOptions& options,
+                         std::span<const MethodRuns> runs, OutputFolder& folder)
+{
+    if (!options.compare_only.empty())
+        return compare_only(input, options, runs, folder);
+    write_sections(input, options, folder);
+    const auto methods = trimming_methods();
+    const auto method =
+        std::ranges::find(methods, method_name(options), &TrimmingMethod::name);
+    if (method == methods.end())
+        return trim_all(input, options, runs, folder);
+    return trim_with(*method, input, options, runs, folder);
 }
 
 ExitCode run_trim(const TrimOptions& given)
@@ -230,12 +262,7 @@ ExitCode run_trim(const TrimOptions& given)
     OutputFolder folder{output_folder(input.file, "trim", options.common),
                         options.common.full_folder};
     folder.protect(input.file);
-    write_sections(input, options, folder);
-    const auto methods = trimming_methods();
-    const auto method = std::ranges::find(methods, name, &TrimmingMethod::name);
-    const Outcome outcome = method == methods.end()
-                                ? trim_all(input, options, runs, folder)
-                                : trim_with(*method, input, options, runs, folder);
+    const Outcome outcome = trim_as_selected(input, options, runs, folder);
     folder.publish();
     print_result(options.common, outcome.summary,
                  outcome.text + "written to " + printable(folder.path().string()) + "\n");
@@ -261,7 +288,10 @@ void add_trim_command(CLI::App& program, Action& action)
         "all writes a folder for each method. Sections hold reference points.\n"
         "--repeat adds times.csv and comparison.svg; --repeat and --figure worst add\n"
         "differences.csv, the distance of each method's curves from the exact ones, and\n"
-        "methods-N.svg with the curves of all methods in the drawn plane N. Times are\n"
+        "methods-N.svg with the curves of all methods in the drawn plane N. "
+        "--compare-only\n"
+        "writes the files of --repeat and summary.json only, and exits with 0. Times "
+        "are\n"
         "measured and vary; everything else is the same in every run.\n\n"
         "With --explain, the column rule of loops.csv names the rule that removed a "
         "piece:\n"

@@ -2,8 +2,10 @@
 #include "cli/trim_comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -34,11 +36,26 @@ double run(const TrimmingMethod& method, const TrimInput& input,
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// Runs all methods `repetitions` times, each repetition beginning with another method.
-void time_methods(const TrimInput& input, const TrimmingOptions& options, int repetitions,
-                  std::vector<MethodRuns>& methods, ProgressLine& progress)
+// The methods to compare: all, or those of --compare-only and the exact one.
+std::vector<TrimmingMethod> compared_methods(const TrimOptions& options)
 {
-    const auto known = trimming_methods();
+    std::vector<TrimmingMethod> compared;
+    for (const TrimmingMethod& method : trimming_methods())
+        if (options.compare_only.empty() || method.name == exact_method ||
+            std::ranges::find(options.compare_only, method.name) !=
+                options.compare_only.end())
+            compared.push_back(method);
+    return compared;
+}
+
+// Runs the methods `known` --repeat times, each repetition beginning with another one.
+void time_methods(const TrimInput& input, std::span<const TrimmingMethod> known,
+                  const TrimOptions& options, std::vector<MethodRuns>& methods,
+                  ProgressLine& progress)
+{
+    const TrimmingOptions trimming =
+        trimming_options(options, section_height(input.sections));
+    const int repetitions = options.repeat.value_or(0);
     const auto count = static_cast<std::size_t>(repetitions);
     for (std::size_t repetition = 0; repetition < count; ++repetition)
         for (std::size_t k = 0; k < known.size(); ++k) {
@@ -48,7 +65,8 @@ void time_methods(const TrimInput& input, const TrimmingOptions& options, int re
             progress.show(fmt::format("repetition {} of {}, method {}", repetition + 1,
                                       repetitions, method.name),
                           done / static_cast<double>(count * known.size()));
-            method.times_ms.push_back(run(known[number], input, options, method.trimmed));
+            method.times_ms.push_back(
+                run(known[number], input, trimming, method.trimmed));
         }
 }
 
@@ -96,6 +114,50 @@ Json differences_summary(const MethodRuns& method, double tolerance)
             {"distance_z_mm", has_difference ? Json(farthest.place.y()) : Json(nullptr)},
             {"below_mm", below},
             {"lost_mm", lost}};
+}
+
+// A range of depths of interference, from the bound of the class before it.
+struct DepthClass {
+    const char* key;
+    double below_mm;
+};
+
+// The first class has no interference beyond the rounding of coordinates.
+constexpr std::array depth_classes{
+    DepthClass{"none", step_back_on_parts_mm}, DepthClass{"below_10_um", 0.01},
+    DepthClass{"below_100_um", 0.1}, DepthClass{"below_1_mm", 1},
+    DepthClass{"from_1_mm", std::numeric_limits<double>::infinity()}};
+
+// The number of the planes in `chosen` that each method trims wrongly.
+Json wrong_counts(std::span<const MethodRuns> methods,
+                  std::span<const std::size_t> chosen, double tolerance)
+{
+    Json counts = Json::object();
+    for (const MethodRuns& method : methods)
+        counts[std::string{method.name}] =
+            std::ranges::count_if(chosen, [&](std::size_t plane) {
+                return !is_right(method.differences[plane], tolerance);
+            });
+    return counts;
+}
+
+// For each class of depths the planes in it, and the wrong ones by method.
+Json by_depth(std::span<const MethodRuns> methods, std::span<const double> depths,
+              double tolerance)
+{
+    std::array<std::vector<std::size_t>, depth_classes.size()> planes;
+    for (std::size_t k = 0; k < depths.size(); ++k) {
+        const auto found = std::ranges::find_if(
+            depth_classes, [&](double bound) { return depths[k] < bound; },
+            &DepthClass::below_mm);
+        planes[static_cast<std::size_t>(found - depth_classes.begin())].push_back(k);
+    }
+    Json summary;
+    for (std::size_t i = 0; i < planes.size(); ++i)
+        summary[depth_classes[i].key] = {
+            {"planes", planes[i].size()},
+            {"wrong", wrong_counts(methods, planes[i], tolerance)}};
+    return summary;
 }
 
 // Numbers as ranges, such as "3-5, 91", up to a number of ranges.
@@ -193,11 +255,12 @@ std::vector<MethodRuns> run_methods(const TrimInput& input, const TrimOptions& o
     const TrimmingOptions trimming =
         trimming_options(options, section_height(input.sections));
     std::vector<MethodRuns> methods;
-    for (const TrimmingMethod& method : trimming_methods()) {
+    const std::vector<TrimmingMethod> known = compared_methods(options);
+    for (const TrimmingMethod& method : known) {
         methods.push_back({method.name, {}, {}, {}});
         run(method, input, trimming, methods.back().trimmed);
     }
-    time_methods(input, trimming, options.repeat.value_or(0), methods, progress);
+    time_methods(input, known, options, methods, progress);
     const auto exact = std::ranges::find(methods, exact_method, &MethodRuns::name);
     for (MethodRuns& method : methods) {
         progress.show(fmt::format("differences of method {}", method.name));
@@ -222,7 +285,8 @@ std::size_t worst_plane(std::span<const MethodRuns> methods)
     return worst;
 }
 
-Json comparison_summary(std::span<const MethodRuns> methods, const TrimOptions& options)
+Json comparison_summary(std::span<const MethodRuns> methods, const TrimInput& input,
+                        const TrimOptions& options)
 {
     Json summary{{"repetitions", options.repeat.value_or(0)},
                  {"exact_method", exact_method},
@@ -238,6 +302,8 @@ Json comparison_summary(std::span<const MethodRuns> methods, const TrimOptions& 
         summary["differences"][name] = std::move(differences);
     }
     summary["right_in_every_plane"] = std::move(right);
+    summary["by_depth"] =
+        by_depth(methods, interference_depths(input.sections), options.tolerance);
     return summary;
 }
 

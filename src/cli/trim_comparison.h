@@ -37,7 +37,7 @@ struct TimeSpread {
 /// \pre there is a time.
 TimeSpread time_spread(std::vector<double> times_ms);
 
-/// Trims the sections by every method and compares the results with those of the exact
+/// Trims the sections by every method, or by those of --compare-only, and compares the results with those of the exact
 /// method `envelope`. A first run of each method is not timed. Then, with --repeat, every
 /// repetition runs all methods once, each time beginning with another one, so that slow
 /// changes of the machine affect all of them.
@@ -47,8 +47,10 @@ std::vector<MethodRuns> run_methods(const TrimInput& input, const TrimOptions& o
 /// The plane in which a method is farthest from the exact curve; the first of several.
 std::size_t worst_plane(std::span<const MethodRuns> methods);
 
-/// Times and differences of all methods, for summary.json.
-Json comparison_summary(std::span<const MethodRuns> methods, const TrimOptions& options);
+/// Times and differences of all methods, and the number of planes that each gets wrong by
+/// depth of interference, for summary.json.
+Json comparison_summary(std::span<const MethodRuns> methods, const TrimInput& input,
+                        const TrimOptions& options);
 
 /// The same as a report for the terminal.
 std::string comparison_text(const Json& comparison, const TrimOptions& options);

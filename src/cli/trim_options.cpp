@@ -118,7 +118,7 @@ void add_polyline_options(CLI::App& command, TrimOptions& options)
 {
     command
         .add_option("--polyline", options.polyline,
-                    "curves to trim, in place of PART (CSV: s_mm, z_mm, curve)")
+                    "curves to trim, in place of PART (CSV: s_mm, z_mm, curve, plane)")
         ->type_name("FILE");
     command
         .add_option_function<std::string>(
@@ -129,6 +129,34 @@ void add_polyline_options(CLI::App& command, TrimOptions& options)
             "offset the curves of --polyline before trimming; the tool is on their left. "
             "R: radius of a ball in mm; CUTTER: as --cutter")
         ->type_name("R|CUTTER");
+}
+
+// The names of methods in a list such as "1,3r".
+std::vector<std::string> methods_argument(const std::string& list)
+{
+    std::vector<std::string_view> words = method_words();
+    words.pop_back();  // all_methods
+    std::vector<std::string> methods;
+    std::string rest = list + ",";
+    for (std::size_t comma; (comma = rest.find(',')) != std::string::npos;
+         rest.erase(0, comma + 1))
+        methods.emplace_back(
+            words[choice_argument("--compare-only", rest.substr(0, comma), words)]);
+    return methods;
+}
+
+void add_comparison_options(CLI::App& command, TrimOptions& options)
+{
+    command
+        .add_option_function<std::string>(
+            "--compare-only",
+            [&options](const std::string& list) {
+                options.compare_only = methods_argument(list);
+                options.repeat = options.repeat.value_or(1);
+            },
+            "compare these methods with the exact one, as --repeat does (default 1), and "
+            "write no curves: names as in --method, separated by commas")
+        ->type_name("METHODS");
 }
 
 void add_result_options(CLI::App& command, TrimOptions& options)
@@ -204,6 +232,7 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
 {
     command.add_option("PART", options.part.path, "surface or mesh file");
     add_polyline_options(command, options);
+    add_comparison_options(command, options);
     add_mesh_options(command, options.part);
     command
         .add_option_function<std::string>(
@@ -334,6 +363,10 @@ void check_trim_options(const TrimOptions& options)
                    "--thin-tolerance " + to_text(options.thin_tolerance.value_or(0)) +
                        ": expected less than --tolerance, " + to_text(options.tolerance) +
                        " mm");
+    if (!options.compare_only.empty())
+        refuse_idle_options(options.common,
+                            std::array{"--method", "--explain", "--figure", "--refine"},
+                            "--compare-only", "--method all");
     refuse_idle_method_options(options, method_name(options));
     require_option(options.search != BranchSearch::ScanToEnd ||
                        detection_of(options) == FoldDetection::Literal,
@@ -348,6 +381,8 @@ std::string_view mode_word(TrimMode mode)
 
 std::string method_name(const TrimOptions& options)
 {
+    if (!options.compare_only.empty())
+        return all_methods;
     return options.method.value_or(options.mode == TrimMode::Paper ? "3" : "envelope");
 }
 

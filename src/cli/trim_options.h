@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/command.h"
 #include "cli/surface_facts.h"
@@ -48,6 +49,8 @@ struct TrimOptions {
     std::optional<int> figure;  ///< number of a plane
     bool figure_worst = false;  ///< draw the plane where the methods differ most
     std::optional<int> repeat;  ///< repetitions of a comparison of all methods
+    /// Names of methods to compare with the exact one; nothing else is written.
+    std::vector<std::string> compare_only;
 };
 
 /// Adds every option of `trim` to `command`.
@@ -64,7 +67,7 @@ void require_option(bool holds, const std::string& what);
 /// The word for `mode`, as --mode takes it.
 std::string_view mode_word(TrimMode mode);
 
-/// Name of the selected or default method, or "all".
+/// Name of the selected or default method, or "all", also with --compare-only.
 std::string method_name(const TrimOptions& options);
 
 /// The cutter of --cutter or --offset.

@@ -121,8 +121,11 @@ TrimInput curves_input(const TrimOptions& options)
     TrimInput input;
     input.file = options.polyline;
     input.name = printable(std::filesystem::path{options.polyline}.stem().string());
-    input.sections.resize(1);
-    input.sections[0].curves = read_polylines(options.polyline, options.common.limits);
+    for (auto& curves : read_polyline_planes(options.polyline, options.common.limits))
+        input.sections.push_back({std::move(curves), {}, {}, 0});
+    require_option(!options.offset || input.sections.size() == 1,
+                   "--offset: profiles in " + counted(input.sections.size(), "plane") +
+                       "; expected all in one plane");
     if (options.offset)
         offset_curves(options, input);
     return input;

@@ -368,6 +368,43 @@ class Trim(ProgramTest):
         self.assertIn("measured in 2 runs of each method", done.stdout)
         self.assertIn("right in every plane: ", done.stdout)
 
+    def planes_file(self):
+        """A loop of four sizes and a W without a loop, each in a plane of its own."""
+        loop = ((-6, 6), (2, -2), (0, -1), (-2, -2), (6, 6))
+        curves = [[(s * size, z * size) for s, z in loop] for size in (1, 0.1, 0.01, 0.001)] + [((-4, 2), (-2, 0), (0, 1), (2, 0), (4, 2))]
+        rows = [f"{plane},{s!r},{z!r}\n" for plane, curve in enumerate(curves) for s, z in curve]
+        return self.file("plane,s_mm,z_mm\n" + "".join(rows), "planes.csv")
+
+    def test_curves_in_planes_of_their_own_are_trimmed_one_by_one(self):
+        self.summary("trim", "--polyline", self.planes_file(), "-o", "out")
+        rows = table(self.folder / "out/trimmed.csv")
+        lowest = [min(float(row["z_mm"]) for row in rows if row["plane"] == str(plane)) for plane in range(5)]
+        self.assertEqual(lowest, [0] * 5)  # each loop ends at its crossing (0, 0)
+        done = endmill("trim", "--polyline", "planes.csv", "--offset", "2", cwd=self.folder)
+        self.assert_refused(done, 2, "--offset: profiles in 5 planes")
+
+    def test_wrong_planes_are_counted_by_depth_of_interference(self):
+        # The tail of the loop of size 1 is 8 / sqrt 5 = 3.58 mm deep, and the other sizes in proportion. Literal detection
+        # cuts the W (docs/methods/interference.md, section 11, T7).
+        words = ("trim", "--polyline", self.planes_file(), "--detection", "literal", "--tolerance", "1e-6", "--repeat", "2",
+                 "--m1-step", "0.5")
+        facts = self.summary(*words, "--method", "all", "-o", "out")["comparison"]
+        classes = facts["by_depth"]
+        self.assertEqual({name: found["planes"] for name, found in classes.items()},
+                         {"none": 1, "below_10_um": 1, "below_100_um": 1, "below_1_mm": 1, "from_1_mm": 1})
+        for method, differences in facts["differences"].items():
+            wrong = [classes[name]["wrong"][method]
+                     for name in ("from_1_mm", "below_1_mm", "below_100_um", "below_10_um", "none")]
+            self.assertEqual([plane for plane, count in enumerate(wrong) if count], differences["wrong_planes"], method)
+        self.assertEqual([classes["none"]["wrong"][method] for method in ("1", "2", "3", "3r")], [1, 1, 1, 0])
+        self.assertEqual(sum(found["wrong"]["envelope"] for found in classes.values()), 0)
+        chosen = self.summary(*words, "--compare-only", "1,3r", "-o", "chosen")
+        names = {path.name for path in (self.folder / "chosen").rglob("*")}
+        self.assertEqual(names, {"differences.csv", "times.csv", "comparison.svg", "summary.json"})
+        self.assertEqual(list(chosen["comparison"]["differences"]), ["1", "3r", "envelope"])
+        for method, differences in chosen["comparison"]["differences"].items():
+            self.assertEqual(differences, facts["differences"][method])
+
     def test_worst_plane_is_drawn_for_one_method_too(self):
         self.summary("trim", VALLEY, "--cutter", "ball:20", "--grid", "60", "--planes", "12", "--tolerance", "0.05",
                      "--figure", "worst", "-o", "out")
@@ -455,6 +492,10 @@ class Trim(ProgramTest):
                 (("--polyline", curves, "--direction-deg", "0"), "--polyline excludes --direction-deg"),
                 (("--polyline", curves, "--safe-height", "9"), "--polyline excludes --safe-height"),
                 (("--polyline", curves, "--m1-step", "0", "--method", "1"), "--m1-step"),
+                (("--polyline", curves, "--compare-only", "1,4"), "--compare-only"),
+                (("--polyline", curves, "--compare-only", "1,"), "--compare-only"),
+                (("--polyline", curves, "--compare-only", "1", "--method", "all"), "--method: has no effect"),
+                ((dome, "--cutter", "ball:5", "--compare-only", "1"), "--compare-only: has no effect with a mesh"),
                 ((part, "--cutter", "ball:5", "--method", "4"), "--method"),
                 ((part, "--cutter", "flat:5", "--scallop", "0.1"), "flat cutter"),
                 ((part, "--cutter", "ball:5", "--figure", "100"), "--figure 100"),

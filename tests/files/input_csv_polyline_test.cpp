@@ -73,6 +73,45 @@ TEST(PolylineCsv, RefusesACurveThatComesAgain)
                 HasSubstr("f.csv:6: curve 1 occurs again after another curve"));
 }
 
+TEST(PolylineCsv, ReadsTheCurvesOfEachPlaneAsIfTheyStoodAlone)
+{
+    const std::string one = "1,5,0\n1,2,1\n0,3,0\n0,4,4\n";
+    const std::string other = "1,0,0\n1,9,9\n";
+    const auto with_plane = [](const std::string& number, const std::string& rows) {
+        std::string text = number + "," + rows;
+        for (std::size_t at = 0; (at = text.find('\n', at) + 1) < text.size();)
+            text.insert(at, number + ",");
+        return text;
+    };
+    const std::string header = "curve,s_mm,z_mm\n";
+    const auto planes = parse_polyline_planes(
+        "plane," + header + with_plane("7", one) + with_plane("2", other), "f");
+    ASSERT_EQ(planes.size(), 2U);
+    for (const auto& [text, curves] :
+         {std::pair{one, planes[0]}, std::pair{other, planes[1]}}) {
+        const auto alone = parse_polylines(header + text, "f");
+        ASSERT_EQ(curves.size(), alone.size());
+        for (std::size_t k = 0; k < curves.size(); ++k)
+            EXPECT_EQ(curves[k].points, alone[k].points);
+        EXPECT_EQ(parse_polyline_planes(header + text, "f").size(), 1U);
+    }
+}
+
+TEST(PolylineCsv, RefusesAPlaneThatComesAgainAndAPlaneWhereThereIsOne)
+{
+    const auto complaint = [](const std::string& text) {
+        return complaint_of([&] { parse_polyline_planes(text, "f.csv"); });
+    };
+    EXPECT_THAT(complaint("plane,s_mm,z_mm\n1,0,0\n1,1,0\n2,0,0\n2,1,0\n1,5,0\n1,6,0\n"),
+                HasSubstr("f.csv:6: plane 1 occurs again after another plane"));
+    EXPECT_THAT(complaint("plane,s_mm,z_mm\n1,0,0\n2,0,0\n"),
+                HasSubstr("f.csv:2: a curve with 1 different point"));
+    EXPECT_THAT(complaint("plane,s_mm,z_mm\n-1,0,0\n"),
+                HasSubstr("plane is \"-1\"; expected a whole number"));
+    EXPECT_THAT(input_csv_polyline_complaint("plane,s_mm,z_mm\n1,0,0\n1,1,1\n"),
+                HasSubstr("unknown column \"plane\""));
+}
+
 TEST(PolylineCsv, MeasuresMemoryBeforeItReads)
 {
     ReadLimits limits;

@@ -46,6 +46,15 @@ class Reproduce(FakeTree):
         log = (self.root / "results/paper/table-1/run.log").read_text()
         self.assertEqual(log, f"results/paper/table-1\n{self.root}\n")
 
+    def test_driver_may_be_a_script_that_runs_the_program(self):
+        self.write("experiments/paper/study/main.py",
+                   "import sys\nopen(sys.argv[1] + '/result.csv', 'w').write('row,x\\na,1\\n')\n")
+        self.write("experiments/paper/study/README.md", "# Study\n\n| Time | under 1 s |\n")
+        study, = find_experiments(self.root)
+        self.assertEqual((study.name, study.target), ("paper/study", "endmill"))
+        self.reproduce()
+        self.assertEqual((self.root / "results/paper/study/result.csv").read_text(), "row,x\na,1\n")
+
     def test_broken_cell_is_listed_and_fails(self):
         self.add_experiment("paper/table-1", RESULT, expected="row,x\na,1\nb,2.6\n")
         good, printed = self.reproduce()

@@ -103,6 +103,24 @@ TEST(EnvelopeComparison, CountsTheSectionsThatAreWrong)
     EXPECT_THROW(compare_with_envelope(planes, {}, 0.1), DomainError);
 }
 
+// The untrimmed loop is the result of which MeasuresTheDepthOfALoop measures the depth. At
+// a tenth of the size the depth is a tenth; a curve that never steps back has none.
+TEST(InterferenceDepths, AreTheDepthsOfTheUntrimmedCurves)
+{
+    std::vector<PlaneSection> planes(3);
+    planes[0].curves = {loop};
+    planes[1].curves = {loop};
+    for (SectionPoint& point : planes[1].curves[0].points)
+        point /= 10;
+    planes[2].curves = {test::open_curve({{0, 0}, {1, 5}, {3, -2}})};
+    const std::vector<double> depths = interference_depths(planes);
+    ASSERT_EQ(depths.size(), 3U);
+    EXPECT_DOUBLE_EQ(depths[0], 4 * 2 / std::sqrt(5));
+    EXPECT_DOUBLE_EQ(depths[1], 0.4 * 2 / std::sqrt(5));
+    EXPECT_NEAR(depths[2], 0, step_back_on_parts_mm / 2);
+    EXPECT_TRUE(interference_depths({}).empty());
+}
+
 // docs/methods/interference.md, section 11, T1: the exact result has the vertex (0, 0).
 const SectionCurve one_loop =
     test::open_curve({{-6, 6}, {2, -2}, {0, -1}, {-2, -2}, {6, 6}});

@@ -55,6 +55,21 @@ std::vector<SectionCurve> parse_polylines(std::string_view text, const std::stri
 std::vector<SectionCurve> read_polylines(const std::filesystem::path& path,
                                          const ReadLimits& limits = {});
 
+/// Reads curves of several planes. The columns are those of `parse_polylines` and the
+/// optional column `plane`, a whole number. The rows of a plane stand together, and curves
+/// are numbered in each plane by itself; without the column all curves lie in one plane.
+/// \return the curves of each plane, as `parse_polylines` orders them. The planes keep
+///     their order in the file.
+/// \throws as `parse_polylines`; FormatError E_CSV also for rows of one plane that are
+///     separated by another plane.
+std::vector<std::vector<SectionCurve>> parse_polyline_planes(
+    std::string_view text, const std::string& file, const ReadLimits& limits = {});
+
+/// Reads the file and parses it as `parse_polyline_planes` does.
+/// \throws FormatError, LimitError also as `read_file`.
+std::vector<std::vector<SectionCurve>> read_polyline_planes(
+    const std::filesystem::path& path, const ReadLimits& limits = {});
+
 /// Reads recommended cutting speeds from the columns `phi_over_pi` (engaged angle over
 /// pi) and `v_m_per_min` (cutting speed), one recommendation per row.
 /// \param file name of the file for messages.

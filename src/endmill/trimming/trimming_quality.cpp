@@ -8,6 +8,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/trimming/trimmed_planes.h"
 
 namespace endmill {
 namespace {
@@ -175,6 +176,17 @@ TrimmingQuality trimming_quality(std::span<const SectionCurve> curves,
     if (length > 0)
         result.uncovered = length_not_covered(wanted, covering) / length;
     return result;
+}
+
+std::vector<double> interference_depths(std::span<const PlaneSection> planes)
+{
+    const std::vector<Trimmed> untrimmed = untrimmed_planes(planes);
+    std::vector<double> depths(planes.size());
+    parallel_for(planes.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            depths[k] = trimming_quality(planes[k].curves, untrimmed[k]).gouge_mm;
+    });
+    return depths;
 }
 
 bool is_right(const TrimmingQuality& quality, const TrimmingTolerance& tolerance)

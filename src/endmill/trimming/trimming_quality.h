@@ -51,6 +51,12 @@ struct TrimmingTolerance {
 TrimmingQuality trimming_quality(std::span<const SectionCurve> curves,
                                  const Trimmed& trimmed);
 
+/// Depth in mm of the interference that each plane's curves have before trimming: their
+/// largest depth below their own upper envelope, as TrimmingQuality::gouge_mm measures it;
+/// 0 without a loop. Computed on all threads; does not depend on their number.
+/// \pre the curves satisfy the rules of SectionCurve and are finite.
+std::vector<double> interference_depths(std::span<const PlaneSection> planes);
+
 /// Whether all errors of `quality` are within `tolerance`.
 bool is_right(const TrimmingQuality& quality, const TrimmingTolerance& tolerance);
 
