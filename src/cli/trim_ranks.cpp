@@ -7,9 +7,11 @@
 #include "cli/trim_ranks.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 #include <set>
 #include <span>
 #include <stdexcept>
@@ -19,6 +21,7 @@
 #include <utility>
 
 #include "cli/program_ranks.h"
+#include "endmill/core/parallel.h"
 #include "endmill/trimming/curve_shares.h"
 #include "endmill/trimming/trimmed_planes.h"
 
@@ -90,11 +93,13 @@ private:
     std::string_view rest_;
 };
 
+using Curves = std::span<const SectionCurve>;
+
 // The work of another rank.
 struct TrimJob {
     const TrimmingMethod* method;
     TrimmingOptions options;
-    std::vector<SectionCurve> curves;
+    std::vector<std::vector<SectionCurve>> planes;
 };
 
 std::size_t point_count(std::span<const SectionCurve> curves)
@@ -105,13 +110,8 @@ std::size_t point_count(std::span<const SectionCurve> curves)
     return points;
 }
 
-void send_job(int rank, const TrimmingMethod& method, const TrimmingOptions& options,
-              std::span<const SectionCurve> curves)
+void add_curves(MessageWriter& message, Curves curves)
 {
-    MessageWriter message;
-    message.reserve(point_count(curves) * 2 * sizeof(double) + curves.size() * 16 + 200);
-    message.add_text(method.name);
-    message.add(options);
     message.add_count(curves.size());
     for (const SectionCurve& curve : curves) {
         message.add(curve.is_closed);
@@ -119,6 +119,33 @@ void send_job(int rank, const TrimmingMethod& method, const TrimmingOptions& opt
         for (const SectionPoint& point : curve.points)
             message.add_point(point);
     }
+}
+
+std::vector<SectionCurve> take_curves(MessageReader& message)
+{
+    std::vector<SectionCurve> curves(message.take_count());
+    for (SectionCurve& curve : curves) {
+        curve.is_closed = message.take<bool>();
+        curve.points.resize(message.take_count());
+        for (SectionPoint& point : curve.points)
+            point = message.take_point();
+    }
+    return curves;
+}
+
+void send_job(int rank, const TrimmingMethod& method, const TrimmingOptions& options,
+              std::span<const Curves> planes)
+{
+    std::size_t bytes = 200;
+    for (const Curves curves : planes)
+        bytes += point_count(curves) * 2 * sizeof(double) + curves.size() * 16 + 8;
+    MessageWriter message;
+    message.reserve(bytes);
+    message.add_text(method.name);
+    message.add(options);
+    message.add_count(planes.size());
+    for (const Curves curves : planes)
+        add_curves(message, curves);
     program_ranks().send(rank, message.bytes());
 }
 
@@ -131,13 +158,9 @@ TrimJob job_in(std::string_view bytes)
     if (method == methods.end())
         throw std::runtime_error{"rank 0 asks for a method that this program lacks"};
     TrimJob job{&*method, message.take<TrimmingOptions>(), {}};
-    job.curves.resize(message.take_count());
-    for (SectionCurve& curve : job.curves) {
-        curve.is_closed = message.take<bool>();
-        curve.points.resize(message.take_count());
-        for (SectionPoint& point : curve.points)
-            point = message.take_point();
-    }
+    job.planes.resize(message.take_count());
+    for (std::vector<SectionCurve>& curves : job.planes)
+        curves = take_curves(message);
     return job;
 }
 
@@ -213,9 +236,8 @@ std::string_view lasting(std::string_view text)
     return known != texts.end() ? *known : *texts.emplace(text).first;
 }
 
-void send_result(const Trimmed& result, std::span<const SectionCurve> curves)
+void add_result(MessageWriter& message, const Trimmed& result, Curves curves)
 {
-    MessageWriter message;
     message.add_text(result.rule);
     message.add(result.unresolved);
     message.add_count(result.rules.size());
@@ -228,12 +250,10 @@ void send_result(const Trimmed& result, std::span<const SectionCurve> curves)
     message.add_count(result.curves.size());
     for (const TrimmedCurve& curve : result.curves)
         add_curve(message, curve, curves);
-    program_ranks().send(0, message.bytes());
 }
 
-Trimmed result_in(std::string_view bytes, std::span<const SectionCurve> curves)
+Trimmed take_result(MessageReader& message, Curves curves)
 {
-    MessageReader message{bytes};
     Trimmed result;
     result.rule = lasting(message.take_text());
     result.unresolved = message.take<int>();
@@ -250,6 +270,83 @@ Trimmed result_in(std::string_view bytes, std::span<const SectionCurve> curves)
     return result;
 }
 
+// Trims the curves of each plane.
+std::vector<Trimmed> trimmed_here(std::span<const Curves> planes,
+                                  const TrimmingMethod& method,
+                                  const TrimmingOptions& options)
+{
+    std::vector<Trimmed> results(planes.size());
+    parallel_for(planes.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            results[i] = method.trim(planes[i], options);
+    });
+    return results;
+}
+
+// The results of another rank for its planes.
+std::vector<Trimmed> received(int rank, std::span<const Curves> planes)
+{
+    const std::string bytes = program_ranks().receive_from(rank).content;
+    MessageReader message{bytes};
+    std::vector<Trimmed> results;
+    results.reserve(planes.size());
+    for (const Curves curves : planes)
+        results.push_back(take_result(message, curves));
+    return results;
+}
+
+// Divides planes into shares of consecutive ones with about the same number of points.
+// \return the end of each share.
+std::vector<std::size_t> plane_shares(std::span<const Curves> planes, std::size_t count)
+{
+    std::size_t all = 0;
+    for (const Curves curves : planes)
+        all += point_count(curves);
+    std::vector<std::size_t> ends;
+    std::size_t points = 0;
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+        while (ends.size() < count && points >= all * (ends.size() + 1) / count)
+            ends.push_back(i);
+        points += point_count(planes[i]);
+    }
+    ends.resize(count, planes.size());
+    return ends;
+}
+
+std::vector<Curves> curves_of(std::span<const PlaneSection> sections)
+{
+    std::vector<Curves> planes;
+    planes.reserve(sections.size());
+    for (const PlaneSection& plane : sections)
+        planes.emplace_back(plane.curves);
+    return planes;
+}
+
+// Trims planes that do not depend on each other, a share on each rank.
+std::vector<Trimmed> divided_planes(std::span<const PlaneSection> sections,
+                                    const TrimmingMethod& method,
+                                    const TrimmingOptions& options,
+                                    const std::function<void(double share)>& progress)
+{
+    const std::vector<Curves> planes = curves_of(sections);
+    const auto count = static_cast<std::size_t>(program_ranks().count());
+    const std::vector<std::size_t> ends = plane_shares(planes, count);
+    const auto share = [&](std::size_t k) {
+        const std::size_t begin = k == 0 ? 0 : ends[k - 1];
+        return std::span{planes}.subspan(begin, ends[k] - begin);
+    };
+    for (std::size_t k = 1; k < count; ++k)
+        send_job(static_cast<int>(k), method, options, share(k));
+    std::vector<Trimmed> results = trimmed_here(share(0), method, options);
+    for (std::size_t k = 1; k < count; ++k) {
+        if (progress)
+            progress(static_cast<double>(k) / static_cast<double>(count));
+        std::ranges::move(received(static_cast<int>(k), share(k)),
+                          std::back_inserter(results));
+    }
+    return results;
+}
+
 // Trims the curves of a plane, a share on each rank.
 Trimmed divided_trimming(std::span<const SectionCurve> curves,
                          const TrimmingMethod& method, const TrimmingOptions& options,
@@ -258,17 +355,16 @@ Trimmed divided_trimming(std::span<const SectionCurve> curves,
     Ranks& ranks = program_ranks();
     const std::vector<CurveShare> shares =
         curve_shares(curves, method.coupling, static_cast<std::size_t>(ranks.count()));
-    const auto curves_of = [&](const CurveShare& share) {
-        return curves.subspan(share.first, share.count);
+    const auto share_of = [&](const CurveShare& share) {
+        return std::array{curves.subspan(share.first, share.count)};
     };
     for (std::size_t k = 1; k < shares.size(); ++k)
-        send_job(static_cast<int>(k), method, options, curves_of(shares[k]));
+        send_job(static_cast<int>(k), method, options, share_of(shares[k]));
     std::vector<Trimmed> results;
     for (std::size_t k = 0; k < shares.size(); ++k) {
-        const std::span<const SectionCurve> share = curves_of(shares[k]);
-        results.push_back(
-            k == 0 ? method.trim(share, options)
-                   : result_in(ranks.receive_from(static_cast<int>(k)).content, share));
+        const auto share = share_of(shares[k]);
+        results.push_back(k == 0 ? method.trim(share[0], options)
+                                 : received(static_cast<int>(k), share).front());
         if (progress)
             progress(static_cast<double>(k + 1) / static_cast<double>(shares.size()));
     }
@@ -285,8 +381,11 @@ std::vector<Trimmed> trimmed_sections(const TrimInput& input,
     if (input.part || program_ranks().count() == 1)
         return trim_planes(input.sections, input.ranges(), method, options, progress);
     std::vector<Trimmed> trimmed;
-    for (const PlaneSection& plane : input.sections)
-        trimmed.push_back(divided_trimming(plane.curves, method, options, progress));
+    if (input.sections.size() == 1)
+        trimmed.push_back(
+            divided_trimming(input.sections[0].curves, method, options, progress));
+    else
+        trimmed = divided_planes(input.sections, method, options, progress);
     clip_planes(input.sections, input.ranges(), trimmed);
     return trimmed;
 }
@@ -295,7 +394,12 @@ void serve_trimming(const TrimOptions& options)
 {
     while (!options.polyline.empty()) {
         const TrimJob job = job_in(program_ranks().receive_from(0).content);
-        send_result(job.method->trim(job.curves, job.options), job.curves);
+        const std::vector<Curves> planes{job.planes.begin(), job.planes.end()};
+        const auto results = trimmed_here(planes, *job.method, job.options);
+        MessageWriter message;
+        for (std::size_t i = 0; i < planes.size(); ++i)
+            add_result(message, results[i], planes[i]);
+        program_ranks().send(0, message.bytes());
     }
 }
 

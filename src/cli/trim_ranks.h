@@ -10,8 +10,8 @@
 namespace endmill {
 
 /// The sections, trimmed by a method and clipped to their ranges, as trim_planes does. The
-/// ranks of the program trim a share of the curves of a file each, as far as the method allows
-/// (curve_shares). The result does not depend on their number. Rank 0 calls this function; it
+/// ranks of the program trim a share of the planes of a file each, or, of a single plane, a
+/// share of the curves, as far as the method allows (curve_shares). The result does not depend on their number. Rank 0 calls this function; it
 /// holds all curves, since it writes them.
 /// \param progress if set, is called with the finished share, 0 to 1, by any thread.
 /// \throws as trim_planes; the error of a rank that fails.

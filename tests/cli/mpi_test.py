@@ -139,6 +139,19 @@ class Mpi(ProgramTest):
             call = ["trim", "--polyline", profiles, "--offset", "4", *words]
             self.assert_same_files("profiles " + words[1], *call, status=self.status_of(*call))
 
+    def test_trim_of_planes_writes_the_files_of_one_process(self):
+        """Curves in planes of their own, one by one; fewer planes than ranks, and many of different lengths."""
+        draw = random.Random(4)
+        for planes in (2, 3, 50):
+            rows = ["plane,s_mm,z_mm"]
+            for plane in range(planes):
+                rows += [f"{plane},{i + draw.choice((0, 0, 2))},{draw.randrange(40) / 4}"
+                         for i in range(draw.randrange(3, 60))]
+            file = self.file("\n".join(rows) + "\n", f"planes-{planes}.csv")
+            for method in ("3", "envelope", "all"):
+                call = ["trim", "--polyline", file, "--method", method]
+                self.assert_same_files(f"planes {planes} {method}", *call, status=self.status_of(*call))
+
     def test_bad_input_is_reported_once_with_its_exit_code(self):
         broken = self.file("OFF\n3 1 0\n0 0 0\n1 0 x\n", "broken.off")
         curves = self.file("s_mm,z_mm\n1,2\n3,x\n", "broken.csv")
