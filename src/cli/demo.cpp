@@ -16,18 +16,11 @@ namespace {
 constexpr const char* demo_job = "economic-cl-data.json";
 constexpr const char* default_folder = "endmill-demo";
 
-// The first file in `folder` or below it whose name ends like this; empty if there is none.
-std::filesystem::path file_in(const std::filesystem::path& folder,
-                              const std::string& ending)
+// The path that `verify` judged, from its summary.
+std::filesystem::path verified_path(const std::filesystem::path& folder)
 {
-    std::error_code ignored;
-    std::filesystem::path found;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator{folder, ignored})
-        if (entry.path().string().ends_with(ending) &&
-            (found.empty() || entry.path() < found))
-            found = entry.path();
-    return found;
+    const Json summary = Json::parse(read_file(folder / "summary.json"));
+    return summary.at("toolpath").get<std::string>();
 }
 
 ExitCode run_demo(const CommonOptions& common, const ProgramDescription& program)
@@ -41,12 +34,12 @@ ExitCode run_demo(const CommonOptions& common, const ProgramDescription& program
     if (exit != ExitCode::Yes || common.json || common.quiet)
         return exit;
     const std::filesystem::path folder = options.common.output;
-    const auto shown = [&](const std::string& step, const std::string& ending) {
-        return printable(file_in(folder / step, ending).string());
-    };
-    print("picture of the path: " + shown("02-plan", "toolpath.svg") +
-          "\npicture of the remaining stock: " + shown("05-verify", "deviation.svg") +
-          "\nG-code: " + shown("07-post", ".ngc") + "\n");
+    const std::filesystem::path picture =
+        verified_path(folder / "05-verify").parent_path() / "toolpath.svg";
+    print("picture of the path: " + printable(picture.string()) +
+          "\npicture of the remaining stock: " +
+          printable((folder / "05-verify/deviation.svg").string()) +
+          "\nG-code: " + printable((folder / "07-post/toolpath.ngc").string()) + "\n");
     return exit;
 }
 

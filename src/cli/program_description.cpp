@@ -33,6 +33,29 @@ OptionValue value_of(const CLI::Option& option)
     return OptionValue::Text;
 }
 
+// The words in the name of a value, such as linuxcnc|fanuc|grbl|FILE; none if it also takes
+// numbers or other texts.
+std::vector<std::string> words_of(const CLI::Option& option, OptionValue value)
+{
+    const std::string type = option.get_type_name();
+    if (type.find('|') == std::string::npos || value == OptionValue::None)
+        return {};
+    std::vector<std::string> words;
+    std::string_view rest = type;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find('|'), rest.size());
+        const std::string_view word = rest.substr(0, end);
+        const bool is_placeholder = std::ranges::any_of(
+            word, [](char letter) { return 'A' <= letter && letter <= 'Z'; });
+        if (!is_placeholder)
+            words.emplace_back(word);
+        else if (word != "FILE")
+            return {};
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    return words;
+}
+
 ProgramCommand command_of(const CLI::App& command)
 {
     ProgramCommand described{command.get_name(), {}, false};
@@ -44,7 +67,8 @@ ProgramCommand command_of(const CLI::App& command)
         }
         const std::string name = option->get_name();
         if (std::ranges::find(of_the_run, name) == of_the_run.end())
-            described.options.push_back({name, value_of(*option)});
+            described.options.push_back(
+                {name, value_of(*option), words_of(*option, value_of(*option))});
     }
     return described;
 }

@@ -52,8 +52,12 @@ public:
             return;
         if (options_.json_progress)
             print_object(progress);
-        else if (progress.ended)
+        else if (progress.ended && progress.ended->wall_s > 0 &&
+                 (progress.ended->state == StepState::Done ||
+                  progress.ended->state == StepState::Failed))
             print_end(progress);
+        else if (progress.ended)
+            return;  // the text at the end names it
         else
             show_work(progress);
     }
@@ -91,16 +95,16 @@ private:
 
     static void print_object(const JobProgress& progress)
     {
-        Json told{{"step", job_step_name(progress.step)}};
+        Json state{{"step", job_step_name(progress.step)}};
         if (progress.ended) {
-            told["state"] = word_of(progress.ended->state);
-            told["wall_s"] = progress.ended->wall_s;
+            state["state"] = word_of(progress.ended->state);
+            state["wall_s"] = progress.ended->wall_s;
         } else {
-            told["work"] = progress.work;
-            told["share"] = number_or_null(progress.share);
+            state["work"] = progress.work;
+            state["share"] = number_or_null(progress.share);
         }
-        told["left_s"] = number_or_null(progress.left_s);
-        const Json object{{"progress", told}};
+        state["left_s"] = number_or_null(progress.left_s);
+        const Json object{{"progress", state}};
         std::fprintf(stderr, "%s\n",
                      object.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
         std::fflush(stderr);
@@ -116,16 +120,16 @@ Json summary_of(const JobRun& run)
     if (!run.message.empty())
         summary["message"] = run.message;
     for (const StepResult& step : run.steps) {
-        Json& told = summary["steps"][std::string{job_step_name(step.step)}];
-        told = {{"state", word_of(step.state)}};
+        Json& shown = summary["steps"][std::string{job_step_name(step.step)}];
+        shown = {{"state", word_of(step.state)}};
         if (!step.reason.empty())
-            told["reason"] = step.reason;
+            shown["reason"] = step.reason;
         if (step.state == StepState::NotNeeded || step.state == StepState::WouldRun ||
             step.state == StepState::NotRun)
             continue;
-        told["folder"] = folder_name(step);
-        told["exit"] = step.exit;
-        told["wall_s"] = step.wall_s;
+        shown["folder"] = folder_name(step);
+        shown["exit"] = step.exit;
+        shown["wall_s"] = step.wall_s;
     }
     return summary;
 }
@@ -195,7 +199,7 @@ ExitCode run_job_command(const RunOptions& options, const ProgramDescription& pr
         .dry_run = options.dry_run,
         .accepts_full_folder = options.common.full_folder == FullFolder::Accept,
         .arguments = step_arguments(options.common)};
-    running.progress = [&](const JobProgress& told) { progress.show(told); };
+    running.progress = [&](const JobProgress& state) { progress.show(state); };
     running.warning = [&](const std::string& text) {
         progress.end();
         warn(options.common, text);

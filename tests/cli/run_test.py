@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """endmill run and demo: the chain of a job, what is repeated, and what survives an interruption.
 
-The test of interruptions kills 6 runs at random instants. ENDMILL_KILLS sets another number; each kill takes
-about two seconds.
+The test of interruptions kills 6 runs at random instants, with ENDMILL_FAULTS=long 100 runs.
 """
 import json
 import os
@@ -17,7 +16,7 @@ import unittest
 from program import ENDMILL, ROOT, ProgramTest, endmill, plane
 
 JOBS = ROOT / "datasets/jobs"
-KILLS = int(os.environ.get("ENDMILL_KILLS", "6"))
+KILLS = 100 if os.environ.get("ENDMILL_FAULTS") == "long" else 6
 MEASURED = re.compile(r'"(\w+_m?s)": [-+.e\d]+')  # a measured time in JSON
 
 
@@ -96,11 +95,28 @@ class Chain(RunTest):
         self.assertRegex(done.stderr, r"error: (plan|verify): .*accept_no")
         self.assertFalse((self.folder / "out/07-post").exists())
 
+    def test_a_program_does_not_outlive_the_verdict_on_its_path(self):
+        self.run_job()
+        self.assertTrue((self.folder / "out/07-post").exists())
+        stricter = ("--set", "tolerances.scallop_mm=0.6", "--set", "verify.scallop=0.0001")
+        self.assertEqual(endmill("run", self.job(), "-o", "out", *stricter, cwd=self.folder).returncode, 1)
+        self.assertFalse((self.folder / "out/07-post").exists())
+        done = endmill("run", self.job(), "-o", "out", "--only", "post", *stricter, cwd=self.folder)
+        self.assert_refused(done, 2, "the step verify failed")
+
+    def test_a_dry_run_leaves_out_what_is_not_needed(self):
+        states = self.states(self.run_job("--dry-run"))
+        self.assertEqual(states, {"setup": "not needed", "plan": "would run", "trim": "not needed",
+                                  "feed": "not needed", "verify": "would run", "clamp": "not needed",
+                                  "post": "would run"})
+
     def test_progress_for_programs_is_json(self):
         done = endmill("run", self.job(), "-o", "out", "--json-progress", cwd=self.folder)
         lines = [json.loads(line)["progress"] for line in done.stderr.splitlines() if line.startswith("{")]
         ended = [line["step"] for line in lines if line.get("state") == "done"]
         self.assertEqual(ended, ["plan", "verify", "post"])
+        self.assertEqual([line["step"] for line in lines if line.get("state") == "not needed"],
+                         ["setup", "trim", "feed", "clamp"])
         done = endmill("run", self.job(), "-o", "other", cwd=self.folder)
         self.assertRegex(done.stderr, r"(?m)^endmill: 02-plan: done in \d+\.\d s")
 
@@ -116,6 +132,9 @@ class Chain(RunTest):
         for word in ("picture of the path", "picture of the remaining stock", "G-code"):
             name = re.search(rf"^{word}: (.+)$", done.stdout, re.M).group(1)
             self.assertGreater((self.folder / name).stat().st_size, 1000)
+        picture = re.search(r"^picture of the path: (.+)$", done.stdout, re.M).group(1)
+        posted = json.loads((self.folder / "endmill-demo/job.json").read_text())["steps"]["post"]["command"][1]
+        self.assertEqual(os.path.dirname(picture), "endmill-demo/" + os.path.dirname(posted))
 
 
 class BadInput(RunTest):
@@ -127,6 +146,13 @@ class BadInput(RunTest):
         self.refused(3, "/plan", "scalop", 'did you mean "scallop"?', plan={"scalop": 1})
         self.refused(3, "/part/file", "none.stl, which does not exist", part={"file": "none.stl"})
         self.refused(3, "/verify", "expected true, false or an object", verify=3)
+        self.refused(3, "/feed_mm_per_min", "true; expected a number", feed_mm_per_min=True)
+        self.refused(3, "/feed_mm_per_min", feed_mm_per_min=0)
+        self.refused(3, "/control", "fanukk", 'did you mean "fanuc"?', control="fanukk")
+        self.refused(3, "/plan/strategy", 'did you mean "planar"?', plan={"strategy": "planer"})
+        self.refused(3, "/part/file", ", which is no file; expected a file", part={"file": "."})
+        self.refused(3, "/part/file", "an empty name", part={"file": ""})
+        self.refused(3, "/trim", "polyline", trim={"polyline": "plane.json"})
         self.refused(2, "--set", "KEY=VALUE", arguments=("--set", "plan"))
         self.refused(2, "--from and --only", arguments=("--from", "plan", "--only", "post"))
         self.assert_nothing_left("plane.json", "small-job.json")
@@ -134,8 +160,24 @@ class BadInput(RunTest):
     def test_a_folder_of_another_origin_is_kept(self):
         (self.folder / "out").mkdir()
         (self.folder / "out/letter.txt").write_text("Dear")
-        self.refused(2, "out is not empty and holds no job.json")
+        self.refused(2, "out is not empty and has no job.json that a run wrote")
         self.assertEqual(os.listdir(self.folder / "out"), ["letter.txt"])
+
+    def test_a_job_json_of_another_origin_is_kept(self):
+        (self.folder / "out/02-plan").mkdir(parents=True)
+        for name in ("job.json", "02-plan/mine.txt"):
+            (self.folder / "out" / name).write_text("{}")
+        self.refused(2, "has no job.json that a run wrote")
+        self.refused(2, "02-plan exists and is of no run of a job", arguments=("--force", "--quiet"))
+        self.assertEqual((self.folder / "out/02-plan/mine.txt").read_text(), "{}")
+
+    def test_a_wrong_value_names_its_key(self):
+        self.refused(2, "error: plan: --scallop: ", "(plan.scallop in ", arguments=("--quiet",),
+                     plan={"scallop": "abc"})
+
+    def test_a_job_without_a_path(self):
+        done = endmill("run", self.job(plan=False), "-o", "out", "--only", "verify", cwd=self.folder)
+        self.assert_refused(done, 2, "--only verify", "there is no path")
 
     def test_files_that_depend_on_each_other_are_refused(self):
         done = endmill("run", self.job(), "-o", ".", "--force", cwd=self.folder)

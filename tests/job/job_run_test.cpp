@@ -192,8 +192,17 @@ TEST_F(JobRuns, TrimsOnlyIfThePlanGouges)
     run(R"("plan": true, "trim": true)");
     EXPECT_THAT(calls(), ElementsAre("plan", "verify", "post"));
     fs::remove_all(out());
-    run(R"("plan": true, "trim": true)", {}, R"([ "$1" = plan ] && exit 1 || exit 0)");
+    run(R"("plan": true, "trim": true)", {},
+        R"([ "$1" = plan ] && {
+             echo '{"max_gouge_mm": 1, "inner_tolerance_mm": 0.1}' > "$out/summary.json"
+             exit 1; } || exit 0)");
     EXPECT_THAT(calls(), ElementsAre("plan", "trim", "verify", "post"));
+    // Trimming does not help against another no.
+    fs::remove_all(out());
+    EXPECT_EQ(
+        run(R"("plan": true, "trim": true)", {}, R"([ "$1" = plan ] && exit 1 || exit 0)")
+            .exit,
+        1);
 }
 
 TEST_F(JobRuns, ReportsAStepThatASignalEnded)

@@ -14,6 +14,7 @@
 #include <span>
 #include <string_view>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include <fcntl.h>
@@ -434,12 +435,25 @@ ChildResult run_child(const ChildTask& task)
 
 void abandon_children()
 {
+    constexpr int looks = 200;
+    constexpr std::chrono::milliseconds look_interval{5};
     const std::lock_guard lock{registry().mutex};
-    for (const pid_t child : registry().children) {
+    std::set<pid_t>& children = registry().children;
+    for (const pid_t child : children)
+        ::kill(-child, SIGTERM);  // they remove what they have not finished
+    const auto has_ended = [](pid_t child) {
+        siginfo_t info{};
+        return ::waitid(P_PID, static_cast<id_t>(child), &info,
+                        WEXITED | WNOHANG | WNOWAIT) != 0 ||
+               info.si_pid == child;
+    };
+    for (int look = 0; look < looks && !std::ranges::all_of(children, has_ended); ++look)
+        std::this_thread::sleep_for(look_interval);
+    for (const pid_t child : children) {
         ::kill(-child, SIGKILL);
         ::waitpid(child, nullptr, 0);
     }
-    registry().children.clear();
+    children.clear();
     std::error_code ignored;
     for (const fs::path& folder : registry().folders)
         fs::remove_all(folder, ignored);

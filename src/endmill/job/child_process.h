@@ -82,8 +82,8 @@ struct ChildResult {
 ///         after the child was ended.
 ChildResult run_child(const ChildTask& task);
 
-/// Ends the running child processes and removes the private folders, for a program that is
-/// being interrupted.
+/// Interrupts the running child processes, ends those that do not end within a second, and
+/// removes the private folders, for a program that is being interrupted itself.
 void abandon_children();
 
 /// The environment of a child that must not depend on this user's settings.

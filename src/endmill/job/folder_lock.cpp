@@ -40,21 +40,29 @@ constexpr std::chrono::milliseconds look_interval{5};
                       std::generic_category().message(error)};
 }
 
-// The number in the file; "unknown" while its owner writes it.
-std::string process_in(int descriptor)
+// The name of this machine.
+std::string this_host()
 {
-    std::array<char, 16> text{};
-    const ssize_t count = ::pread(descriptor, text.data(), text.size(), 0);
-    std::string_view number{text.data(), count > 0 ? static_cast<std::size_t>(count) : 0};
-    number = number.substr(0, number.find_first_not_of("0123456789"));
-    return number.empty() ? "unknown" : std::string{number};
+    std::array<char, 65> name{};
+    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
 }
 
-// Whether a process of this number exists; true if the number is not known.
-bool lives(const std::string& process)
+// The owner that the file names, such as "812 on mill"; "unknown" while it is being written.
+std::string owner_in(int descriptor)
 {
-    const auto number = number_from_text(process);
-    return !number || ::kill(static_cast<pid_t>(*number), 0) == 0 || errno != ESRCH;
+    std::array<char, 100> text{};
+    const ssize_t count = ::pread(descriptor, text.data(), text.size(), 0);
+    std::string_view owner{text.data(), count > 0 ? static_cast<std::size_t>(count) : 0};
+    owner = owner.substr(0, owner.find('\n'));
+    return owner.empty() ? "unknown" : printable(owner);
+}
+
+// Whether the owner exists; true if it is not known or on another machine.
+bool lives(const std::string& owner)
+{
+    const auto number = number_from_text(owner.substr(0, owner.find(' ')));
+    return !number || !owner.ends_with(" on " + this_host()) ||
+           ::kill(static_cast<pid_t>(*number), 0) == 0 || errno != ESRCH;
 }
 
 // The error of taking the lock; 0 if it was taken.
@@ -92,17 +100,17 @@ FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& w
             descriptor_ = descriptor;
             break;
         }
-        const std::string process = process_in(descriptor);
+        const std::string owner = owner_in(descriptor);
         ::close(descriptor);
         if (error == EWOULDBLOCK) {
-            if (lives(process) || std::chrono::steady_clock::now() - start > longest_end)
-                refuse(folder, what, process);
+            if (lives(owner) || std::chrono::steady_clock::now() - start > longest_end)
+                refuse(folder, what, owner);
             std::this_thread::sleep_for(look_interval);
         } else if (error != 0) {
             fail_to("lock", file_, error);
         }
     }
-    const std::string number = std::to_string(::getpid()) + "\n";
+    const std::string number = std::to_string(::getpid()) + " on " + this_host() + "\n";
     const bool is_written = ::ftruncate(descriptor_, 0) == 0 &&
                             ::pwrite(descriptor_, number.data(), number.size(), 0) ==
                                 static_cast<ssize_t>(number.size());

@@ -14,7 +14,7 @@ class FolderLock {
 public:
     /// Takes the lock. It waits up to 10 s for the children of a process that is gone.
     /// \param folder an existing folder. The lock is the file .endmill-lock in it, which holds
-    ///        the number of the process.
+    ///        the number of the process and the name of its machine.
     /// \param what   the work of the folder, for the message, such as "a run".
     /// \throws OutputError if another process has it, with the number of that process; or if
     ///         the file cannot be written.

@@ -23,22 +23,25 @@ using Tree = nlohmann::json;
 
 constexpr std::string_view format = "endmill-job/1";
 
-// Keys of a step that `run` sets from other steps, and of options that run instead of a part.
-constexpr std::array<std::string_view, 4> set_by_run{"setup", "setups", "path", "points"};
+constexpr std::array<std::string_view, 7> set_by_run{
+    "setup", "setups", "path", "points", "polyline", "offset", "from_visibility"};
 
 // A key of the job and the option that it becomes.
 struct KeyOption {
     std::string_view key;
     std::string_view option;
+    NumberRange range = {};  // of the number, unless it is a word
 };
 
-constexpr std::array part_keys{KeyOption{"units", "--units"}, KeyOption{"up", "--up"}};
-constexpr std::array tolerance_keys{KeyOption{"chord_mm", "--chord-tolerance"},
-                                    KeyOption{"inner_mm", "--inner-tolerance"},
-                                    KeyOption{"outer_mm", "--outer-tolerance"},
-                                    KeyOption{"scallop_mm", "--scallop"}};
-constexpr std::array feed_keys{KeyOption{"feed_mm_per_min", "--feed"},
-                               KeyOption{"spindle_rpm", "--spindle-rpm"}};
+constexpr NumberRange positive{.above = 0, .most = 1e9};
+constexpr NumberRange from_zero{.above = 0, .most = 1e9, .from = true};
+
+constexpr std::array tolerance_keys{KeyOption{"chord_mm", "--chord-tolerance", positive},
+                                    KeyOption{"inner_mm", "--inner-tolerance", from_zero},
+                                    KeyOption{"outer_mm", "--outer-tolerance", from_zero},
+                                    KeyOption{"scallop_mm", "--scallop", positive}};
+constexpr std::array feed_keys{KeyOption{"feed_mm_per_min", "--feed", positive},
+                               KeyOption{"spindle_rpm", "--spindle-rpm", positive}};
 
 // The value of a setting: JSON if it is a number, true, false or a list, else a text.
 Tree value_of(const JobSetting& setting)
@@ -62,8 +65,8 @@ void apply(const JobSetting& setting, Tree& root)
             *at = Tree::object();
         if (key.empty() || !(at->is_object() || at->is_null()))
             throw DomainError{"--set " + printable(setting.key, 80) +
-                              ": found no such key; expected keys of objects with points "
-                              "between them, such as plan.scallop"};
+                              ": found no such key; expected a key of the job, and after "
+                              "a dot a key of its object, such as plan.scallop"};
         at = &(*at)[key];
         if (end == rest.size())
             break;
@@ -105,8 +108,11 @@ private:
     void read_accepted(const JsonValue& root);
     void read_options(const JsonValue& value, const ProgramCommand& command,
                       StepRequest& request);
-    std::optional<GivenOption> option_of(const JsonValue& root, std::string_view key,
-                                         std::string_view name, OptionValue takes);
+    std::optional<GivenOption> option_of(const JsonValue& root,
+                                         const ProgramOption& option,
+                                         std::string_view key);
+    std::optional<GivenOption> file_of(const JsonValue& root, std::string_view key,
+                                       std::string_view name, OptionValue takes);
     template <std::size_t Count>
     std::vector<GivenOption> options_of(const JsonValue& root,
                                         const std::array<KeyOption, Count>& keys);
@@ -136,17 +142,22 @@ auto placing(const JsonValue& value, Read read)
 }
 
 std::optional<GivenOption> JobReader::option_of(const JsonValue& root,
-                                                std::string_view key,
-                                                std::string_view name, OptionValue takes)
+                                                const ProgramOption& option,
+                                                std::string_view key)
 {
     const auto value = root.find_member(key);
     if (!value)
         return std::nullopt;
-    if (takes == OptionValue::File || takes == OptionValue::FileOrWord)
+    if (option.value == OptionValue::File || option.value == OptionValue::FileOrWord)
         value->text();
-    return placing(*value, [&] {
-        return given_option({std::string{name}, takes}, value->argument(), base_);
-    });
+    return placing(*value,
+                   [&] { return given_option(option, value->argument(), base_); });
+}
+
+std::optional<GivenOption> JobReader::file_of(const JsonValue& root, std::string_view key,
+                                              std::string_view name, OptionValue takes)
+{
+    return option_of(root, {std::string{name}, takes}, key);
 }
 
 template <std::size_t Count>
@@ -155,8 +166,8 @@ std::vector<GivenOption> JobReader::options_of(const JsonValue& root,
 {
     std::vector<GivenOption> options;
     for (const KeyOption& key : keys)
-        if (auto option = option_of(root, key.key, key.option, OptionValue::Text))
-            options.push_back(*std::move(option));
+        if (find_number(root, key.key, key.range))
+            options.push_back({std::string{key.option}, root.member(key.key).argument()});
     return options;
 }
 
@@ -167,15 +178,19 @@ void JobReader::read_part(const JsonValue& root)
                                                    "skip_facets"};
     part.allow_only(keys);
     part.member("file");
-    job_.part = *option_of(part, "file", "PART", OptionValue::File)->value;
-    job_.part_options = options_of(part, part_keys);
-    job_.protect = option_of(part, "protect", "--protect", OptionValue::File);
-    job_.skip_facets = option_of(part, "skip_facets", "--skip-facets", OptionValue::File);
+    job_.part = *file_of(part, "file", "PART", OptionValue::File)->value;
+    const ProgramCommand& plan = *program_.find("plan");
+    for (const std::string_view key : {"units", "up"})
+        if (const ProgramOption* option = plan.find(key))
+            if (auto given = option_of(part, *option, key))
+                job_.part_options.push_back(*std::move(given));
+    job_.protect = file_of(part, "protect", "--protect", OptionValue::File);
+    job_.skip_facets = file_of(part, "skip_facets", "--skip-facets", OptionValue::File);
 }
 
 void JobReader::read_machine_of(const JsonValue& root)
 {
-    job_.machine = option_of(root, "machine", "--machine", OptionValue::FileOrWord);
+    job_.machine = file_of(root, "machine", "--machine", OptionValue::FileOrWord);
     if (!job_.machine)
         return;
     const std::string& text = *job_.machine->value;
@@ -195,7 +210,7 @@ void JobReader::read_machine_of(const JsonValue& root)
 
 void JobReader::read_tool_of(const JsonValue& root)
 {
-    job_.tool = option_of(root, "tool", "--tool", OptionValue::FileOrWord);
+    job_.tool = file_of(root, "tool", "--tool", OptionValue::FileOrWord);
     if (!job_.tool)
         return;
     if (job_.tool->is_file) {
@@ -221,22 +236,20 @@ void JobReader::read_tolerances(const JsonValue& root)
     value->allow_only(keys);
     job_.tolerances = options_of(*value, tolerance_keys);
     for (const std::string_view key : {"chord_mm", "inner_mm"})
-        if (auto option = option_of(*value, key, "--tolerance", OptionValue::Text))
-            job_.gouge_tolerance = std::move(option);
+        if (const auto number = value->find_member(key))
+            job_.gouge_tolerance = GivenOption{"--tolerance", number->argument()};
 }
 
 void JobReader::read_options(const JsonValue& value, const ProgramCommand& command,
                              StepRequest& request)
 {
     std::vector<std::string> keys = command.keys();
-    std::erase_if(keys, [](const std::string& key) {
-        return std::ranges::find(set_by_run, key) != set_by_run.end();
-    });
+    std::erase_if(keys, is_set_by_run);
     const std::vector<std::string_view> views{keys.begin(), keys.end()};
     value.allow_only(views);
     for (const std::string& key : keys) {
         const ProgramOption& option = *command.find(key);
-        if (auto given = option_of(value, key, option.name, option.value))
+        if (auto given = option_of(value, option, key))
             request.options.push_back(*std::move(given));
     }
 }
@@ -284,9 +297,10 @@ Job JobReader::read(const JsonValue& root)
     read_part(root);
     read_machine_of(root);
     read_tool_of(root);
-    job_.material = option_of(root, "material", "--material", OptionValue::File);
-    job_.control = option_of(root, "control", "--control", OptionValue::FileOrWord);
-    job_.stock = option_of(root, "stock", "--stock", OptionValue::FileOrWord);
+    job_.material = file_of(root, "material", "--material", OptionValue::File);
+    if (const ProgramOption* control = program_.find("post")->find("control"))
+        job_.control = option_of(root, *control, "control");
+    job_.stock = file_of(root, "stock", "--stock", OptionValue::FileOrWord);
     read_tolerances(root);
     job_.feeds = options_of(root, feed_keys);
     for (std::size_t step = 0; step < job_step_count; ++step)
@@ -296,6 +310,11 @@ Job JobReader::read(const JsonValue& root)
 }
 
 }  // namespace
+
+bool is_set_by_run(std::string_view key)
+{
+    return std::ranges::find(set_by_run, key) != set_by_run.end();
+}
 
 JobSetting job_setting(const std::string& text)
 {

@@ -31,7 +31,7 @@ enum class StepWish {
 struct StepRequest {
     StepWish wish = StepWish::Default;  ///< whether it is to run
     std::vector<GivenOption> options =
-        {};                   ///< of its command; they precede those of the job
+        {};                   ///< of its command; they override those of the job
     bool accepts_no = false;  ///< whether the chain goes on if its answer is no
 };
 
@@ -62,9 +62,13 @@ struct Job {
     }
 };
 
+/// Whether `run` itself gives the option of this key to a step: the results of other steps,
+/// and what would take the place of the part. A job cannot.
+bool is_set_by_run(std::string_view key);
+
 /// A value that replaces one of the file.
 struct JobSetting {
-    std::string key;  ///< with points, such as "plan.scallop"
+    std::string key;  ///< with dots, such as "plan.scallop"
     std::string
         value;  ///< a number, true, false or a list of numbers in JSON; else a text
 };

@@ -166,25 +166,28 @@ private:
     bool must_run(JobStep step) const;
     bool goes_on_after_no(JobStep step) const;
 
-    StepRecord due(JobStep step, const StepCommand& command) const;
-    std::string why_not_up_to_date(JobStep step, const StepRecord& due) const;
+    StepRecord record_if_run(JobStep step, const StepCommand& command) const;
+    std::string why_not_up_to_date(JobStep step, const StepRecord& now) const;
     void do_step(JobStep step);
-    void skip(JobStep step, const std::string& reason);
-    void keep(JobStep step);
+    void mark_not_needed(JobStep step, const std::string& reason);
+    void mark_up_to_date(JobStep step);
     void execute(JobStep step, const StepCommand& command, StepRecord record);
     ChildTask task_of(JobStep step, const StepCommand& command, ChildLines& lines) const;
     void take_line(JobStep step, std::string_view line, ChildLines& lines) const;
     std::string reason_for(JobStep step, const ChildResult& result,
                            const ChildLines& lines) const;
     void judge(JobStep step, const ChildResult& result, const ChildLines& lines);
+    std::string key_in(std::string_view message, JobStep step) const;
     void warn(JobStep step, const std::string& text) const;
     void note_answer(JobStep step);
     void report(const JobProgress& progress) const;
     std::optional<double> seconds_after(JobStep step) const;
+    void report_end(JobStep step) const;
+    void remove_earlier_results(JobStep step) const;
     void write_record();
     void read_earlier();
-    void pass_over(JobStep step);
-    void expect(JobStep step);
+    void take_earlier_result(JobStep step);
+    void foresee(JobStep step);
     void do_steps();
     JobRun outcome() const;
 
@@ -195,7 +198,7 @@ private:
     ChainState state_;
     std::optional<JobRecord> earlier_;
     JobRecord record_;
-    bool has_changed_ = false;  // whether a step before this one ran
+    bool is_foreseen_ = false;  // a dry run has met a step that would run
     std::optional<JobStep> failed_;
     std::string code_;
     std::string message_;
@@ -210,8 +213,8 @@ std::string Runner::from_folder(const fs::path& file) const
 void Runner::require_own_folder() const
 {
     std::error_code error;
-    if (options_.accepts_full_folder || fs::exists(folder_ / record_name, error) ||
-        !fs::exists(folder_, error))
+    if (options_.accepts_full_folder || !fs::exists(folder_, error) ||
+        read_job_record(folder_))
         return;
     if (!fs::is_directory(folder_, error))
         throw DomainError{"--output: " + shown_path(options_.folder) +
@@ -219,8 +222,8 @@ void Runner::require_own_folder() const
     for (const auto& entry : fs::directory_iterator{folder_, error})
         if (!entry.path().filename().string().starts_with(".endmill-"))
             throw DomainError{"--output: " + shown_path(options_.folder) +
-                              " is not empty and holds no job.json; expected the folder "
-                              "of a job, a new one, or --force"};
+                              " is not empty and has no job.json that a run wrote; "
+                              "expected the folder of a job, a new one, or --force"};
 }
 
 // Refuses a file of the job inside the folder of the results: a step could replace it.
@@ -279,11 +282,11 @@ bool Runner::goes_on_after_no(JobStep step) const
 {
     return job_.request(step).accepts_no ||
            (step == JobStep::Setup && plans_from_setups(job_)) ||
-           (step == JobStep::Plan && job_.request(JobStep::Trim).wish == StepWish::Yes);
+           (step == JobStep::Plan && trims_gouges(job_) && plan_gouges(folder_));
 }
 
 // The record of a step as it would be if it ran now.
-StepRecord Runner::due(JobStep step, const StepCommand& command) const
+StepRecord Runner::record_if_run(JobStep step, const StepCommand& command) const
 {
     StepRecord record;
     record.command = {std::string{job_step_command(step)}, from_folder(command.input)};
@@ -308,7 +311,7 @@ StepRecord Runner::due(JobStep step, const StepCommand& command) const
 }
 
 // The reason why a step must run; empty if it is up to date.
-std::string Runner::why_not_up_to_date(JobStep step, const StepRecord& due) const
+std::string Runner::why_not_up_to_date(JobStep step, const StepRecord& now) const
 {
     if (must_run(step))
         return "as asked";
@@ -319,14 +322,12 @@ std::string Runner::why_not_up_to_date(JobStep step, const StepRecord& due) cons
         return "it failed";
     if (last.command.empty())
         return "it has not run yet";
-    if (last.exit != 0 && !goes_on_after_no(step))
-        return "its answer was no";
-    if (last.sha256 != due.sha256) {
+    if (last.sha256 != now.sha256) {
         if (earlier_->version != program_.version)
             return "it was made by endmill " + printable(earlier_->version, 40);
-        if (last.command != due.command)
+        if (last.command != now.command)
             return "its options have changed";
-        for (const InputHash& input : due.inputs) {
+        for (const InputHash& input : now.inputs) {
             const auto found =
                 std::ranges::find(last.inputs, input.file, &InputHash::file);
             if (found == last.inputs.end() || found->sha256 != input.sha256)
@@ -336,29 +337,28 @@ std::string Runner::why_not_up_to_date(JobStep step, const StepRecord& due) cons
     }
     try {
         if (folder_sha256(folder_of(step)) == last.results_sha256)
-            return {};
+            return last.exit == 0 || goes_on_after_no(step) ? "" : "its answer was no";
     } catch (const FormatError&) {
         return "its results are missing";
     }
     return "its results were changed";
 }
 
-void Runner::skip(JobStep step, const std::string& reason)
+void Runner::mark_not_needed(JobStep step, const std::string& reason)
 {
     record_.steps.at(at(step)) = {.state = StepState::NotNeeded, .reason = reason};
-    const bool was_made = earlier_ && !earlier_->steps.at(at(step)).command.empty();
-    std::error_code ignored;  // a step that is not needed changes nothing
-    if (was_made && !options_.dry_run)
-        fs::remove_all(folder_of(step), ignored);
+    remove_earlier_results(step);
+    report_end(step);
 }
 
 // A step that is up to date.
-void Runner::keep(JobStep step)
+void Runner::mark_up_to_date(JobStep step)
 {
     StepRecord& record = record_.steps.at(at(step));
     if (record.state != StepState::Done)
         record.state = StepState::UpToDate;
     note_answer(step);
+    report_end(step);
 }
 
 // Notes for the steps that follow that this one has results.
@@ -366,26 +366,30 @@ void Runner::note_answer(JobStep step)
 {
     state_.is_done.at(at(step)) = true;
     if (step == JobStep::Plan)
-        state_.plan_gouges = record_.steps.at(at(step)).exit == 1;
+        state_.plan_gouges = record_.steps.at(at(step)).exit == 1 && plan_gouges(folder_);
 }
 
 void Runner::do_step(JobStep step)
 {
     const auto choice = step_command(job_, step, state_);
     if (const auto* not_needed = std::get_if<StepNotNeeded>(&choice)) {
-        skip(step, not_needed->reason);
+        if (options_.only)
+            throw DomainError{"--only " + name_of(step) + ": the step is not needed: " +
+                              not_needed->reason + "; expected another step"};
+        mark_not_needed(step, not_needed->reason);
         return;
     }
     const auto& command = std::get<StepCommand>(choice);
     if (options_.only)
         require_inputs(step, command);
-    StepRecord record = due(step, command);
+    StepRecord record = record_if_run(step, command);
     const std::string reason = why_not_up_to_date(step, record);
     if (reason.empty())
-        keep(step);
+        mark_up_to_date(step);
     else if (options_.dry_run) {
         record_.steps.at(at(step)) = {.state = StepState::WouldRun, .reason = reason};
-        has_changed_ = true;
+        state_.is_done.at(at(step)) = true;
+        is_foreseen_ = true;
     } else {
         execute(step, command, std::move(record));
     }
@@ -432,14 +436,13 @@ void Runner::take_line(JobStep step, std::string_view line, ChildLines& lines) c
     }
     if (!tree.contains("progress") || !tree["progress"].is_object())
         return;
-    const Tree& told = tree["progress"];
+    const Tree& work = tree["progress"];
     JobProgress progress{step};
-    progress.work = told.value("work", "");
-    if (told.contains("share") && told["share"].is_number())
-        progress.share = told["share"].get<double>();
-    const auto after = seconds_after(step);
-    if (after && told.contains("left_s") && told["left_s"].is_number())
-        progress.left_s = told["left_s"].get<double>() + *after;
+    progress.work = work.value("work", "");
+    if (work.contains("share") && work["share"].is_number())
+        progress.share = work["share"].get<double>();
+    if (work.contains("left_s") && work["left_s"].is_number())
+        progress.left_s = work["left_s"].get<double>() + seconds_after(step).value_or(0);
     report(progress);
 }
 
@@ -463,8 +466,10 @@ void Runner::report(const JobProgress& progress) const
 // Runs the command of a step. Its record is written when its results are complete.
 void Runner::execute(JobStep step, const StepCommand& command, StepRecord record)
 {
-    has_changed_ = true;
     std::error_code error;
+    if (!earlier_ && fs::exists(folder_of(step), error))
+        throw DomainError{shown_path(folder_of(step)) +
+                          " exists and is of no run of a job; expected another --output"};
     fs::remove_all(folder_of(step), error);
     if (error)
         throw OutputError{"cannot remove the results of the earlier run in " +
@@ -483,12 +488,28 @@ void Runner::execute(JobStep step, const StepCommand& command, StepRecord record
     if (fs::exists(folder_of(step), error))
         judged.results_sha256 = folder_sha256(folder_of(step));
     write_record();
-    report({step,
-            {},
-            {},
-            seconds_after(step),
-            StepResult{step, judged.state, judged.reason, judged.exit, judged.wall_s,
-                       folder_of(step)}});
+    report_end(step);
+}
+
+void Runner::report_end(JobStep step) const
+{
+    const StepRecord& record = record_.steps.at(at(step));
+    if (!options_.dry_run)
+        report({step,
+                {},
+                {},
+                seconds_after(step),
+                StepResult{step, record.state, record.reason, record.exit, record.wall_s,
+                           folder_of(step)}});
+}
+
+// Removes what an earlier run of a step left, since it no longer belongs to the job.
+void Runner::remove_earlier_results(JobStep step) const
+{
+    const bool was_made = earlier_ && !earlier_->steps.at(at(step)).command.empty();
+    std::error_code ignored;  // what stays is in no record
+    if (was_made && !options_.dry_run)
+        fs::remove_all(folder_of(step), ignored);
 }
 
 // Why a command did not end with yes.
@@ -528,9 +549,21 @@ void Runner::judge(JobStep step, const ChildResult& result, const ChildLines& li
     failed_ = step;
     code_ = lines.code.empty() ? "E_STEP" : lines.code;
     message_ = name_of(step) + ": " + record.reason;
+    const std::string key = key_in(record.reason, step);
+    if (!key.empty())
+        message_ += " (" + key + " in " + shown_path(job_.file) + ")";
     if (is_no(result))
         message_ += "; in the job, " + advice_for(step) + " may help, and accept_no [\"" +
                     name_of(step) + "\"] lets the chain go on";
+}
+
+// The key of the job for the option that a message begins with; empty if the job has none.
+std::string Runner::key_in(std::string_view message, JobStep step) const
+{
+    for (const GivenOption& option : job_.request(step).options)
+        if (message.starts_with(option.name + ":"))
+            return name_of(step) + "." + ProgramOption{option.name, {}}.key();
+    return {};
 }
 
 void Runner::warn(JobStep step, const std::string& text) const
@@ -575,21 +608,40 @@ void Runner::read_earlier()
 }
 
 // A step that is not looked at keeps its results, if it has any.
-void Runner::pass_over(JobStep step)
+void Runner::take_earlier_result(JobStep step)
 {
     const StepRecord& record = record_.steps.at(at(step));
+    if (record.state == StepState::Failed && step < *options_.only)
+        throw DomainError{"--only " + name_of(*options_.only) + ": the step " +
+                          name_of(step) +
+                          " failed; expected a run in which it does not, or " +
+                          name_of(step) + " in accept_no"};
     if (!record.command.empty() && record.state != StepState::Failed)
         note_answer(step);
 }
 
-// A step after one that would run: what it does depends on the results of that one.
-void Runner::expect(JobStep step)
+// A step after one that would run. Whether it is needed may depend on results that do not
+// exist yet.
+void Runner::foresee(JobStep step)
 {
-    const bool is_off = job_.request(step).wish == StepWish::No;
-    record_.steps.at(at(step)) = {
-        .state = is_off ? StepState::NotNeeded : StepState::WouldRun,
-        .reason =
-            is_off ? "the job does not want it" : "if it is needed after those before"};
+    StepRecord& record = record_.steps.at(at(step));
+    record = {.state = StepState::WouldRun, .reason = "a step before it would run"};
+    if (step == JobStep::Trim && trims_gouges(job_) &&
+        state_.is_done.at(at(JobStep::Plan))) {
+        record.reason = "if the path of the plan gouges";
+        return;
+    }
+    try {
+        const auto choice = step_command(job_, step, state_);
+        if (const auto* not_needed = std::get_if<StepNotNeeded>(&choice)) {
+            record = {.state = StepState::NotNeeded, .reason = not_needed->reason};
+            return;
+        }
+    } catch (const Error&) {
+        record.reason =
+            "a step before it would run";  // it reads results that are missing
+    }
+    state_.is_done.at(at(step)) = true;
 }
 
 void Runner::do_steps()
@@ -597,13 +649,12 @@ void Runner::do_steps()
     for (std::size_t i = 0; i < job_step_count; ++i) {
         const auto step = static_cast<JobStep>(i);
         if (failed_) {
-            StepRecord& record = record_.steps.at(i);
-            record.state = StepState::NotRun;
-            record.reason = "step " + name_of(*failed_) + " failed";
+            remove_earlier_results(step);
+            record_.steps.at(i) = {.reason = "step " + name_of(*failed_) + " failed"};
         } else if (!is_asked(step))
-            pass_over(step);
-        else if (options_.dry_run && has_changed_)
-            expect(step);
+            take_earlier_result(step);
+        else if (is_foreseen_)
+            foresee(step);
         else
             do_step(step);
     }

@@ -12,6 +12,22 @@ namespace endmill {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+void require_word(const ProgramOption& option, const std::string& text)
+{
+    if (option.words.empty() ||
+        std::ranges::find(option.words, text) != option.words.end())
+        return;
+    const std::vector<std::string_view> words{option.words.begin(), option.words.end()};
+    throw DomainError{
+        "found \"" + printable(text, 60) + "\"; expected " +
+        (option.value == OptionValue::FileOrWord ? "an existing file, " : "") +
+        one_of(words, text)};
+}
+
+}  // namespace
+
 std::string ProgramOption::key() const
 {
     std::string key = name.substr(name.find_first_not_of('-'));
@@ -49,18 +65,22 @@ std::optional<GivenOption> given_option(const ProgramOption& option,
             return std::nullopt;
         throw DomainError{"found " + printable(text, 60) + "; expected true or false"};
     }
-    GivenOption given{option.name, text};
-    if (option.value == OptionValue::Text || text == "none")
-        return given;
+    if (option.value == OptionValue::Text) {
+        require_word(option, text);
+        return GivenOption{option.name, text};
+    }
     std::error_code ignored;
     const fs::path file = (base / text).lexically_normal();
-    given.is_file = fs::exists(file, ignored);
-    if (given.is_file)
-        given.value = file.string();
-    else if (option.value == OptionValue::File)
-        throw DomainError{"found " + shown_path(file) +
-                          ", which does not exist; expected a file"};
-    return given;
+    if (!text.empty() && fs::is_regular_file(file, ignored))
+        return GivenOption{option.name, file.string(), true};
+    if (option.value == OptionValue::File && text != "none")
+        throw DomainError{"found " + (text.empty() ? "an empty name" : shown_path(file)) +
+                          (fs::exists(file, ignored) ? ", which is no file"
+                                                     : ", which does not exist") +
+                          "; expected a file"};
+    if (option.value == OptionValue::FileOrWord)
+        require_word(option, text);
+    return GivenOption{option.name, text};
 }
 
 void add_default(std::vector<GivenOption>& given, GivenOption option)

@@ -26,6 +26,9 @@ enum class OptionValue {
 struct ProgramOption {
     std::string name;   ///< such as "--chord-tolerance"
     OptionValue value;  ///< what it takes
+    /// The words that it takes in place of a file, or, if it takes a text, the only ones.
+    /// Empty: any text.
+    std::vector<std::string> words = {};
 
     std::string key() const;  ///< such as "chord_tolerance"
 };
@@ -68,8 +71,8 @@ struct GivenOption {
 /// \param base folder to which the name of a file is relative. The value is then the path
 ///        from the current folder.
 /// \return nothing for the text "false" of an option that takes no value.
-/// \throws DomainError if an option that takes no value gets another text, or if a file is
-///         missing.
+/// \throws DomainError if an option that takes no value gets another text, for a word that the
+///         option does not know, or if a file is missing.
 std::optional<GivenOption> given_option(const ProgramOption& option,
                                         const std::string& text,
                                         const std::filesystem::path& base);

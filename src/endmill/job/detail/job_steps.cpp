@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "endmill/core/error.h"
+#include "endmill/files/detail/json_tree.h"
 #include "endmill/files/read_file.h"
 
 namespace endmill {
@@ -18,6 +19,7 @@ using Choice = std::variant<StepCommand, StepNotNeeded>;
 
 constexpr const char* toolpath = "toolpath.csv";
 constexpr const char* summary = "summary.json";
+constexpr const char* no_path = "there is no path: neither plan nor trim has made one";
 
 // Adds the option of the job, if it has one, unless the step gives it itself.
 void add(std::vector<GivenOption>& options, const std::optional<GivenOption>& option)
@@ -30,6 +32,23 @@ void add_all(std::vector<GivenOption>& options, std::span<const GivenOption> mor
 {
     for (const GivenOption& option : more)
         add_default(options, option);
+}
+
+// The path of the plan. Strategy iso plans in both directions and recommends one of them.
+fs::path planned_path(const fs::path& results)
+{
+    const fs::path folder = results / job_step_folder(JobStep::Plan);
+    std::error_code ignored;
+    if (fs::exists(folder / toolpath, ignored))
+        return folder / toolpath;
+    const auto read = nlohmann::json::parse(read_file(folder / summary), nullptr, false);
+    if (read.is_object())
+        if (const auto found = read.find("recommended");
+            found != read.end() && found->is_string() && (*found == "u" || *found == "v"))
+            return folder / found->get<std::string>() / toolpath;
+    throw FormatError{"E_OPEN",
+                      {shown_path(folder), "", "no toolpath.csv",
+                       "the results of endmill plan, which writes one"}};
 }
 
 // The job's steps and what stands in its folder.
@@ -65,7 +84,7 @@ private:
     }
 
     bool plans_five_axes() const;
-    fs::path planned_path() const;
+    bool has_path() const { return is_done(JobStep::Plan) || is_done(JobStep::Trim); }
     fs::path unfed_path() const;
     fs::path path() const;
     void add_part_files(StepCommand& command) const;
@@ -81,27 +100,10 @@ bool Chain::plans_five_axes() const
            plans_from_setups(job_);
 }
 
-// The path of the plan. Strategy iso plans in both directions and recommends one of them.
-fs::path Chain::planned_path() const
-{
-    const fs::path folder = folder_of(JobStep::Plan);
-    std::error_code ignored;
-    if (fs::exists(folder / toolpath, ignored))
-        return folder / toolpath;
-    const auto read = nlohmann::json::parse(read_file(folder / summary), nullptr, false);
-    if (read.is_object())
-        if (const auto found = read.find("recommended");
-            found != read.end() && found->is_string() && (*found == "u" || *found == "v"))
-            return folder / found->get<std::string>() / toolpath;
-    throw FormatError{"E_OPEN",
-                      {shown_path(folder), "", "no toolpath.csv",
-                       "the results of endmill plan, which writes one"}};
-}
-
 fs::path Chain::unfed_path() const
 {
     if (!is_done(JobStep::Trim))
-        return planned_path();
+        return planned_path(state_.folder);
     const fs::path folder = folder_of(JobStep::Trim);
     std::error_code ignored;
     if (fs::exists(folder / toolpath, ignored))
@@ -170,7 +172,7 @@ Choice Chain::plan() const
 
 Choice Chain::trim() const
 {
-    if (wish(JobStep::Trim) == StepWish::Default)
+    if (!trims_gouges(job_))
         return StepNotNeeded{"the job does not ask for it"};
     if (is_done(JobStep::Plan) && !state_.plan_gouges)
         return StepNotNeeded{"the path of the plan needs no repair"};
@@ -187,6 +189,8 @@ Choice Chain::trim() const
 
 Choice Chain::feed() const
 {
+    if (!has_path())
+        return StepNotNeeded{no_path};
     if (wish(JobStep::Feed) == StepWish::Default) {
         if (!job_.material)
             return StepNotNeeded{"the job names no material"};
@@ -204,6 +208,8 @@ Choice Chain::feed() const
 
 Choice Chain::verify() const
 {
+    if (!has_path())
+        return StepNotNeeded{no_path};
     StepCommand command = begun(JobStep::Verify, path());
     add(command.options, job_.tool);
     add(command.options, job_.stock);
@@ -213,6 +219,8 @@ Choice Chain::verify() const
 
 Choice Chain::clamp() const
 {
+    if (!has_path())
+        return StepNotNeeded{no_path};
     if (wish(JobStep::Clamp) == StepWish::Default) {
         if (job_.rotary_axes == 0)
             return StepNotNeeded{"the machine has three axes"};
@@ -228,6 +236,8 @@ Choice Chain::clamp() const
 
 Choice Chain::post() const
 {
+    if (!has_path())
+        return StepNotNeeded{no_path};
     const bool has_feed =
         is_done(JobStep::Feed) ||
         std::ranges::find(job_.feeds, "--feed", &GivenOption::name) != job_.feeds.end();
@@ -254,6 +264,26 @@ Choice Chain::post() const
 bool plans_from_setups(const Job& job)
 {
     return is_given(job.request(JobStep::Setup).options, "--max-setups");
+}
+
+bool trims_gouges(const Job& job)
+{
+    const auto& options = job.request(JobStep::Plan).options;
+    const auto mode = std::ranges::find(options, "--mode", &GivenOption::name);
+    const bool plans_as_printed = mode != options.end() && mode->value == "paper";
+    return job.request(JobStep::Trim).wish == StepWish::Yes ||
+           (job.request(JobStep::Trim).wish == StepWish::Default && plans_as_printed);
+}
+
+bool plan_gouges(const fs::path& folder)
+{
+    const fs::path file = planned_path(folder).parent_path() / summary;
+    const auto read = json_tree(read_file(file), shown_path(file), {});
+    const auto number = [&](const char* key) {
+        const auto found = read->find(key);
+        return found != read->end() && found->is_number() ? found->get<double>() : 0;
+    };
+    return number("max_gouge_mm") > number("inner_tolerance_mm");
 }
 
 std::string job_step_folder(JobStep step)

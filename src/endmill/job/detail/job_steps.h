@@ -20,6 +20,15 @@ std::string job_step_folder(JobStep step);
 /// Whether the tool stands still while it cuts, in one of several setups (3+2 axes).
 bool plans_from_setups(const Job& job);
 
+/// Whether trimmed sections take the place of a plan that gouges: if the job asks for them, or
+/// plans as a paper does, which may gouge.
+bool trims_gouges(const Job& job);
+
+/// Whether the path of a plan whose answer is no gouges deeper than the inner tolerance.
+/// \param folder of the results of the job.
+/// \throws FormatError if the results of the plan cannot be read.
+bool plan_gouges(const std::filesystem::path& folder);
+
 /// A run of a command for a step.
 struct StepCommand {
     std::filesystem::path input;                ///< file that it works on
@@ -37,7 +46,7 @@ struct ChainState {
     std::filesystem::path folder;  ///< of the results of the job
     /// Whether a step has run in this chain or is up to date, in the order of JobStep.
     std::array<bool, job_step_count> is_done = {};
-    bool plan_gouges = false;  ///< whether the answer of the plan is no
+    bool plan_gouges = false;  ///< as `plan_gouges` finds
 };
 
 /// The command of a step.
