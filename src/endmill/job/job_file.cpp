@@ -111,6 +111,7 @@ private:
     std::optional<GivenOption> option_of(const JsonValue& root,
                                          const ProgramOption& option,
                                          std::string_view key);
+    ProgramOption option_named(std::string_view command, std::string_view key) const;
     std::optional<GivenOption> file_of(const JsonValue& root, std::string_view key,
                                        std::string_view name, OptionValue takes);
     template <std::size_t Count>
@@ -154,6 +155,16 @@ std::optional<GivenOption> JobReader::option_of(const JsonValue& root,
                    [&] { return given_option(option, value->argument(), base_); });
 }
 
+// The option of a command, or, if it has none of this key, one that takes any text.
+ProgramOption JobReader::option_named(std::string_view command,
+                                      std::string_view key) const
+{
+    if (const ProgramCommand* const found = program_.find(command))
+        if (const ProgramOption* const option = found->find(key))
+            return *option;
+    return {"--" + std::string{key}, OptionValue::Text};
+}
+
 std::optional<GivenOption> JobReader::file_of(const JsonValue& root, std::string_view key,
                                               std::string_view name, OptionValue takes)
 {
@@ -179,11 +190,9 @@ void JobReader::read_part(const JsonValue& root)
     part.allow_only(keys);
     part.member("file");
     job_.part = *file_of(part, "file", "PART", OptionValue::File)->value;
-    const ProgramCommand& plan = *program_.find("plan");
     for (const std::string_view key : {"units", "up"})
-        if (const ProgramOption* option = plan.find(key))
-            if (auto given = option_of(part, *option, key))
-                job_.part_options.push_back(*std::move(given));
+        if (auto given = option_of(part, option_named("plan", key), key))
+            job_.part_options.push_back(*std::move(given));
     job_.protect = file_of(part, "protect", "--protect", OptionValue::File);
     job_.skip_facets = file_of(part, "skip_facets", "--skip-facets", OptionValue::File);
 }
@@ -298,8 +307,7 @@ Job JobReader::read(const JsonValue& root)
     read_machine_of(root);
     read_tool_of(root);
     job_.material = file_of(root, "material", "--material", OptionValue::File);
-    if (const ProgramOption* control = program_.find("post")->find("control"))
-        job_.control = option_of(root, *control, "control");
+    job_.control = option_of(root, option_named("post", "control"), "control");
     job_.stock = file_of(root, "stock", "--stock", OptionValue::FileOrWord);
     read_tolerances(root);
     job_.feeds = options_of(root, feed_keys);
