@@ -3,8 +3,10 @@
 
 #include <filesystem>
 #include <fstream>
+#include <string>
 
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "temporary_folder.h"
@@ -34,6 +36,22 @@ TEST(StagingFolder, IsAbandonedOnceItsProcessIsGone)
     ASSERT_GE(found.lock, 0);
     ::close(found.lock);
     EXPECT_EQ(lock_of_abandoned(place.path() / ".endmill-4194305-1.tmp").lock, -1);
+}
+
+TEST(StagingFolder, IsAbandonedByAProcessThatNobodyWaitedFor)
+{
+    const TemporaryFolder place;
+    const pid_t child = ::fork();
+    if (child == 0)
+        ::_exit(0);
+    siginfo_t info{};
+    ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT), 0);
+    const fs::path left = place.path() / (".endmill-" + std::to_string(child) + "-0.tmp");
+    fs::create_directories(left);
+    const Abandoned found = lock_of_abandoned(left);
+    ::waitpid(child, nullptr, 0);
+    ASSERT_GE(found.lock, 0);
+    ::close(found.lock);
 }
 
 TEST(StagingFolder, IsRemovedWithItsFilesUnlessReleased)

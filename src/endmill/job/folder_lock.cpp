@@ -4,7 +4,6 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <string_view>
 #include <system_error>
 #include <thread>
@@ -16,6 +15,7 @@
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/files/detail/staging_folder.h"
 #include "endmill/files/read_file.h"
 
 namespace endmill {
@@ -62,7 +62,7 @@ bool lives(const std::string& owner)
 {
     const auto number = number_from_text(owner.substr(0, owner.find(' ')));
     return !number || !owner.ends_with(" on " + this_host()) ||
-           ::kill(static_cast<pid_t>(*number), 0) == 0 || errno != ESRCH;
+           is_at_work(static_cast<pid_t>(*number));
 }
 
 // The error of taking the lock; 0 if it was taken.

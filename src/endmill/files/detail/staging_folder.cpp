@@ -6,6 +6,7 @@
 #include <csignal>
 #include <ctime>
 #include <exception>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,6 +50,20 @@ std::optional<pid_t> process_of(const std::string& name)
     return static_cast<pid_t>(std::stoll(std::string{numbers.substr(0, dash)}));
 }
 
+// Whether a process has ended and only waits for its parent to notice, which may take long if
+// its own parent was killed.
+bool has_ended(pid_t process)
+{
+    std::ifstream file{"/proc/" + std::to_string(process) + "/stat"};
+    std::string text;
+    std::getline(file, text);
+    const std::size_t name_end = text.rfind(") ");  // the name may have any letters
+    const char state = name_end + 2 < text.size() && name_end != std::string::npos
+                           ? text[name_end + 2]
+                           : ' ';
+    return state == 'Z' || state == 'X';
+}
+
 // The lock of a folder. Not all file systems have locks.
 bool is_without_locks(int error)
 {
@@ -56,6 +71,11 @@ bool is_without_locks(int error)
 }
 
 }  // namespace
+
+bool is_at_work(pid_t process)
+{
+    return (::kill(process, 0) == 0 || errno == EPERM) && !has_ended(process);
+}
 
 bool is_staging_name(const fs::path& name)
 {
@@ -84,8 +104,7 @@ Abandoned lock_of_abandoned(const fs::path& path)
     // one that is gone.
     const bool is_old = is_locked && ::fstat(lock, &status) == 0 &&
                         std::time(nullptr) - status.st_mtime > locking_time_s;
-    const bool lives =
-        process != ::getpid() && (::kill(process, 0) == 0 || errno == EPERM);
+    const bool lives = process != ::getpid() && is_at_work(process);
     if (!is_held && (is_old || !lives))
         return {true, lock};
     ::close(lock);

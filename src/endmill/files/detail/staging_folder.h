@@ -3,6 +3,8 @@
 
 #include <filesystem>
 
+#include <sys/types.h>
+
 namespace endmill {
 
 /// A hidden folder that holds the files of an unfinished run. It is locked as long as its
@@ -33,6 +35,10 @@ private:
     std::filesystem::path path_;
     int lock_ = -1;  // descriptor of the folder
 };
+
+/// Whether a process of this number exists and has not ended. One that waits for its parent to
+/// notice its end, which may take long, has ended.
+bool is_at_work(pid_t process);
 
 /// Whether the name is that of a staging folder.
 bool is_staging_name(const std::filesystem::path& name);
