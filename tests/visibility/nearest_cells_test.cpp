@@ -157,10 +157,10 @@ TEST(NearestCells, EndWithTheExceptionOfAVisit)
 {
     const SphereGrid grid = sphere_grid("hex:3");
     const VisibilityMap map{3, grid.centres.size()};
-    EXPECT_THROW(for_each_nearest_cells(
-                     map, grid.centres,
-                     [](std::size_t pose, const auto&) { require(pose != 40, "ended"); }),
-                 DomainError);
+    const auto visit = [](std::size_t pose, const auto&) {
+        require(pose != 40, "ended");
+    };
+    EXPECT_THROW(for_each_nearest_cells(map, grid.centres, visit), DomainError);
 }
 
 TEST(NearestCells, NeedACentreForEachCellAndAPoseAmongThem)
@@ -170,8 +170,8 @@ TEST(NearestCells, NeedACentreForEachCellAndAPoseAmongThem)
     EXPECT_TRUE(nearest_cells(map, centres, 0).empty());
     EXPECT_THROW(nearest_cells(map, centres, 2), DomainError);
     EXPECT_THROW(nearest_cells(map, std::vector<Vec3>{Vec3::UnitZ()}, 0), DomainError);
-    EXPECT_THROW(for_each_nearest_cells(map, std::vector<Vec3>{Vec3::UnitZ()},
-                                        [](std::size_t, const auto&) {}),
+    const auto visit = [](std::size_t, const auto&) {};
+    EXPECT_THROW(for_each_nearest_cells(map, std::vector<Vec3>{Vec3::UnitZ()}, visit),
                  DomainError);
 }
 
