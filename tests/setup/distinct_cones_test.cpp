@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/setup/detail/distinct_cones.h"
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -59,6 +61,35 @@ TEST(DistinctCones, AreTheDifferentRowsInTheOrderOfTheirFirstFacets)
     }
 }
 
+// Caps about normals in a random order. The distance of one normal from the next is small on
+// average only if similar cones lie side by side; at random it is a right angle.
+TEST(DistinctCones, LieSideBySideIfTheyAreSimilar)
+{
+    test::Random random{8};
+    const SphereGrid grid = sphere_grid("hex:6");
+    std::vector<Vec3> normals;
+    VisibilityMap map{2000, grid.centres.size()};
+    for (std::size_t facet = 0; facet < map.facets(); ++facet) {
+        normals.push_back(test::random_direction(random));
+        for (std::size_t cell = 0; cell < map.cells(); ++cell) {
+            if (normals.back().dot(grid.centres[cell]) > 0)
+                map.column(cell)[facet / 64] |= std::uint64_t{1} << facet % 64;
+        }
+    }
+    const DistinctCones cones{map};
+    const std::vector<std::size_t> order = cones.similar_together();
+    double turned = 0;  // rad
+    for (std::size_t i = 0; i + 1 < order.size(); ++i)
+        turned += std::acos(normals[cones.first_facet(order[i])].dot(
+            normals[cones.first_facet(order[i + 1])]));
+    EXPECT_LT(turned / static_cast<double>(order.size()), 0.3);
+    std::vector<std::size_t> sorted = order;
+    std::ranges::sort(sorted);
+    for (std::size_t cone = 0; cone < cones.size(); ++cone)
+        EXPECT_EQ(sorted[cone], cone);
+    EXPECT_EQ(sorted.size(), cones.size());
+}
+
 TEST(DistinctCones, MayBeEmpty)
 {
     EXPECT_EQ(DistinctCones(VisibilityMap{}).size(), 0U);
@@ -66,6 +97,7 @@ TEST(DistinctCones, MayBeEmpty)
     EXPECT_EQ(cones.size(), 0U);
     EXPECT_EQ(cones.cone_of()[69], DistinctCones::none);
     EXPECT_EQ(cones.map().facets(), 0U);
+    EXPECT_TRUE(cones.similar_together().empty());
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "endmill/core/error.h"
+#include "endmill/core/parallel.h"
 #include "endmill/visibility/sphere_grid.h"
 #include "random.h"
 
@@ -61,7 +62,8 @@ TEST_P(NearestCells, AgreeWithTheDefinitionOnGridsWithManyTies)
             }
         }
         for (std::size_t pose = 0; pose < map.cells(); pose += 7) {
-            const std::vector<std::size_t> found = nearest_cells(map, grid.centres, pose);
+            const std::vector<std::uint32_t> found =
+                nearest_cells(map, grid.centres, pose);
             EXPECT_EQ(std::set<std::size_t>(found.begin(), found.end()),
                       nearest_by_definition(map, grid.centres, pose));
             EXPECT_TRUE(std::is_sorted(found.begin(), found.end(), [&](auto a, auto b) {
@@ -82,7 +84,7 @@ TEST(NearestCells, AreEmptyIfThePoseReachesEverything)
     for (std::size_t facet = 0; facet < map.facets(); ++facet)
         make_accessible(map, facet, 3);
     EXPECT_TRUE(nearest_cells(map, grid.centres, 3).empty());
-    EXPECT_EQ(nearest_cells(map, grid.centres, 4), std::vector<std::size_t>{3});
+    EXPECT_EQ(nearest_cells(map, grid.centres, 4), std::vector<std::uint32_t>{3});
 }
 
 // Two cells are equally near to the pole up to rounding, and lie in different classes of
@@ -99,7 +101,66 @@ TEST(NearestCells, TakeTheLowestOfEqualCellsInDifferentClasses)
     VisibilityMap map{1, 3};
     make_accessible(map, 0, 1);
     make_accessible(map, 0, 2);
-    EXPECT_EQ(nearest_cells(map, centres, 0), std::vector<std::size_t>{1});
+    EXPECT_EQ(nearest_cells(map, centres, 0), std::vector<std::uint32_t>{1});
+}
+
+// A map whose facets reach caps of different sizes: some are reached by most
+// tool axes, others by few. Some facets have no cell.
+VisibilityMap map_of_caps(std::size_t facets, const std::vector<Vec3>& centres,
+                          test::Random& random)
+{
+    VisibilityMap map{facets, centres.size()};
+    for (std::size_t facet = 0; facet < facets; ++facet) {
+        const double turn =
+            6.3 * static_cast<double>(facet) / static_cast<double>(facets);
+        const Vec3 normal{std::cos(turn), std::sin(turn), 0};
+        const double least = facet % 11 == 3 ? 2 : random.uniform(-0.9, 0.9);
+        for (std::size_t cell = 0; cell < centres.size(); ++cell) {
+            if (normal.dot(centres[cell]) > least)
+                make_accessible(map, facet, cell);
+        }
+    }
+    return map;
+}
+
+class NearestCellsAtEveryPose : public testing::TestWithParam<std::size_t> {};
+
+// Facets in less than one word of 64, at the ends of a word and of the eight that are copied at
+// once, and in several of these; tool axes in two groups of 64.
+TEST_P(NearestCellsAtEveryPose, AgreeWithTheDefinitionAndWithEachPoseOnItsOwn)
+{
+    const SphereGrid grid = sphere_grid("hex:3");
+    test::Random random{7};
+    const VisibilityMap map = map_of_caps(GetParam(), grid.centres, random);
+    for (const int threads : {1, 4}) {
+        set_thread_count(threads);
+        std::vector<std::vector<std::uint32_t>> found(map.cells());
+        std::vector<int> visits(map.cells());
+        for_each_nearest_cells(map, grid.centres, [&](std::size_t pose, auto cells) {
+            found[pose] = std::move(cells);
+            ++visits[pose];
+        });
+        EXPECT_EQ(visits, std::vector<int>(map.cells(), 1));
+        for (std::size_t pose = 0; pose < map.cells(); ++pose) {
+            EXPECT_EQ(found[pose], nearest_cells(map, grid.centres, pose));
+            EXPECT_EQ(std::set<std::size_t>(found[pose].begin(), found[pose].end()),
+                      nearest_by_definition(map, grid.centres, pose));
+        }
+    }
+    set_thread_count(2);
+}
+
+INSTANTIATE_TEST_SUITE_P(WithFewAndManyFacets, NearestCellsAtEveryPose,
+                         testing::Values(0, 1, 63, 64, 65, 512, 513, 1600));
+
+TEST(NearestCells, EndWithTheExceptionOfAVisit)
+{
+    const SphereGrid grid = sphere_grid("hex:3");
+    const VisibilityMap map{3, grid.centres.size()};
+    const auto visit = [](std::size_t pose, const auto&) {
+        require(pose != 40, "ended");
+    };
+    EXPECT_THROW(for_each_nearest_cells(map, grid.centres, visit), DomainError);
 }
 
 TEST(NearestCells, NeedACentreForEachCellAndAPoseAmongThem)
@@ -109,6 +170,9 @@ TEST(NearestCells, NeedACentreForEachCellAndAPoseAmongThem)
     EXPECT_TRUE(nearest_cells(map, centres, 0).empty());
     EXPECT_THROW(nearest_cells(map, centres, 2), DomainError);
     EXPECT_THROW(nearest_cells(map, std::vector<Vec3>{Vec3::UnitZ()}, 0), DomainError);
+    const auto visit = [](std::size_t, const auto&) {};
+    EXPECT_THROW(for_each_nearest_cells(map, std::vector<Vec3>{Vec3::UnitZ()}, visit),
+                 DomainError);
 }
 
 }  // namespace

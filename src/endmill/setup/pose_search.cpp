@@ -5,8 +5,10 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "endmill/core/error.h"
@@ -87,11 +89,12 @@ std::optional<FittedPose> feasible_of(const PoseSearchResult& found,
     return fits ? found.least : found.feasible;
 }
 
-std::vector<Vec3> nearest_directions(const VisibilityMap& map,
-                                     std::span<const Vec3> centres, std::size_t pose)
+std::vector<Vec3> directions_of(std::span<const std::uint32_t> cells,
+                                std::span<const Vec3> centres)
 {
     std::vector<Vec3> directions;
-    for (const std::size_t cell : nearest_cells(map, centres, pose))
+    directions.reserve(cells.size());
+    for (const std::uint32_t cell : cells)
         directions.push_back(centres[cell]);
     return directions;
 }
@@ -112,7 +115,7 @@ public:
           centres_{centres},
           options_{options},
           looks_{options.progress},
-          directions_(centres.size()),
+          nearest_(centres.size()),
           least_(centres.size()),
           feasible_(centres.size()),
           is_skipped_(centres.size())
@@ -121,8 +124,17 @@ public:
 
     PoseSearchResult run()
     {
-        for_each_pose([this](std::size_t pose) { bound(pose); });
-        for_each_pose([this](std::size_t pose) { fit_pose(pose); });
+        for_each_nearest_cells(map_, centres_, [this](std::size_t pose, auto cells) {
+            nearest_[pose] = std::move(cells);
+            bound(pose);
+            looks_.one_more();
+        });
+        parallel_for(centres_.size(), [this](std::size_t begin, std::size_t end) {
+            for (std::size_t pose = begin; pose < end; ++pose) {
+                fit_pose(pose);
+                looks_.one_more();
+            }
+        });
         PoseSearchResult result;
         result.poses_tried = centres_.size();
         result.poses_skipped = static_cast<std::size_t>(
@@ -139,36 +151,25 @@ public:
     }
 
 private:
-    template <class Body>
-    void for_each_pose(const Body& body)
-    {
-        parallel_for(centres_.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t pose = begin; pose < end; ++pose) {
-                body(pose);
-                looks_.one_more();
-            }
-        });
-    }
-
     void bound(std::size_t pose)
     {
-        directions_[pose] = nearest_directions(map_, centres_, pose);
         if (options_.family == RotaryFamily::CA)
             return;
-        const AreaBounds bounds =
-            rectangle_bounds(centres_[pose], directions_[pose], options_);
+        const AreaBounds bounds = rectangle_bounds(
+            centres_[pose], directions_of(nearest_[pose], centres_), options_);
         area_.lower(bounds.least);
         feasible_area_.lower(bounds.feasible);
     }
 
     void fit_pose(std::size_t pose)
     {
-        const PoseSearchResult found = fit(centres_[pose], directions_[pose], options_,
-                                           {area_.value(), feasible_area_.value()});
+        const PoseSearchResult found =
+            fit(centres_[pose], directions_of(nearest_[pose], centres_), options_,
+                {area_.value(), feasible_area_.value()});
         is_skipped_[pose] = found.poses_skipped > 0 ? 1 : 0;
         keep(found.least, pose, least_, area_);
         keep(found.feasible, pose, feasible_, feasible_area_);
-        directions_[pose] = {};
+        nearest_[pose] = {};
     }
 
     static void keep(const std::optional<FittedPose>& fit, std::size_t pose,
@@ -185,7 +186,7 @@ private:
     std::span<const Vec3> centres_;
     const PoseFitOptions& options_;
     DirectionCount looks_;
-    std::vector<std::vector<Vec3>> directions_;
+    std::vector<std::vector<std::uint32_t>> nearest_;  // cells, for each tool axis
     std::vector<std::optional<FittedPose>> least_;
     std::vector<std::optional<FittedPose>> feasible_;
     std::vector<char> is_skipped_;
@@ -216,12 +217,9 @@ std::vector<FittedPose> poses_within_limits(const VisibilityMap& map,
 {
     check_search(map, centres, options);
     std::vector<std::optional<FittedPose>> fits(centres.size());
-    parallel_for(centres.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t pose = begin; pose < end; ++pose) {
-            const auto directions = nearest_directions(map, centres, pose);
-            fits[pose] =
-                feasible_of(fit(centres[pose], directions, options, {}), options);
-        }
+    for_each_nearest_cells(map, centres, [&](std::size_t pose, const auto& cells) {
+        fits[pose] = feasible_of(
+            fit(centres[pose], directions_of(cells, centres), options, {}), options);
     });
     std::vector<FittedPose> poses;
     for (std::size_t pose = 0; pose < fits.size(); ++pose) {

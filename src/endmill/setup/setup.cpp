@@ -260,10 +260,11 @@ PartSetup five_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
     require(request.reach.configuration.family.has_value(),
             "five_axis_setup: need a machine with two rotary axes that tilt the tool");
     // Facets with equal cones need the same directions: one of them is searched for.
-    const VisibilityMap cones = DistinctCones{map}.map();
+    const DistinctCones cones{map};
     if (request.mode == SetupMode::WholeCones)
-        return best_over_whole_cones(grid, cones, request);
-    return setup_of(best_at_cells(grid, cones, request, request.mode));
+        return best_over_whole_cones(grid, cones.map(), request);
+    return setup_of(
+        best_at_cells(grid, cones.map(cones.similar_together()), request, request.mode));
 }
 
 std::optional<double> floored_area_deg2(const PartSetup& setup,

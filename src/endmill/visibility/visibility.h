@@ -190,7 +190,19 @@ void keep_reachable(PartVisibility& visibility, const TriangleMesh& part,
 /// \param pose the cell whose centre is the tool axis.
 /// \throws DomainError if there is not one centre for each cell, or if `pose` is not a
 ///         cell.
-std::vector<std::size_t> nearest_cells(const VisibilityMap& map,
-                                       std::span<const Vec3> centres, std::size_t pose);
+std::vector<std::uint32_t> nearest_cells(const VisibilityMap& map,
+                                         std::span<const Vec3> centres, std::size_t pose);
+
+/// Finds the `nearest_cells` at every tool axis, which is faster than one at a time.
+/// At most O(cells^2 * facets / 64); about a twentieth of it for a convex part if each 64
+/// successive facets have similar cones. Memory: on each thread 5 bytes for each cell and each
+/// of 64 to 256 tool axes.
+/// \param map cones. \param centres unit, one for each cell of `map`.
+/// \param visit is called once for each cell as the tool axis, in any order and by several
+///        threads at once. An exception ends the work.
+/// \throws DomainError if there is not one centre for each cell.
+void for_each_nearest_cells(
+    const VisibilityMap& map, std::span<const Vec3> centres,
+    const std::function<void(std::size_t pose, std::vector<std::uint32_t> cells)>& visit);
 
 }  // namespace endmill

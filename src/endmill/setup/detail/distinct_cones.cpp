@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "endmill/core/parallel.h"
@@ -100,6 +102,24 @@ DistinctCones::DistinctCones(const VisibilityMap& map)
     }
     rows_.resize(facets_.size() * row_words_);
     rows_.shrink_to_fit();
+}
+
+std::vector<std::size_t> DistinctCones::similar_together() const
+{
+    // Cells of neighbouring numbers lie side by side. Multiples of the golden ratio spread the
+    // numbers, the first of them most: sorting divides the cones by one cell after the other.
+    std::vector<std::uint64_t> answers(size());
+    for (int k = 0; k < 64; ++k) {
+        const double turns = k * std::numbers::phi;
+        const auto cell = static_cast<std::size_t>((turns - std::floor(turns)) *
+                                                   static_cast<double>(cells_));
+        for (std::size_t cone = 0; cone < size(); ++cone)
+            answers[cone] = answers[cone] << 1 | (row(cone)[cell / 64] >> cell % 64 & 1);
+    }
+    std::vector<std::size_t> cones(size());
+    std::iota(cones.begin(), cones.end(), std::size_t{0});
+    std::ranges::stable_sort(cones, {}, [&](std::size_t cone) { return answers[cone]; });
+    return cones;
 }
 
 VisibilityMap DistinctCones::map() const

@@ -44,6 +44,10 @@ public:
 
     std::size_t row_words() const { return row_words_; }  ///< words of a row
 
+    /// All cones, with similar ones side by side: those that agree in 64 cells all over the
+    /// sphere. In maps of this order `for_each_nearest_cells` is fast for every part.
+    std::vector<std::size_t> similar_together() const;
+
     /// A visibility map with one facet for each cone.
     VisibilityMap map() const;
 

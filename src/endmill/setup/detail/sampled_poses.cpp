@@ -87,8 +87,9 @@ std::vector<FittedPose> five_axis_poses(const SphereGrid& grid, const Visibility
                                  .order = rotary_order(sampling.reach.configuration)};
     const RotaryLimits& limits = sampling.reach.limits;
     std::vector<FittedPose> poses;
-    for (const FittedPose& fit :
-         poses_within_limits(DistinctCones{map}.map(), grid.centres, options)) {
+    const DistinctCones cones{map};
+    for (const FittedPose& fit : poses_within_limits(cones.map(cones.similar_together()),
+                                                     grid.centres, options)) {
         poses.push_back(fit);
         if (options.family == RotaryFamily::AB) {
             if (const auto turned = turned_ab(fit, limits))
