@@ -111,6 +111,18 @@ class SweepTest(ProgramTest):
         self.assertEqual([row["exit_code"] for row in rows], ["0", "0", "3"])
         self.assertEqual(rows[0]["max_extent"], "")
 
+    def test_the_folder_of_a_kept_case_can_be_used(self):
+        """Its files name others relative to themselves. Commands look for these where the case has moved to."""
+        shutil.copy(NET, self.folder / "net.json")
+        plan = self.plan(command="plan", input="net.json", options={"cutter": "ball:20"}, grid=[{"scallop": [2]}])
+        self.sweep(plan, "kept", "--keep", "all")
+        case = self.folder / "kept/cases/0000000"
+        self.assertFalse(list((self.folder / "kept").glob(".endmill*")))
+        part = json.loads((case / "summary.json").read_text())["part"]
+        self.assertEqual((case / part).resolve(), (self.folder / "net.json").resolve())
+        done = endmill("verify", case / "toolpath.csv", "--resolution", 1, "-o", "verified", cwd=self.folder)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+
     def test_killed_sweeps_go_on(self):
         plan = self.small_plan(count=40)
         start = time.monotonic()

@@ -192,6 +192,25 @@ TEST_F(SweepTest, MergesItsShards)
     EXPECT_THAT(complaint(folders), HasSubstr("has a sweep that has not ended"));
 }
 
+// Results name files relative to themselves: "../../part.json" must hold after a move.
+TEST_F(SweepTest, RunsCasesAsDeepAsItKeepsThem)
+{
+    const fs::path script = place.path() / "program.sh";
+    std::ofstream{script} << "#!/bin/sh\n"
+                             "for word in \"$@\"; do case $word in\n"
+                             "--output=*) out=${word#--output=};; esac; done\n"
+                             "mkdir $out && test -f $out/../../../cases.csv\n";
+    SweepOptions how = options("deep");
+    fs::create_directories(how.folder / ".endmill-cases-killed/0000000");
+    how.resume = true;
+    how.kept = KeptCases::All;
+    EXPECT_EQ(run(how).failed, 0);
+    EXPECT_THAT(results("deep"), HasSubstr("6,17,,,0,,T"));
+    EXPECT_TRUE(fs::exists(how.folder / "cases/0000006/../../../cases.csv"));
+    EXPECT_THAT(files("deep"),
+                testing::ElementsAre("cases", "results.csv", "sweep.json"));
+}
+
 TEST_F(SweepTest, OfAnEmptyShardHasNoRow)
 {
     SweepOptions how = options("empty");

@@ -21,8 +21,8 @@
 
 // Life of the results in a folder:
 //
-// 1. While cases run, `.endmill-cases` has a folder with the results of those that run, and
-//    the journal has a row of each that has ended.
+// 1. While cases run, `.endmill-cases-XXXXXX` has a folder with the results of each, and the
+//    journal has a row of each case that has ended.
 // 2. When all have ended, results.csv and sweep.json are written from the journal.
 // 3. The journal is removed. Results with a journal beside them may be old; those without one
 //    are complete.
@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* journal_name = ".endmill-journal.jsonl";
-constexpr const char* working_name = ".endmill-cases";
+constexpr const char* working_prefix = ".endmill-cases-";
 constexpr const char* kept_name = "cases";
 constexpr double ms_per_s = 1000;
 
@@ -115,26 +115,33 @@ void make_folder(const fs::path& folder)
 // Removes the results of cases that ran when an earlier run was killed.
 void remove_unfinished(const fs::path& results)
 {
+    std::vector<fs::path> found;
     std::error_code ignored;
-    fs::remove_all(results / working_name, ignored);
+    for (const auto& entry : fs::directory_iterator{results, ignored})
+        if (entry.path().filename().string().starts_with(working_prefix))
+            found.push_back(entry.path());
+    for (const fs::path& folder : found)
+        fs::remove_all(folder, ignored);
 }
 
 // A folder of a new name for the results of running cases. It is no PrivateFolder: an
-// interruption would remove results while they are read for a row.
+// interruption would remove results while they are read for a row. Like the folder of kept
+// cases it lies in that of the results, because results name files relative to themselves:
+// the names hold after a case has moved.
 class WorkingFolder {
 public:
-    explicit WorkingFolder(const fs::path& results) : place_{results / working_name}
+    explicit WorkingFolder(const fs::path& results)
+        : path_{results / (std::string{working_prefix} + "XXXXXX")}
     {
-        make_folder(place_);
-        std::string name = (place_ / "XXXXXX").string();
+        std::string name = path_.string();
         if (::mkdtemp(name.data()) == nullptr)
-            fail_output("create a folder in", place_, errno);
+            fail_output("create a folder in", results, errno);
         path_ = name;
     }
     ~WorkingFolder()
     {
         std::error_code ignored;
-        fs::remove_all(place_, ignored);
+        fs::remove_all(path_, ignored);
     }
     WorkingFolder(const WorkingFolder&) = delete;
     WorkingFolder& operator=(const WorkingFolder&) = delete;
@@ -142,7 +149,6 @@ public:
     const fs::path& path() const { return path_; }
 
 private:
-    fs::path place_;
     fs::path path_;
 };
 
