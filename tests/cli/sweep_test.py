@@ -267,6 +267,29 @@ class SweepTest(ProgramTest):
         plan = self.plan(command="run", options=None, input="job.json", grid=[{"plan.scalop": [1]}])
         self.assert_refused(self.sweep(plan, "results", status=3), 3, 'did you mean "scallop"?')
 
+    def job_plan(self, **keys):
+        """A plan over a job."""
+        shutil.copy(NET, self.folder / "net.json")
+        self.file({"format": "endmill-job/1", "part": {"file": "net.json"}, "tool": "ball:10"}, "job.json")
+        return self.plan(command="run", options=None, input="job.json", **keys)
+
+    def test_wrong_jobs(self):
+        """The message names the plan and its key: the file of the job does not have it."""
+        self.file("plan.scallop,tolerances.scalop_mm\n1,\n1,\n1,0.1\n", "late.csv")
+        self.file("plan.scallop,part.file\n1,net.json\n2,net.json\n1,none.json\n", "files.csv")
+        none = f"part.file: {self.folder}/none.json, which does not exist"
+        for keys, message in (
+                ({"grid": [{"tolerances.scalop_mm": [0.1]}]}, "case 0: tolerances.scalop_mm: unknown key; expected"),
+                ({"grid": [{"tolerance.scallop_mm": [0.1]}]}, "case 0: tolerance: unknown key; expected"),
+                ({"list": "late.csv"}, "case 2: tolerances.scalop_mm: unknown key; expected"),
+                ({"list": "files.csv"}, "case 2: " + none),
+                ({"grid": [{"part.file": ["net.json", "none.json"]}, {"plan.scallop": [1, 2]}]}, "case 2: " + none)):
+            with self.subTest(message):
+                done = self.sweep(self.job_plan(**keys), "results", status=3)
+                self.assert_refused(done, 3, "plan.json:", message)
+                self.assertNotIn("job.json", done.stderr)
+                self.assertFalse((self.folder / "results").exists())
+
     def test_wrong_options(self):
         plan = self.small_plan(count=3)
         for shard in ("0/4", "5/4", "1", "1/", "a/b", "1/0", "-1/2", "1/2/3"):

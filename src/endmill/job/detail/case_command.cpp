@@ -2,6 +2,7 @@
 #include "endmill/job/detail/case_command.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -20,6 +21,10 @@ constexpr std::string_view input_key = "input";
 constexpr std::string_view job_command = "run";
 // The command whose input may be a word that describes a machine.
 constexpr std::string_view command_of_words = "machine";
+// The keys of a job outside of its steps that may name files.
+constexpr std::array<std::string_view, 8> files_of_job{
+    "part.file", "part.protect", "part.skip_facets", "machine",
+    "tool",      "material",     "control",          "stock"};
 
 ProgramCommand command_named(const ProgramDescription& program, std::string_view name)
 {
@@ -115,6 +120,21 @@ bool CaseCommand::checks_values(const std::string& key) const
 
 void CaseCommand::require_other_file(const fs::path& file) const
 {
+bool CaseCommand::names_files(const std::string& key) const
+{
+    if (key == input_key && command_.has_input)
+        return true;
+    const std::size_t dot = key.find('.');
+    const ProgramCommand* const command =
+        is_job() ? program_.find(key.substr(0, dot)) : &command_;
+    if (is_job() && (dot == std::string::npos || !command))
+        return std::ranges::find(files_of_job, key) != files_of_job.end();
+    const ProgramOption* const option =
+        command->find(is_job() ? key.substr(dot + 1) : key);
+    return option && (option->value == OptionValue::File ||
+                      option->value == OptionValue::FileOrWord);
+}
+
     std::error_code ignored;
     if (fs::equivalent(file, plan_, ignored))
         throw DomainError{"found " + shown_path(file) +
