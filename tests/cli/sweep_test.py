@@ -283,7 +283,8 @@ class SweepTest(ProgramTest):
                 ({"grid": [{"tolerance.scallop_mm": [0.1]}]}, "case 0: tolerance: unknown key; expected"),
                 ({"list": "late.csv"}, "case 2: tolerances.scalop_mm: unknown key; expected"),
                 ({"list": "files.csv"}, "case 2: " + none),
-                ({"grid": [{"part.file": ["net.json", "none.json"]}, {"plan.scallop": [1, 2]}]}, "case 2: " + none)):
+                ({"grid": [{"part.file": ["net.json", "none.json"]}, {"plan.scallop": [1, 2]}]}, "case 2: " + none),
+                ({"grid": [{"plan.setup": ["x.json"]}]}, '/grid/0/plan.setup: unknown key "setup"')):
             with self.subTest(message):
                 done = self.sweep(self.job_plan(**keys), "results", status=3)
                 self.assert_refused(done, 3, "plan.json:", message)

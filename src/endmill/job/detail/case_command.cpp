@@ -89,8 +89,10 @@ void CaseCommand::require_job_key(const std::string& key) const
     if (dot == std::string::npos || !command)
         return;
     const std::string option = key.substr(dot + 1);
-    if (!command->find(option))
-        throw DomainError{unknown_key(option, command->keys())};
+    std::vector<std::string> known = command->keys();
+    std::erase_if(known, is_set_by_run);
+    if (std::ranges::find(known, option) == known.end())
+        throw DomainError{unknown_key(option, known)};
 }
 
 void CaseCommand::require_job(std::span<const KeyValue> given) const
@@ -118,8 +120,6 @@ bool CaseCommand::checks_values(const std::string& key) const
     return !is_job() && command_.find(key)->value != OptionValue::Text;
 }
 
-void CaseCommand::require_other_file(const fs::path& file) const
-{
 bool CaseCommand::names_files(const std::string& key) const
 {
     if (key == input_key && command_.has_input)
@@ -135,6 +135,8 @@ bool CaseCommand::names_files(const std::string& key) const
                       option->value == OptionValue::FileOrWord);
 }
 
+void CaseCommand::require_other_file(const fs::path& file) const
+{
     std::error_code ignored;
     if (fs::equivalent(file, plan_, ignored))
         throw DomainError{"found " + shown_path(file) +
