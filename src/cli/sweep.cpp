@@ -177,7 +177,8 @@ void add_sweep_options(CLI::App& command, SweepCommandOptions& options)
                {"--limit-seconds", "S", "end a case after this time (default: none)"},
                options.most_seconds);
     add_number(command,
-               {"--limit-gib", "GIB", "memory of a case (default: its --max-memory)"},
+               {"--limit-gib", "GIB",
+                "--max-memory of a case; a process gets at most 1.25 GIB + 0.5 GiB"},
                options.most_gib);
     add_common_options(command, options.common);
 }
