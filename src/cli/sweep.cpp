@@ -55,8 +55,8 @@ SweepShard shard_argument(const std::string& option, const std::string& text)
             return shard;
     }
     throw CLI::ValidationError(option, "found " + printable(text, 40) +
-                                           "; expected I/N with I from 1 to N, such as "
-                                           "2/8");
+                                           "; expected I/N with I from 1 to N and N at "
+                                           "most 1000000, such as 2/8");
 }
 
 int cores()

@@ -293,9 +293,9 @@ class SweepTest(ProgramTest):
 
     def test_wrong_options(self):
         plan = self.small_plan(count=3)
-        for shard in ("0/4", "5/4", "1", "1/", "a/b", "1/0", "-1/2", "1/2/3"):
+        for shard in ("0/4", "5/4", "1", "1/", "a/b", "1/0", "-1/2", "1/2/3", "1/1000001"):
             self.assert_refused(self.sweep(plan, "results", "--shard=" + shard, status=2), 2,
-                                f"--shard: found {shard}; expected I/N with I from 1 to N, such as 2/8")
+                                f"--shard: found {shard}; expected I/N with I from 1 to N and N at most 1000000, such as 2/8")
         self.assert_refused(endmill("sweep", "-o", "x", cwd=self.folder), 2, "found neither a plan nor --merge")
         self.assert_refused(endmill("sweep", "--merge", "x", cwd=self.folder), 2, "expected --output")
         self.assert_refused(endmill("sweep", "--merge", "x", "-o", "y", cwd=self.folder), 2, "x has no sweep.json")
