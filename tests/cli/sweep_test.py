@@ -307,15 +307,6 @@ class SweepTest(ProgramTest):
         self.assertEqual([*lines[-1]], ["done", "cases", "failed", "elapsed_s", "left_s"])
         self.assertEqual((lines[0]["done"], lines[-1]["done"], lines[-1]["cases"]), (0, 20, 20))
 
-    def test_overhead(self):
-        """Prints how much longer a case takes in a sweep than alone. The machine may be busy, so nothing is asserted."""
-        plan = self.small_plan(count=100)
-        start = time.monotonic()
-        self.sweep(plan, "results", "--keep", "none")
-        per_case = (time.monotonic() - start) / 100
-        alone = sum(float(row["wall_s"]) for row in self.rows("results")) / 100
-        print(f"a case: {1000 * alone:.1f} ms, overhead of the sweep {1000 * (per_case - alone):.2f} ms")
-
 
 if __name__ == "__main__":
     unittest.main()
