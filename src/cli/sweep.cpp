@@ -55,8 +55,8 @@ SweepShard shard_argument(const std::string& option, const std::string& text)
             return shard;
     }
     throw CLI::ValidationError(option, "found " + printable(text, 40) +
-                                           "; expected I/N with I from 1 to N, such as "
-                                           "2/8");
+                                           "; expected I/N with I from 1 to N and N at "
+                                           "most 1000000, such as 2/8");
 }
 
 int cores()
@@ -177,7 +177,8 @@ void add_sweep_options(CLI::App& command, SweepCommandOptions& options)
                {"--limit-seconds", "S", "end a case after this time (default: none)"},
                options.most_seconds);
     add_number(command,
-               {"--limit-gib", "GIB", "memory of a case (default: its --max-memory)"},
+               {"--limit-gib", "GIB",
+                "--max-memory of a case; a process gets at most 1.25 GIB + 0.5 GiB"},
                options.most_gib);
     add_common_options(command, options.common);
 }

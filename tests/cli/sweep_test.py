@@ -111,6 +111,18 @@ class SweepTest(ProgramTest):
         self.assertEqual([row["exit_code"] for row in rows], ["0", "0", "3"])
         self.assertEqual(rows[0]["max_extent"], "")
 
+    def test_the_folder_of_a_kept_case_can_be_used(self):
+        """Its files name others relative to themselves. Commands look for these where the case has moved to."""
+        shutil.copy(NET, self.folder / "net.json")
+        plan = self.plan(command="plan", input="net.json", options={"cutter": "ball:20"}, grid=[{"scallop": [2]}])
+        self.sweep(plan, "kept", "--keep", "all")
+        case = self.folder / "kept/cases/0000000"
+        self.assertFalse(list((self.folder / "kept").glob(".endmill*")))
+        part = json.loads((case / "summary.json").read_text())["part"]
+        self.assertEqual((case / part).resolve(), (self.folder / "net.json").resolve())
+        done = endmill("verify", case / "toolpath.csv", "--resolution", 1, "-o", "verified", cwd=self.folder)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+
     def test_killed_sweeps_go_on(self):
         plan = self.small_plan(count=40)
         start = time.monotonic()
@@ -255,11 +267,35 @@ class SweepTest(ProgramTest):
         plan = self.plan(command="run", options=None, input="job.json", grid=[{"plan.scalop": [1]}])
         self.assert_refused(self.sweep(plan, "results", status=3), 3, 'did you mean "scallop"?')
 
+    def job_plan(self, **keys):
+        """A plan over a job."""
+        shutil.copy(NET, self.folder / "net.json")
+        self.file({"format": "endmill-job/1", "part": {"file": "net.json"}, "tool": "ball:10"}, "job.json")
+        return self.plan(command="run", options=None, input="job.json", **keys)
+
+    def test_wrong_jobs(self):
+        """The message names the plan and its key: the file of the job does not have it."""
+        self.file("plan.scallop,tolerances.scalop_mm\n1,\n1,\n1,0.1\n", "late.csv")
+        self.file("plan.scallop,part.file\n1,net.json\n2,net.json\n1,none.json\n", "files.csv")
+        none = f"part.file: {self.folder}/none.json, which does not exist"
+        for keys, message in (
+                ({"grid": [{"tolerances.scalop_mm": [0.1]}]}, "case 0: tolerances.scalop_mm: unknown key; expected"),
+                ({"grid": [{"tolerance.scallop_mm": [0.1]}]}, "case 0: tolerance: unknown key; expected"),
+                ({"list": "late.csv"}, "case 2: tolerances.scalop_mm: unknown key; expected"),
+                ({"list": "files.csv"}, "case 2: " + none),
+                ({"grid": [{"part.file": ["net.json", "none.json"]}, {"plan.scallop": [1, 2]}]}, "case 2: " + none),
+                ({"grid": [{"plan.setup": ["x.json"]}]}, '/grid/0/plan.setup: unknown key "setup"')):
+            with self.subTest(message):
+                done = self.sweep(self.job_plan(**keys), "results", status=3)
+                self.assert_refused(done, 3, "plan.json:", message)
+                self.assertNotIn("job.json", done.stderr)
+                self.assertFalse((self.folder / "results").exists())
+
     def test_wrong_options(self):
         plan = self.small_plan(count=3)
-        for shard in ("0/4", "5/4", "1", "1/", "a/b", "1/0", "-1/2", "1/2/3"):
+        for shard in ("0/4", "5/4", "1", "1/", "a/b", "1/0", "-1/2", "1/2/3", "1/1000001"):
             self.assert_refused(self.sweep(plan, "results", "--shard=" + shard, status=2), 2,
-                                f"--shard: found {shard}; expected I/N with I from 1 to N, such as 2/8")
+                                f"--shard: found {shard}; expected I/N with I from 1 to N and N at most 1000000, such as 2/8")
         self.assert_refused(endmill("sweep", "-o", "x", cwd=self.folder), 2, "found neither a plan nor --merge")
         self.assert_refused(endmill("sweep", "--merge", "x", cwd=self.folder), 2, "expected --output")
         self.assert_refused(endmill("sweep", "--merge", "x", "-o", "y", cwd=self.folder), 2, "x has no sweep.json")
@@ -270,15 +306,6 @@ class SweepTest(ProgramTest):
         lines = [json.loads(line)["progress"] for line in done.stderr.splitlines()]
         self.assertEqual([*lines[-1]], ["done", "cases", "failed", "elapsed_s", "left_s"])
         self.assertEqual((lines[0]["done"], lines[-1]["done"], lines[-1]["cases"]), (0, 20, 20))
-
-    def test_overhead(self):
-        """Prints how much longer a case takes in a sweep than alone. The machine may be busy, so nothing is asserted."""
-        plan = self.small_plan(count=100)
-        start = time.monotonic()
-        self.sweep(plan, "results", "--keep", "none")
-        per_case = (time.monotonic() - start) / 100
-        alone = sum(float(row["wall_s"]) for row in self.rows("results")) / 100
-        print(f"a case: {1000 * alone:.1f} ms, overhead of the sweep {1000 * (per_case - alone):.2f} ms")
 
 
 if __name__ == "__main__":

@@ -93,6 +93,18 @@ TEST_F(CaseCommandTest, RefusesAMissingFileAndThePlanItself)
     EXPECT_THAT(complaint("plan", {"arcs", "yes"}), HasSubstr("expected true or false"));
 }
 
+TEST_F(CaseCommandTest, KnowsTheKeysThatNameFiles)
+{
+    for (const std::string key : {"input", "tool_file"})
+        EXPECT_TRUE(command("plan").names_files(key)) << key;
+    EXPECT_FALSE(command("plan").names_files("scallop"));
+    for (const std::string key :
+         {"input", "part.file", "machine", "tool", "plan.tool_file"})
+        EXPECT_TRUE(command("run").names_files(key)) << key;
+    for (const std::string key : {"plan.scallop", "plan", "feed_mm_per_min", "part.up"})
+        EXPECT_FALSE(command("run").names_files(key)) << key;
+}
+
 TEST_F(CaseCommandTest, ChecksValuesOfFilesAndOfOptionsWithoutOne)
 {
     const CaseCommand plan_command = command("plan");

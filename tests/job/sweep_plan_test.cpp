@@ -126,7 +126,7 @@ TEST_F(SweepPlanTest, RefusesWhatIsNoPlan)
     EXPECT_THAT(complaint(grid + R"(, "columns": ["a", "a"])"),
                 HasSubstr("which is the name of another column"));
     EXPECT_THAT(complaint(grid + R"(, "columns": ["a..b"])"),
-                HasSubstr("expected keys of a summary with points between"));
+                HasSubstr("expected keys of a summary with dots between"));
 }
 
 TEST_F(SweepPlanTest, RefusesMissingFilesAndCycles)
@@ -149,6 +149,28 @@ TEST_F(SweepPlanTest, RefusesMissingFilesAndCycles)
     };
     EXPECT_THAT(error_of(missing), HasSubstr(":/grid/0/input/1: found "));
     EXPECT_THAT(error_of(missing), HasSubstr("other.json, which does not exist"));
+}
+
+TEST_F(SweepPlanTest, ReadsTheJobOfTheFirstCaseWithEachKey)
+{
+    const std::string list = R"("list": "late.csv")";
+    put("late.csv", "plan.scallop,tolerances.scallop_mm\n1,\n2,0.1\n");
+    EXPECT_EQ(complaint(list, "run"), "accepted");
+    put("late.csv", "plan.scallop,tolerances.scalop_mm\n1,\n2,0.1\n");
+    EXPECT_THAT(complaint(list, "run"),
+                HasSubstr("plan.json: case 1: tolerances.scalop_mm: unknown key"));
+}
+
+TEST_F(SweepPlanTest, ReadsTheJobsOfAllFiles)
+{
+    const std::string random = R"("random": {"count": 50, "seed": 1, "parameters": {
+        "plan.scallop": {"from": 0, "to": 1}, "part.file": {"one_of": )";
+    EXPECT_EQ(complaint(random + R"(["part.json"]}}})", "run"), "accepted");
+    EXPECT_THAT(complaint(random + R"(["part.json", "none.json"]}}})", "run"),
+                testing::AllOf(HasSubstr("plan.json: case "), HasSubstr(": part.file: "),
+                               HasSubstr("none.json, which does not exist")));
+    EXPECT_THAT(complaint(R"("grid": [{"material": ["part.json", "none.json"]}])", "run"),
+                HasSubstr("plan.json: case 1: material: "));
 }
 
 TEST(SweepShard, HasEveryNthCase)

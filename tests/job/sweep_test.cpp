@@ -192,6 +192,59 @@ TEST_F(SweepTest, MergesItsShards)
     EXPECT_THAT(complaint(folders), HasSubstr("has a sweep that has not ended"));
 }
 
+TEST_F(SweepTest, RefusesToMergeDamagedTables)
+{
+    std::vector<fs::path> folders;
+    for (const std::uint64_t number : {1, 2}) {
+        SweepOptions how = options("part" + std::to_string(number));
+        how.shard = {number, 2};
+        run(how);
+        folders.push_back(how.folder);
+    }
+    const std::string header = "case,planes,n,m,exit_code,message,wall_s\n";
+    const auto complaint = [&](const std::string& table) {
+        put("part2/results.csv", table);
+        return error_of(
+            [&] { merge_sweeps(folders, place.path() / "x", FullFolder::Refuse); });
+    };
+    const std::string sound =
+        header + "1,12,12,,0,,1\n3,14,14,,4,\"a, \"\"b\"\"\",1\n5,16,16,,0,,1\n";
+    EXPECT_THAT(complaint(header + "1,12,12,,0,,1\n3,x\n5,16,16,,0,,1\n"),
+                testing::AllOf(HasSubstr("E_CSV"), HasSubstr("results.csv:3: a row of "
+                                                             "case 3 with another")));
+    EXPECT_THAT(complaint(header + "1,12,12,,0,,1\n3,14,14,,0,\"a,1\n"),
+                HasSubstr("results.csv:3: a row of case 3 with another"));
+    EXPECT_THAT(complaint(header + "1,12,12,,0,,1\n5,16,16,,0,,1\n"),
+                HasSubstr("results.csv:3: no row of case 3"));
+    EXPECT_THAT(complaint(sound.substr(0, sound.size() - 1)),
+                HasSubstr("results.csv:4: no row of case 5"));
+    EXPECT_THAT(complaint(sound + "7,18,18,,0,,1\n"),
+                HasSubstr("results.csv:5: a line after the last case"));
+    EXPECT_THAT(complaint("case,n\n"), HasSubstr("results.csv:1: other columns"));
+    EXPECT_THAT(complaint(""), HasSubstr("results.csv: file is empty"));
+    EXPECT_FALSE(fs::exists(place.path() / "x"));
+    EXPECT_EQ(complaint(sound), "accepted");
+}
+
+// Results name files relative to themselves: "../../part.json" must hold after a move.
+TEST_F(SweepTest, RunsCasesAsDeepAsItKeepsThem)
+{
+    const fs::path script = place.path() / "program.sh";
+    std::ofstream{script} << "#!/bin/sh\n"
+                             "for word in \"$@\"; do case $word in\n"
+                             "--output=*) out=${word#--output=};; esac; done\n"
+                             "mkdir $out && test -f $out/../../../cases.csv\n";
+    SweepOptions how = options("deep");
+    fs::create_directories(how.folder / ".endmill-cases-killed/0000000");
+    how.resume = true;
+    how.kept = KeptCases::All;
+    EXPECT_EQ(run(how).failed, 0);
+    EXPECT_THAT(results("deep"), HasSubstr("6,17,,,0,,T"));
+    EXPECT_TRUE(fs::exists(how.folder / "cases/0000006/../../../cases.csv"));
+    EXPECT_THAT(files("deep"),
+                testing::ElementsAre("cases", "results.csv", "sweep.json"));
+}
+
 TEST_F(SweepTest, OfAnEmptyShardHasNoRow)
 {
     SweepOptions how = options("empty");

@@ -21,8 +21,8 @@
 
 // Life of the results in a folder:
 //
-// 1. While cases run, `.endmill-cases` has a folder with the results of those that run, and
-//    the journal has a row of each that has ended.
+// 1. While cases run, `.endmill-cases-XXXXXX` has a folder with the results of each, and the
+//    journal has a row of each case that has ended.
 // 2. When all have ended, results.csv and sweep.json are written from the journal.
 // 3. The journal is removed. Results with a journal beside them may be old; those without one
 //    are complete.
@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* journal_name = ".endmill-journal.jsonl";
-constexpr const char* working_name = ".endmill-cases";
+constexpr const char* working_prefix = ".endmill-cases-";
 constexpr const char* kept_name = "cases";
 constexpr double ms_per_s = 1000;
 
@@ -115,26 +115,33 @@ void make_folder(const fs::path& folder)
 // Removes the results of cases that ran when an earlier run was killed.
 void remove_unfinished(const fs::path& results)
 {
+    std::vector<fs::path> found;
     std::error_code ignored;
-    fs::remove_all(results / working_name, ignored);
+    for (const auto& entry : fs::directory_iterator{results, ignored})
+        if (entry.path().filename().string().starts_with(working_prefix))
+            found.push_back(entry.path());
+    for (const fs::path& folder : found)
+        fs::remove_all(folder, ignored);
 }
 
 // A folder of a new name for the results of running cases. It is no PrivateFolder: an
-// interruption would remove results while they are read for a row.
+// interruption would remove results while they are read for a row. Like the folder of kept
+// cases it lies in that of the results, because results name files relative to themselves:
+// the names hold after a case has moved.
 class WorkingFolder {
 public:
-    explicit WorkingFolder(const fs::path& results) : place_{results / working_name}
+    explicit WorkingFolder(const fs::path& results)
+        : path_{results / (std::string{working_prefix} + "XXXXXX")}
     {
-        make_folder(place_);
-        std::string name = (place_ / "XXXXXX").string();
+        std::string name = path_.string();
         if (::mkdtemp(name.data()) == nullptr)
-            fail_output("create a folder in", place_, errno);
+            fail_output("create a folder in", results, errno);
         path_ = name;
     }
     ~WorkingFolder()
     {
         std::error_code ignored;
-        fs::remove_all(place_, ignored);
+        fs::remove_all(path_, ignored);
     }
     WorkingFolder(const WorkingFolder&) = delete;
     WorkingFolder& operator=(const WorkingFolder&) = delete;
@@ -142,7 +149,6 @@ public:
     const fs::path& path() const { return path_; }
 
 private:
-    fs::path place_;
     fs::path path_;
 };
 
@@ -335,20 +341,47 @@ void serve_sweep(Ranks& ranks)
 
 namespace {
 
+// The number of cells in a line of results.csv, whose quoted cells end in their line.
+// \return nothing if a quote is open at the end.
+std::optional<std::size_t> cell_count(std::string_view line)
+{
+    std::size_t count = 1;
+    bool is_quoted = false;
+    for (const char c : line) {
+        is_quoted ^= c == '"';
+        count += c == ',' && !is_quoted ? 1 : 0;
+    }
+    return is_quoted ? std::nullopt : std::optional{count};
+}
+
 // The results of one shard.
 struct ShardResults {
     fs::path folder;
     SweepFacts facts;
-    std::string content;   // of results.csv
-    std::size_t used = 0;  // bytes of it
+    std::string content;            // of results.csv
+    std::size_t used = 0;           // bytes of it
+    std::uint64_t line_number = 0;  // of the line that was read last, from 1
 
+    // The next line with its end; empty if there is no whole line.
     std::string_view next_line()
     {
-        const std::size_t end = std::min(content.find('\n', used), content.size() - 1);
+        ++line_number;
+        const std::size_t end = content.find('\n', used);
+        if (end == std::string::npos)
+            return {};
         const std::string_view line =
             std::string_view{content}.substr(used, end + 1 - used);
         used = end + 1;
         return line;
+    }
+
+    // An error at the line that was read last.
+    FormatError complaint(const std::string& found) const
+    {
+        return FormatError{
+            "E_CSV",
+            {shown_path(folder / results_file), std::to_string(line_number), found,
+             "a table that endmill sweep wrote"}};
     }
 };
 
@@ -392,26 +425,44 @@ void put_in_order(std::vector<ShardResults>& shards)
     }
 }
 
+// The header that all shards have.
+std::string common_header(std::vector<ShardResults>& shards)
+{
+    std::string header{shards.front().next_line()};
+    if (!header.starts_with("case,") || !cell_count(header))
+        throw shards.front().complaint("no header");
+    for (ShardResults& shard : std::span{shards}.subspan(1))
+        if (shard.next_line() != header)
+            throw shard.complaint("other columns than in the first shard");
+    return header;
+}
+
+// The row of a case, which is the next one of its shard.
+std::string_view row_of(std::uint64_t number, ShardResults& shard, std::size_t cells)
+{
+    const std::string_view line = shard.next_line();
+    if (!line.starts_with(std::to_string(number) + ','))
+        throw shard.complaint("no row of case " + std::to_string(number));
+    if (cell_count(line) != cells)
+        throw shard.complaint("a row of case " + std::to_string(number) +
+                              " with another number of cells than the header");
+    return line;
+}
+
 // Passes the rows of all shards in the order of the cases.
 void pass_rows(std::vector<ShardResults>& shards, const OutputFolder::Sink& sink)
 {
-    const auto bad = [](const ShardResults& shard, const std::string& what) {
-        return FormatError{
-            "E_CSV",
-            {shown_path(shard.folder / results_file), "", what, "a sweep's file"}};
-    };
-    const std::string header{shards.front().next_line()};
-    for (ShardResults& shard : std::span{shards}.subspan(1))
-        if (shard.next_line() != header)
-            throw bad(shard, "other columns than in the first shard");
+    const std::string header = common_header(shards);
+    const std::size_t cells = *cell_count(header);
     sink(header);
-    for (std::uint64_t number = 0; number < shards.front().facts.identity.cases;
-         ++number) {
-        ShardResults& shard = shards[number % shards.size()];
-        const std::string_view line = shard.next_line();
-        if (!line.starts_with(std::to_string(number) + ','))
-            throw bad(shard, "no row of case " + std::to_string(number));
-        sink(line);
+    const std::uint64_t cases = shards.front().facts.identity.cases;
+    for (std::uint64_t number = 0; number < cases; ++number)
+        sink(row_of(number, shards[number % shards.size()], cells));
+    for (ShardResults& shard : shards) {
+        const bool is_at_end = shard.used == shard.content.size();
+        ++shard.line_number;
+        if (!is_at_end)
+            throw shard.complaint("a line after the last case");
     }
 }
 

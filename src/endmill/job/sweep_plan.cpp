@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -77,7 +79,7 @@ SummaryColumn column_of(const JsonValue& column, const CaseCommand& command)
         made.keys.erase(made.keys.begin());
     }
     if (made.keys.empty() || std::ranges::find(made.keys, "") != made.keys.end())
-        throw column.complaint(column.shown(), "keys of a summary with points between");
+        throw column.complaint(column.shown(), "keys of a summary with dots between");
     return made;
 }
 
@@ -195,14 +197,84 @@ void require_no_key_twice(const JsonValue& root, std::span<const KeyValue> fixed
                 "only one of them");
 }
 
-// The keys of a job are those of all cases: the first one shows whether the job has them.
-void require_first_job(const JsonValue& root, const CaseCommand& command,
-                       std::span<const KeyValue> given)
+// The cases of a sweep over a job that show whether the job has all keys and files: the first
+// with a value of each parameter, and the first with each value of one that names files.
+class TellingCases {
+public:
+    TellingCases(const std::vector<std::string>& keys, const CaseCommand& command)
+        : seen_(keys.size())
+    {
+        for (const std::string& key : keys)
+            names_files_.push_back(command.names_files(key));
+    }
+
+    // Whether a case has a value that the cases before do not stand for.
+    bool adds(const std::vector<std::string>& values)
+    {
+        bool is_new = false;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (!values[i].empty() && (seen_[i].empty() || names_files_[i]))
+                is_new |= seen_[i].insert(values[i]).second;
+        return is_new;
+    }
+
+    // Whether no further case can add a value.
+    bool is_complete() const
+    {
+        return std::ranges::none_of(names_files_, std::identity{}) &&
+               std::ranges::none_of(seen_, [](const auto& seen) { return seen.empty(); });
+    }
+
+private:
+    std::vector<bool> names_files_;            // for each parameter
+    std::vector<std::set<std::string>> seen_;  // values of each parameter
+};
+
+// Whether a key is the other one or leads to it, as "plan" leads to "plan.scallop".
+bool leads_to(const std::string& key, const std::string& other)
 {
-    try {
-        command.require_job(given);
-    } catch (const DomainError& error) {
-        throw root.complaint(std::string{"case 0: "} + error.what(), "");
+    return other == key || other.starts_with(key + '.');
+}
+
+// An error of the job of a case as one of the plan. If the plan gives the key in question, the
+// message names it in place of the file of the job, which does not have it.
+FormatError job_complaint(const JsonValue& root, std::uint64_t number, const Error& error,
+                          std::span<const KeyValue> given)
+{
+    const std::string label = "case " + std::to_string(number) + ": ";
+    const std::string message = error.what();
+    const auto* const in_file = dynamic_cast<const FormatError*>(&error);
+    if (!in_file || !in_file->place().starts_with('/'))
+        return root.complaint(label + message, "");
+    std::string key = in_file->place().substr(1);
+    std::ranges::replace(key, '/', '.');
+    const std::string begin = in_file->file() + ':' + in_file->place() + ": ";
+    const bool is_given = std::ranges::any_of(given, [&](const KeyValue& one) {
+        return leads_to(key, one.key) || leads_to(one.key, key);
+    });
+    if (!is_given || !message.starts_with(begin))
+        return root.complaint(label + message, "");
+    return root.complaint(label + key + ": " + message.substr(begin.size()), "");
+}
+
+// Reads the job of case 0 and of the other telling cases.
+void require_jobs(const JsonValue& root, const CaseCommand& command,
+                  const SweepPlan& plan,
+                  const std::function<std::vector<KeyValue>(std::uint64_t)>& given_of)
+{
+    TellingCases telling{plan.parameters(), command};
+    for (std::uint64_t number = 0; number < plan.count() && !telling.is_complete();
+         ++number) {
+        if (!telling.adds(plan.values(number)) && number > 0)
+            continue;
+        const std::vector<KeyValue> given = given_of(number);
+        try {
+            command.require_job(given);
+        } catch (const DomainError& error) {
+            throw job_complaint(root, number, error, given);
+        } catch (const FormatError& error) {
+            throw job_complaint(root, number, error, given);
+        }
     }
 }
 
@@ -259,7 +331,9 @@ SweepPlan parse_sweep_plan(std::string_view content, const fs::path& path,
         throw root.complaint("no input",
                              "the key input with a file, or a parameter input");
     if (command.is_job())
-        require_first_job(root, command, plan.content_->given(plan.values(0)));
+        require_jobs(root, command, plan, [&](std::uint64_t number) {
+            return plan.content_->given(plan.values(number));
+        });
     return plan;
 }
 

@@ -90,8 +90,8 @@ enum class KeptCases : std::uint8_t {
 /// \param program what its commands accept.
 /// \throws FormatError, LimitError as `read_file`; FormatError with the place for a key that
 ///         is unknown to plans or to the command, a value that the command does not accept
-///         as far as that is known without running it, a file that is missing or the plan
-///         itself, arrays of an axis of different lengths, more than 10^7 cases, and two
+///         as far as that is known without running it (of a job: the first value of each
+///         key, and all files), a file that is missing or the plan itself, arrays of an axis of different lengths, more than 10^7 cases, and two
 ///         columns of the results of one name.
 SweepPlan read_sweep_plan(const std::filesystem::path& path,
                           const ProgramDescription& program,

@@ -2,6 +2,7 @@
 #include "endmill/job/detail/case_command.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -20,6 +21,10 @@ constexpr std::string_view input_key = "input";
 constexpr std::string_view job_command = "run";
 // The command whose input may be a word that describes a machine.
 constexpr std::string_view command_of_words = "machine";
+// The keys of a job outside of its steps that may name files.
+constexpr std::array<std::string_view, 8> files_of_job{
+    "part.file", "part.protect", "part.skip_facets", "machine",
+    "tool",      "material",     "control",          "stock"};
 
 ProgramCommand command_named(const ProgramDescription& program, std::string_view name)
 {
@@ -84,8 +89,10 @@ void CaseCommand::require_job_key(const std::string& key) const
     if (dot == std::string::npos || !command)
         return;
     const std::string option = key.substr(dot + 1);
-    if (!command->find(option))
-        throw DomainError{unknown_key(option, command->keys())};
+    std::vector<std::string> known = command->keys();
+    std::erase_if(known, is_set_by_run);
+    if (std::ranges::find(known, option) == known.end())
+        throw DomainError{unknown_key(option, known)};
 }
 
 void CaseCommand::require_job(std::span<const KeyValue> given) const
@@ -111,6 +118,21 @@ bool CaseCommand::checks_values(const std::string& key) const
     if (key == input_key && command_.has_input)
         return true;
     return !is_job() && command_.find(key)->value != OptionValue::Text;
+}
+
+bool CaseCommand::names_files(const std::string& key) const
+{
+    if (key == input_key && command_.has_input)
+        return true;
+    const std::size_t dot = key.find('.');
+    const ProgramCommand* const command =
+        is_job() ? program_.find(key.substr(0, dot)) : &command_;
+    if (is_job() && (dot == std::string::npos || !command))
+        return std::ranges::find(files_of_job, key) != files_of_job.end();
+    const ProgramOption* const option =
+        command->find(is_job() ? key.substr(dot + 1) : key);
+    return option && (option->value == OptionValue::File ||
+                      option->value == OptionValue::FileOrWord);
 }
 
 void CaseCommand::require_other_file(const fs::path& file) const

@@ -45,6 +45,9 @@ public:
     /// takes none, or that names files. \pre The key is known.
     bool checks_values(const std::string& key) const;
 
+    /// Whether values of this key may be names of files. \pre The key is known.
+    bool names_files(const std::string& key) const;
+
     /// Checks as much of a value as is known without the command: files exist and are not the
     /// plan itself, and an option that takes no value has true or false.
     /// \throws DomainError. \pre The key is known.
