@@ -48,10 +48,10 @@ TRIALS = {
         ("the process is interrupted", "by SIGTERM during the n-th mkdir, rename or open, over earlier results and in a "
                                        "new folder; no hidden folder stays"),
     "test_the_next_run_mends_what_a_failing_call_left":
-        ("a system call fails", "up to ten of the calls of each of nine kinds, alone or with all later ones, by four errors, in "
+        ("a system call fails", "up to four of the calls of each of nine kinds, alone or with all later ones, by four errors, in "
                                 "`run` and `sweep`; the next run goes on to the results of a run without faults"),
     "test_the_next_run_mends_what_a_kill_left":
-        ("the process is killed", "at up to 40 of the calls of each of seven kinds, in `run` and `sweep`; the next run goes on"),
+        ("the process is killed", "at up to eight of the calls of each of seven kinds, in `run` and `sweep`; the next run goes on"),
     "test_bytes_do_not_depend_on_threads":
         ("threads", "one to eight threads, in every command that writes and with random values for one or two options; all "
                     "write the same bytes"),

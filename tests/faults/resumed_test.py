@@ -74,11 +74,11 @@ class Resumed(FaultTest):
 
     def test_the_next_run_mends_what_a_failing_call_left(self):
         self.check_all(lambda counts: [f"{call}:{number}{later}:{error}" for call in CALLS
-                                       for number in spread(counts.get(call, 0), 3, 10) for error, later in FAILURES])
+                                       for number in spread(counts.get(call, 0), 3, 4) for error, later in FAILURES])
 
     def test_the_next_run_mends_what_a_kill_left(self):
         self.check_all(lambda counts: [f"{call}:{number}:kill" for call in KILLS
-                                       for number in spread(counts.get(call, 0), 4, 40)])
+                                       for number in spread(counts.get(call, 0), 4, 8)])
 
 
 if __name__ == "__main__":
