@@ -217,7 +217,7 @@ class Mpi(ProgramTest):
 class Sweeps(ProgramTest):
     """A sweep on four ranks, whole or killed. With ENDMILL_FAULTS=long it is killed 100 times, else 8 times."""
 
-    CASES = 40
+    CASES = 120
     KILLS = 100 if os.environ.get("ENDMILL_FAULTS") == "long" else 8
 
     def setUp(self):

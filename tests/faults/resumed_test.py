@@ -15,6 +15,8 @@ RESUMED = {"run": (["run", JOB, "-o", "FOLDER"], []),
 # A case that fails is a row of the results, and is not repeated.
 ALONE = ("sweep",)
 CALLS = ("open", "mkdir", "rename", "unlink", "write", "read", "fsync", "flock", "opendir")
+# Without these a process cannot remove its staging folder. The next run that writes does.
+REMOVING = ("open", "unlink", "opendir")
 KILLS = ("open", "mkdir", "rename", "unlink", "write", "fsync", "flock")
 
 
@@ -62,7 +64,8 @@ class Resumed(FaultTest):
             self.assertEqual(again, 0, f"{case}; then exit {again}, {error}")
             self.assertEqual("", difference(without_states(contents(folder)), whole), case)
             left = [path for path in folder.parent.rglob(".endmill-*")]
-            self.assertEqual(left, [], case)
+            if fault.endswith(":kill") or not fault.startswith(REMOVING):
+                self.assertEqual(left, [], case)
             return status != 0
         return self.in_new_place(act)
 
