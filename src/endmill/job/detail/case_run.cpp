@@ -131,13 +131,14 @@ const json& part_of(const json& value, const std::string& key)
     return value.is_array() && is_index && index < value.size() ? value[index] : none;
 }
 
+// The content of a summary; null if the case has none. One that cannot be read ends the sweep,
+// since its row would lack values.
 json content_of(const fs::path& file)
 {
-    try {
-        return json::parse(read_file(file), nullptr, false);
-    } catch (const Error&) {
-        return {};  // a case without this result
-    }
+    std::error_code ignored;
+    if (!fs::exists(file, ignored))
+        return {};
+    return json::parse(read_file(file), nullptr, false);
 }
 
 std::vector<std::string> values_of(const CaseTask& task)
