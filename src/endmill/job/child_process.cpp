@@ -304,6 +304,8 @@ void StartedChild::pass_lines(bool at_end)
             ::read(pipe_->reading.descriptor(), piece.data(), piece.size());
         if (count == 0)
             pipe_->reading.close();  // else it would count as readable for ever
+        if (count < 0 && errno != EAGAIN && errno != EINTR)
+            fail_to("read the messages of " + shown_path(task_.program), errno);
         if (count <= 0)
             break;
         rest_.append(piece.data(), static_cast<std::size_t>(count));
