@@ -2,36 +2,26 @@
 #include "endmill/job/job_run.h"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
-#include <cstdio>
 #include <system_error>
 #include <utility>
 #include <variant>
 
-#include <nlohmann/json.hpp>
-
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
-#include "endmill/files/detail/json_tree.h"
 #include "endmill/files/output_folder.h"
 #include "endmill/files/read_file.h"
-#include "endmill/job/child_process.h"
 #include "endmill/job/detail/file_hash.h"
 #include "endmill/job/detail/job_record.h"
 #include "endmill/job/detail/job_steps.h"
+#include "endmill/job/detail/step_run.h"
 #include "endmill/job/folder_lock.h"
 
 namespace endmill {
 namespace {
 
 namespace fs = std::filesystem;
-using Tree = nlohmann::json;
 
 constexpr const char* record_name = "job.json";
-constexpr int limit_exit = 6;
-constexpr int fault_exit = 7;
-constexpr int signal_exit = 128;
 
 fs::path whole_path(const fs::path& path)
 {
@@ -41,100 +31,6 @@ fs::path whole_path(const fs::path& path)
 std::string name_of(JobStep step)
 {
     return std::string{job_step_name(step)};
-}
-
-// A number for a message.
-std::string rounded(double number)
-{
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.4g", number);
-    return text.data();
-}
-
-// What the line on standard error of a command is.
-struct ChildLines {
-    std::string code = {};                   // of its error
-    std::string error = {};                  // message of its error
-    std::string last = {};                   // last line that is nothing else
-    std::vector<std::string> warnings = {};  // without the name of the program
-};
-
-// Whether the answer of a command is no.
-bool is_no(const ChildResult& result)
-{
-    return result.end == ChildEnd::Exited && result.code == 1;
-}
-
-// The exit code of a command, also where it was ended.
-int exit_of(const ChildResult& result)
-{
-    switch (result.end) {
-        case ChildEnd::Exited:
-            return result.code;
-        case ChildEnd::Signalled:
-            return signal_exit + result.code;
-        case ChildEnd::OutOfTime:
-        case ChildEnd::FileTooLong:
-            return limit_exit;
-        case ChildEnd::NotStarted:
-            break;
-    }
-    return fault_exit;
-}
-
-// The message for an answer that is no, by the step that gave it.
-std::string refusal_of(JobStep step)
-{
-    switch (step) {
-        case JobStep::Setup:
-        case JobStep::Clamp:
-            return "the part is not machinable as asked";
-        case JobStep::Verify:
-            return "the path is not clean";
-        case JobStep::Feed:
-            return "some moves have no feasible feed";
-        case JobStep::Plan:
-        case JobStep::Trim:
-        case JobStep::Post:
-            return "the path is not within its tolerances";
-    }
-    return {};
-}
-
-// What the summary of `verify` says of its verdict.
-// \throws FormatError if it cannot be read.
-std::string verdict_in(const fs::path& folder)
-{
-    const fs::path file = folder / "summary.json";
-    const auto summary = json_tree(read_file(file), shown_path(file), {});
-    std::string text = summary->value("verdict", "");
-    for (const auto& [key, word] : {std::pair{"max_gouge_mm", "gouge"},
-                                    std::pair{"max_scallop_mm", "remaining stock"}})
-        if (summary->contains(key) && (*summary)[key].is_number())
-            text += std::string{", "} + word + " up to " +
-                    rounded((*summary)[key].get<double>()) + " mm";
-    return text;
-}
-
-// What may help where the answer of a step is no.
-std::string advice_for(JobStep step)
-{
-    switch (step) {
-        case JobStep::Setup:
-        case JobStep::Clamp:
-            return "another machine, wider limits or setup.max_setups";
-        case JobStep::Plan:
-            return "a smaller tool, larger tolerances or a trim step";
-        case JobStep::Trim:
-            return "trim.method envelope or a smaller tool";
-        case JobStep::Feed:
-            return "larger limits of the tool or feed.allow_infeasible";
-        case JobStep::Verify:
-            return "another plan, larger tolerances or a finer verify.resolution";
-        case JobStep::Post:
-            return "another control";
-    }
-    return {};
 }
 
 class Runner {
@@ -172,11 +68,8 @@ private:
     void mark_not_needed(JobStep step, const std::string& reason);
     void mark_up_to_date(JobStep step);
     void execute(JobStep step, const StepCommand& command, StepRecord record);
-    ChildTask task_of(JobStep step, const StepCommand& command, ChildLines& lines) const;
-    void take_line(JobStep step, std::string_view line, ChildLines& lines) const;
-    std::string reason_for(JobStep step, const ChildResult& result,
-                           const ChildLines& lines) const;
-    void judge(JobStep step, const ChildResult& result, const ChildLines& lines);
+    StepRun run_of(JobStep step, const StepCommand& command) const;
+    void judge(JobStep step, const StepEnd& end);
     std::string key_in(std::string_view message, JobStep step) const;
     void warn(JobStep step, const std::string& text) const;
     void note_answer(JobStep step);
@@ -395,55 +288,25 @@ void Runner::do_step(JobStep step)
     }
 }
 
-ChildTask Runner::task_of(JobStep step, const StepCommand& command,
-                          ChildLines& lines) const
+StepRun Runner::run_of(JobStep step, const StepCommand& command) const
 {
-    ChildTask task{.program = program_.program,
-                   .arguments = {std::string{job_step_command(step)}}};
     const bool is_path = step == JobStep::Clamp;
-    task.arguments.push_back((is_path ? "--path=" : "") + command.input.string());
+    StepRun run{.step = step,
+                .program = program_.program,
+                .arguments = {(is_path ? "--path=" : "") + command.input.string()},
+                .folder = folder_of(step)};
     for (std::string& word : arguments_of(command.options))
-        task.arguments.push_back(std::move(word));
-    task.arguments.insert(task.arguments.end(), options_.arguments.begin(),
-                          options_.arguments.end());
-    task.arguments.insert(task.arguments.end(),
-                          {"--output=" + folder_of(step).string(), "--json",
-                           "--json-errors", "--json-progress"});
-    task.environment = inherited_environment();
-    task.error_line = [this, step, &lines](std::string_view line) {
-        take_line(step, line, lines);
+        run.arguments.push_back(std::move(word));
+    run.arguments.insert(run.arguments.end(), options_.arguments.begin(),
+                         options_.arguments.end());
+    run.progress = [this, step](const WorkProgress& work) {
+        JobProgress progress{step, work.work, work.share};
+        if (work.left_s)
+            progress.left_s = *work.left_s + seconds_after(step).value_or(0);
+        report(progress);
     };
-    return task;
-}
-
-// Sorts a line that a command wrote to its standard error.
-void Runner::take_line(JobStep step, std::string_view line, ChildLines& lines) const
-{
-    constexpr std::string_view warning = "endmill: warning: ";
-    if (line.starts_with(warning)) {
-        lines.warnings.push_back(printable(line.substr(warning.size())));
-        warn(step, lines.warnings.back());
-        return;
-    }
-    const Tree tree = Tree::parse(line, nullptr, false);
-    if (!tree.is_object()) {
-        lines.last = printable(line, 300);
-        return;
-    }
-    if (tree.contains("error") && tree["error"].is_object()) {
-        lines.code = tree["error"].value("code", "");
-        lines.error = printable(tree["error"].value("message", ""));
-    }
-    if (!tree.contains("progress") || !tree["progress"].is_object())
-        return;
-    const Tree& work = tree["progress"];
-    JobProgress progress{step};
-    progress.work = work.value("work", "");
-    if (work.contains("share") && work["share"].is_number())
-        progress.share = work["share"].get<double>();
-    if (work.contains("left_s") && work["left_s"].is_number())
-        progress.left_s = work["left_s"].get<double>() + seconds_after(step).value_or(0);
-    report(progress);
+    run.warning = [this, step](const std::string& text) { warn(step, text); };
+    return run;
 }
 
 // The time of the steps after this one, as they took earlier; nothing if it is not known.
@@ -476,14 +339,11 @@ void Runner::execute(JobStep step, const StepCommand& command, StepRecord record
                           shown_path(folder_of(step)) + ": " + error.message()};
     record_.steps.at(at(step)) = {};
     write_record();
-    ChildLines lines;
-    const auto start = std::chrono::steady_clock::now();
-    const ChildResult result = run_child(task_of(step, command, lines));
-    record.wall_s =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    record.warnings = lines.warnings;
+    const StepEnd end = run_step(run_of(step, command));
+    record.wall_s = end.wall_s;
+    record.warnings = end.warnings;
     record_.steps.at(at(step)) = std::move(record);
-    judge(step, result, lines);
+    judge(step, end);
     StepRecord& judged = record_.steps.at(at(step));
     if (fs::exists(folder_of(step), error))
         judged.results_sha256 = folder_sha256(folder_of(step));
@@ -512,47 +372,27 @@ void Runner::remove_earlier_results(JobStep step) const
         fs::remove_all(folder_of(step), ignored);
 }
 
-// Why a command did not end with yes.
-std::string Runner::reason_for(JobStep step, const ChildResult& result,
-                               const ChildLines& lines) const
-{
-    const std::string& told = lines.error.empty() ? lines.last : lines.error;
-    if (result.end == ChildEnd::Signalled)
-        return "the command was ended by signal " + std::to_string(result.code) +
-               (told.empty() ? "" : ": ") + told;
-    if (!told.empty())
-        return told;
-    if (!is_no(result))
-        return "the command ended with exit code " + std::to_string(result.code);
-    if (step == JobStep::Verify)
-        return refusal_of(step) + ": " + verdict_in(folder_of(step));
-    return refusal_of(step);
-}
-
 // Notes how a command ended.
-void Runner::judge(JobStep step, const ChildResult& result, const ChildLines& lines)
+void Runner::judge(JobStep step, const StepEnd& end)
 {
     StepRecord& record = record_.steps.at(at(step));
     record.state = StepState::Done;
-    record.exit = exit_of(result);
-    if (record.exit == 0) {
+    record.exit = end.exit;
+    record.reason = end.reason;
+    if (end.exit == 0 || (end.is_no && goes_on_after_no(step))) {
         note_answer(step);
-        return;
-    }
-    record.reason = reason_for(step, result, lines);
-    if (is_no(result) && goes_on_after_no(step)) {
-        note_answer(step);
-        warn(step, "the answer is no, and the job goes on: " + record.reason);
+        if (end.is_no)
+            warn(step, "the answer is no, and the job goes on: " + end.reason);
         return;
     }
     record.state = StepState::Failed;
     failed_ = step;
-    code_ = lines.code.empty() ? "E_STEP" : lines.code;
-    message_ = name_of(step) + ": " + record.reason;
-    const std::string key = key_in(record.reason, step);
+    code_ = end.code;
+    message_ = name_of(step) + ": " + end.reason;
+    const std::string key = key_in(end.reason, step);
     if (!key.empty())
         message_ += " (" + key + " in " + shown_path(job_.file) + ")";
-    if (is_no(result))
+    if (end.is_no)
         message_ += "; in the job, " + advice_for(step) + " may help, and accept_no [\"" +
                     name_of(step) + "\"] lets the chain go on";
 }
