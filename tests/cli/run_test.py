@@ -157,6 +157,16 @@ class BadInput(RunTest):
         self.refused(2, "--from and --only", arguments=("--from", "plan", "--only", "post"))
         self.assert_nothing_left("plane.json", "small-job.json")
 
+    def test_every_option_that_names_a_file_is_one(self):
+        """Its content counts for what is up to date, so that it must exist when the job is read."""
+        for step, keys in {"setup": ("skip_facets", "tool"), "plan": ("protect", "skip_facets", "tool"),
+                           "feed": ("material", "tool", "tools", "part"),
+                           "verify": ("part", "protect", "skip_facets", "tool", "tools"),
+                           "post": ("tools", "tool")}.items():
+            for key in keys:
+                with self.subTest(step=step, key=key):
+                    self.refused(3, f"/{step}/{key}", "none.json, which does not exist", **{step: {key: "none.json"}})
+
     def test_a_folder_of_another_origin_is_kept(self):
         (self.folder / "out").mkdir()
         (self.folder / "out/letter.txt").write_text("Dear")
