@@ -8,7 +8,9 @@ function(endmill_precompile target)
 endfunction()
 
 # A fused a b - c d keeps the rounding of one product, so its sign would depend on the machine.
-set(ENDMILL_MODULE_OPTIONS -ffp-contract=off)
+# The Python module is a shared library that holds the modules. Their functions are still
+# inlined, because no other library may replace them.
+set(ENDMILL_MODULE_OPTIONS -ffp-contract=off -fno-semantic-interposition)
 
 # endmill_precompile_module(TARGET OPTIONS [option...] LIBRARIES [target...]): modules that are
 # compiled with the same options share one precompiled header. CGAL brings options of its own.
@@ -22,6 +24,7 @@ function(endmill_precompile_module target)
     target_compile_features(${owner} PUBLIC cxx_std_20)
     target_compile_options(${owner} PRIVATE ${ENDMILL_MODULE_OPTIONS} ${arg_OPTIONS})
     target_link_libraries(${owner} PRIVATE Eigen3::Eigen ${arg_LIBRARIES} endmill_warnings)
+    set_target_properties(${owner} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     endmill_precompile(${owner})
   endif()
   target_precompile_headers(${target} REUSE_FROM ${owner})
@@ -89,7 +92,7 @@ function(endmill_module name)
   target_compile_options(endmill_${name} PRIVATE ${ENDMILL_MODULE_OPTIONS} ${arg_OPTIONS})
   target_link_libraries(endmill_${name} PUBLIC ${arg_USES} ${arg_LIBRARIES}
                         PRIVATE ${arg_PRIVATE_LIBRARIES} $<BUILD_INTERFACE:endmill_warnings>)
-  set_target_properties(endmill_${name} PROPERTIES EXPORT_NAME ${name}
+  set_target_properties(endmill_${name} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON
                         VERIFY_INTERFACE_HEADER_SETS ON)
   endmill_precompile_module(endmill_${name} OPTIONS ${arg_OPTIONS} LIBRARIES ${arg_PRIVATE_LIBRARIES})
   endmill_batch(endmill_${name} ${ENDMILL_SOURCE_BATCH} ${sources})
