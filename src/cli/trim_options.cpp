@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <vector>
 
 #include "cli/arguments.h"
 #include "cli/idle_options.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
+#include "endmill/trimming/trimmed_planes.h"
 #include "endmill/trimming/trimming_methods.h"
 
 namespace endmill {
@@ -35,11 +35,8 @@ constexpr std::array part_options{
     "--direction-deg", "--grid", "--allowance", "--order", "--safe-height",
     "--thin-tolerance"};
 constexpr const char* all_methods = "all";
-// Default step of method 1, as a share of the cutter's radius. Without a cutter it is a
-// share of the curves' extent in z.
+// Default step of method 1, as a share of the cutter's radius.
 constexpr double step_share_of_radius = 1.0 / 500;
-constexpr double step_share_of_extent = 1.0 / 1000;
-constexpr double threshold_in_steps = 4;
 // Default tolerance for dropping points, as a share of the tolerance. It is taken from the
 // budget of the chords, so that a small share costs them little.
 constexpr double thin_share = 0.1;
@@ -400,17 +397,13 @@ double thin_tolerance(const TrimOptions& options)
 
 TrimmingOptions trimming_options(const TrimOptions& options, double extent)
 {
-    TrimmingOptions trimming;
+    TrimmingOptions trimming = default_trimming_options(extent);
     trimming.detection = detection_of(options);
-    const std::optional<Cutter>& cutter = cutter_of(options);
-    const double step =
-        cutter ? step_share_of_radius * cutter->radius() : step_share_of_extent * extent;
-    // The step must be positive. Curves at one height have no folds, so any step serves
-    // them.
-    trimming.scan_step =
-        options.scan_step.value_or(std::max(step, std::numeric_limits<double>::min()));
-    trimming.scan_threshold =
-        options.scan_threshold.value_or(threshold_in_steps * trimming.scan_step);
+    if (const std::optional<Cutter>& cutter = cutter_of(options))
+        trimming.scan_step = step_share_of_radius * cutter->radius();
+    trimming.scan_step = options.scan_step.value_or(trimming.scan_step);
+    trimming.scan_threshold = options.scan_threshold.value_or(scan_threshold_in_steps *
+                                                              trimming.scan_step);
     // The paper scans to the end of the curve, which guarded detection excludes.
     const bool is_printed =
         options.mode == TrimMode::Paper && trimming.detection == FoldDetection::Literal;

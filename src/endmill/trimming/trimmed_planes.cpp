@@ -218,6 +218,17 @@ double section_height(std::span<const PlaneSection> planes)
     return high > low ? high - low : 0;
 }
 
+TrimmingOptions default_trimming_options(double height)
+{
+    constexpr double step_share = 1.0 / 1000;
+    TrimmingOptions options;
+    // The step must be positive. Curves at one height have no folds, so any step serves
+    // them.
+    options.scan_step = std::max(step_share * height, std::numeric_limits<double>::min());
+    options.scan_threshold = scan_threshold_in_steps * options.scan_step;
+    return options;
+}
+
 std::vector<Vec3> section_points(const DrivePlanes& planes,
                                  std::span<const Trimmed> trimmed)
 {

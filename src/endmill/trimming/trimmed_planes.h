@@ -61,6 +61,14 @@ std::vector<Trimmed> thinned_planes(
 /// The extent in z of all curves together, in mm; 0 without a curve.
 double section_height(std::span<const PlaneSection> planes);
 
+/// Default threshold of the scan of method 1, as a multiple of its step.
+inline constexpr double scan_threshold_in_steps = 4;
+
+/// Options for sections whose cutter is not known. Method 1 scans with a step of a thousandth of
+/// their height.
+/// \param height of the sections in mm, as section_height; at least 0.
+TrimmingOptions default_trimming_options(double height);
+
 /// The points of trimmed sections in space, in the order of planes, curves and points.
 /// \param planes  the planes that cut the sections.
 /// \param trimmed one result for each plane.

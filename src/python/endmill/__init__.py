@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Computational geometry of sculptured-surface machining.
+
+Values and functions with NumPy arrays: Surface, Mesh, Cutter, DropCutter, ToolPath, Machine,
+DirectionGrid, trim_curves, compare_trimming, cutting_coefficients, visibility.
+
+The commands of the program, with the same results bit by bit: plan, trim, verify, post, feed,
+setup, info, sample, machine, evaluate, tool_life, run_job, run_sweep, and command for all.
+
+Lengths are in mm, angles in degrees where a name ends in _deg. Arrays of points have the shape
+(n, 3). Long calls release Python's lock, end at Ctrl-C, and take progress, a function of the
+finished share from 0 to 1.
+"""
+
+from collections.abc import Callable, Sequence
+from os import PathLike
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from endmill import errors
+from endmill._native import (Cutter, DirectionGrid, DropCutter, Machine, Mesh, Part, Surface,
+                             ToolPath, Trimmed, VisibilityMap, _compare_trimming, _read_part,
+                             _read_path, cutting_coefficients, move_names, read_visibility,
+                             set_thread_count, trim_curves, trimming_methods, visibility)
+from endmill.commands import (Result, command, evaluate, feed, info, machine, plan, post, run_job,
+                              run_sweep, sample, setup, tool_life, trim, verify)
+from endmill.errors import (DomainError, Error, FormatError, GeometryError, LimitError,
+                            OutputError)
+
+__all__ = [
+    "Cutter", "DirectionGrid", "DomainError", "DropCutter", "Error", "FormatError",
+    "GeometryError", "LimitError", "Machine", "Mesh", "OutputError", "Part", "Result", "Surface",
+    "ToolPath", "Trimmed", "VisibilityMap", "command", "compare_trimming", "cutting_coefficients",
+    "errors", "evaluate", "feed", "info", "machine", "move_names", "moves", "plan", "post",
+    "read_part", "read_path", "read_visibility", "run_job", "run_sweep", "sample",
+    "set_thread_count", "setup", "tool_life", "trim", "trim_curves", "trimming_methods", "verify",
+    "visibility"
+]
+
+
+def read_part(path: str | PathLike[str], units: str = "mm", up: str = "z") -> Part:
+    """Read a surface file (endmill-surface/1) or a mesh file (.stl, .obj, .ply, .off).
+
+    units ("mm" or "inch") and up ("x", "-x", ... "z": the axis that points upwards) are for mesh
+    files. Raises FormatError with the place of a fault.
+    """
+    return _read_part(path, units, up)
+
+
+def read_path(path: str | PathLike[str]) -> ToolPath:
+    """Read a tool path: CSV, G-code of three axes, output of rs274, or APT CL data.
+
+    Raises FormatError with the line of a fault.
+    """
+    return _read_path(path)
+
+
+def moves(path: ToolPath) -> npt.NDArray[np.str_]:
+    """The move to each point of a path: cut, link, rapid, plunge or retract."""
+    return np.asarray(move_names)[path._moves]
+
+
+def compare_trimming(
+    planes: Sequence[Sequence[npt.ArrayLike]],
+    methods: Sequence[str | Callable[[list[npt.NDArray[np.float64]]], Sequence[npt.ArrayLike]]],
+    repeat: int = 3,
+    tolerance: float = 1e-9,
+    detection: str = "guarded",
+) -> list[dict[str, Any]]:
+    """Trim the curves of drive planes by several methods, and measure times and errors.
+
+    planes: for each plane its curves, arrays (n, 2) of s and z in mm as in trim_curves. methods:
+    names from trimming_methods, and functions of your own. A function takes the curves of one
+    plane and returns curves. repeat: how often each method runs.
+
+    Returns a dict for each method: method, planes, wrong (number of planes with an error),
+    max_gouge_mm (depth below the upper envelope), max_step_back_mm, max_uncovered (share of the
+    length in s), times_ms (a list). A result is wrong if it lies more than tolerance in mm
+    below the envelope, steps back, or leaves a part of it out. The errors are measured from the
+    segments of the curves alone, without any of the methods.
+    """
+    return _compare_trimming(planes, methods, repeat, tolerance, detection)

@@ -1,0 +1,360 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The commands of the program endmill.
+
+Each command runs the program in a process of its own, so that its results are those of the
+command line, and nothing that a file contains can end the interpreter.
+
+Inputs are names of files, or values: Surface, Mesh, Part, ToolPath, Result. Options have the names
+of the command line with underscores, as in plan(part, scallop=0.05, direction_deg=45). True stands
+for an option without a value, a tuple for numbers with commas, and a list for an option that is
+given several times.
+"""
+
+import csv
+import html
+import json
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import warnings
+import weakref
+from collections.abc import Callable, Sequence
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from endmill import errors
+from endmill._native import Mesh, Part, Surface, ToolPath, _read_path
+
+Input = str | PathLike[str] | Part | Surface | Mesh | ToolPath | Sequence[npt.ArrayLike]
+Progress = Callable[[float], object]
+
+_raised_by_exit_code = {
+    2: errors.DomainError,
+    3: errors.FormatError,
+    4: errors.GeometryError,
+    5: errors.OutputError,
+    6: errors.LimitError,
+}
+
+
+def program() -> Path:
+    """The program endmill: that of the variable ENDMILL_PROGRAM, that beside this package, or
+    the first on the PATH.
+
+    Raises OutputError if there is none.
+    """
+    given = os.environ.get("ENDMILL_PROGRAM")
+    if given:
+        return Path(given)
+    beside = Path(__file__).resolve().parents[4] / "bin" / "endmill"
+    found = str(beside) if beside.exists() else shutil.which("endmill")
+    if not found:
+        raise errors.OutputError(
+            "the program endmill is missing; expected it on the PATH or in ENDMILL_PROGRAM")
+    return Path(found)
+
+
+class Result:
+    """The result of a command: its summary and its files.
+
+    Without output=, the files lie in a folder that is removed with this object.
+    """
+
+    def __init__(self, command_name: str, summary: dict[str, Any], folder: Path, is_yes: bool,
+                 remarks: list[str]) -> None:
+        self.command = command_name  #: name of the command
+        self.summary = summary  #: the keys of summary.json
+        self.folder = folder  #: folder of the files
+        self.is_yes = is_yes  #: whether the answer is yes, as exit code 0 says
+        self.remarks = remarks  #: warnings of the program
+
+    def __getitem__(self, key: str) -> Any:
+        """The value of a key of the summary."""
+        return self.summary[key]
+
+    @property
+    def files(self) -> list[str]:
+        """Names of the files below the folder, sorted."""
+        return sorted(
+            str(file.relative_to(self.folder)) for file in self.folder.rglob("*") if file.is_file())
+
+    def read_path(self, name: str = "toolpath.csv") -> ToolPath:
+        """The tool path in a file of the folder, such as "u/toolpath.csv"."""
+        return _read_path(self.folder / name)
+
+    @property
+    def path(self) -> ToolPath:
+        """The tool path in toolpath.csv."""
+        return self.read_path()
+
+    def table(self, name: str) -> dict[str, npt.NDArray[Any]]:
+        """The columns of a CSV file of the folder, by name.
+
+        Columns of numbers are doubles, with NaN in empty cells; all others are texts.
+        """
+        with open(self.folder / name, newline="", encoding="utf-8") as file:
+            lines = csv.reader(file)
+            names = next(lines)
+            columns = list(zip(*lines)) or [()] * len(names)
+        return {column: _numbers_or_texts(cells) for column, cells in zip(names, columns)}
+
+    def svg(self) -> str:
+        """The first picture of the folder, or an empty text."""
+        pictures = [name for name in self.files if name.endswith(".svg")]
+        return (self.folder / pictures[0]).read_text(encoding="utf-8") if pictures else ""
+
+    def __repr__(self) -> str:
+        answer = "yes" if self.is_yes else "no"
+        return f"<Result of {self.command}: {answer}, {len(self.summary)} keys, {self.folder}>"
+
+    def _repr_html_(self) -> str:
+        rows = "".join(f"<tr><th>{html.escape(key)}</th><td>{html.escape(_shown(value))}</td></tr>"
+                       for key, value in self.summary.items()
+                       if not isinstance(value, (dict, list)))
+        return f"{self.svg()}<table>{rows}</table>"
+
+
+def command(name: str,
+            input_: Input | Result | None = None,
+            *,
+            output: str | PathLike[str] | None = None,
+            progress: Progress | None = None,
+            **options: Any) -> Result:
+    """Run a command of the program by name; the functions below are shorter ways to do so.
+
+    output: folder for the files, new or empty; by default a temporary one. progress: a function
+    of the finished share of the current work. Other options: see endmill NAME --help.
+
+    Returns a Result, also if the answer of the command is no. Raises DomainError for a wrong option,
+    FormatError for a file with a fault, GeometryError, OutputError, LimitError; an interrupt ends
+    the program.
+    """
+    own = Path(tempfile.mkdtemp(prefix="endmill-"))
+    try:
+        arguments = [name]
+        if input_ is not None:
+            arguments.append(_file_of(input_, own, "input"))
+        for option, value in options.items():
+            arguments += _words_of(option, value, own)
+        folder = Path(output) if output is not None else own / "results"
+        if name not in ("cite", "eval"):
+            arguments += ["--output", str(folder)]
+        summary, is_yes, remarks = _run(arguments, own, progress)
+    except BaseException:
+        shutil.rmtree(own, ignore_errors=True)
+        raise
+    result = Result(name, summary, folder, is_yes, remarks)
+    weakref.finalize(result, shutil.rmtree, own, ignore_errors=True)
+    for remark in remarks:
+        warnings.warn(remark, stacklevel=3)
+    return result
+
+
+def plan(part: Input, **options: Any) -> Result:
+    """Plan finishing passes on a part; Result.path is the tool path.
+
+    Without options: the largest ball that fits (a mesh needs cutter=), the shortest strategy, and
+    0.01 mm of tolerance and scallop height.
+    """
+    return command("plan", part, **options)
+
+
+def trim(part: Input | None = None, **options: Any) -> Result:
+    """Cut the offset of a part by drive planes, and remove the loops of the sections.
+
+    polyline= trims given curves: a file, or arrays (n, 2) of s and z in mm.
+    """
+    return command("trim", part, **options)
+
+
+def verify(path: Input | Result, **options: Any) -> Result:
+    """Remove the material along a path, and bound gouge and remaining stock.
+
+    path: a ToolPath, a file, or the Result of plan, whose part and limits then hold. part=, cutter=
+    give them for other paths. Result.is_yes is True only for the verdict clean.
+    """
+    return command("verify", path, **options)
+
+
+def post(path: Input | Result, **options: Any) -> Result:
+    """Write a path as a machine program."""
+    return command("post", path, **options)
+
+
+def feed(path: Input | Result, **options: Any) -> Result:
+    """Choose feed and spindle speed for each move: material=, machine=, tool= name files."""
+    return command("feed", path, **options)
+
+
+def setup(part: Input, **options: Any) -> Result:
+    """Find the setup of a part on a machine that needs the least rotary ranges."""
+    return command("setup", part, **options)
+
+
+def info(part: Input, **options: Any) -> Result:
+    """Report on a part: size, area, curvature, largest ball."""
+    return command("info", part, **options)
+
+
+def sample(part: Input, **options: Any) -> Result:
+    """Sample a surface as a mesh file."""
+    return command("sample", part, **options)
+
+
+def machine(word: str, **options: Any) -> Result:
+    """Report what a machine can do: a file, or a word such as "W/caxyBz/T"."""
+    return command("machine", word, **options)
+
+
+def evaluate(formula: str, **numbers: Any) -> dict[str, Any]:
+    """Evaluate a formula by name, as in evaluate("path-interval", radius=5, curvature=0.01,
+    scallop=0.1)."""
+    return command("eval", formula, **numbers).summary
+
+
+def tool_life(table: str | PathLike[str], **options: Any) -> Result:
+    """Fit the tool life to a CSV file of cutting data, and find the economic speed."""
+    return command("toollife", table, **options)
+
+
+def run_job(job: str | PathLike[str], **options: Any) -> Result:
+    """Run a job (endmill-job/1): the whole chain from part to code."""
+    return command("run", job, **options)
+
+
+def run_sweep(plan_file: str | PathLike[str], **options: Any) -> Result:
+    """Run a plan of many cases (endmill-sweep/1); Result.table("results.csv") has a row of each."""
+    return command("sweep", plan_file, **options)
+
+
+def _numbers_or_texts(cells: Sequence[str]) -> npt.NDArray[Any]:
+    try:
+        return np.array([float(cell) if cell else np.nan for cell in cells])
+    except ValueError:
+        return np.array(cells)
+
+
+def _shown(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+# The file of an input: its own, or one that is written to `folder`.
+def _file_of(value: Any, folder: Path, stem: str) -> str:
+    if isinstance(value, (str, PathLike)):
+        return os.fspath(value)
+    if isinstance(value, Result):
+        return str(value.folder / "toolpath.csv")
+    if isinstance(value, Part):
+        value = value.mesh if value.mesh is not None else value.surfaces
+        if isinstance(value, list) and len(value) == 1:
+            value = value[0]
+    if isinstance(value, Surface):
+        return _written(folder / f"{stem}.json", value._text(stem))
+    if isinstance(value, Mesh):
+        return _written(folder / f"{stem}.off", value._text())
+    if isinstance(value, ToolPath):
+        return _written(folder / f"{stem}.csv", value.csv())
+    if _is_list_of_curves(value):
+        return _written(folder / f"{stem}.csv", _curves_text(value))
+    raise TypeError(f"found a {type(value).__name__}; expected the name of a file, a Surface, a "
+                    "Mesh, a Part of one surface, a ToolPath, a Result or arrays of curves")
+
+
+def _is_list_of_curves(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and all(np.ndim(curve) == 2 for curve in value)
+
+
+def _curves_text(curves: Sequence[npt.ArrayLike]) -> str:
+    lines = ["curve,s_mm,z_mm"]
+    for number, curve in enumerate(curves):
+        lines += [f"{number},{float(s)!r},{float(z)!r}" for s, z in np.asarray(curve)]
+    return "\n".join(lines) + "\n"
+
+
+def _written(file: Path, text: str | bytes) -> str:
+    file.write_bytes(text if isinstance(text, bytes) else text.encode("utf-8"))
+    return str(file)
+
+
+# The words of an option on the command line.
+def _words_of(name: str, value: Any, folder: Path) -> list[str]:
+    option = "--" + name.rstrip("_").replace("_", "-")
+    if value is None or value is False:
+        return []
+    if value is True:
+        return [option]
+    if isinstance(value, (Part, Surface, Mesh, ToolPath, Result)) or _is_list_of_curves(value):
+        return [option, _file_of(value, folder, name)]
+    if isinstance(value, list):
+        return [word for one in value for word in _words_of(name, one, folder)]
+    if isinstance(value, (tuple, np.ndarray)):
+        # A number below 0 after a space would look like an option.
+        return [f"{option}=" + ",".join(_word_of(one) for one in value)]
+    return [f"{option}={_word_of(value)}"]
+
+
+def _word_of(value: Any) -> str:
+    if isinstance(value, (float, np.floating)):
+        return repr(float(value))
+    return os.fspath(value) if isinstance(value, PathLike) else str(value)
+
+
+# Runs the program; returns summary, whether the answer is yes, and warnings.
+def _run(arguments: list[str], folder: Path,
+         progress: Progress | None) -> tuple[dict[str, Any], bool, list[str]]:
+    words = [str(program()), *arguments, "--json", "--json-errors"]
+    if progress is not None:
+        words.append("--json-progress")
+    remarks: list[str] = []
+    error: dict[str, Any] = {}
+    answer = folder / "answer"
+    with open(answer, "wb") as out, subprocess.Popen(
+            words, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.PIPE, text=True,
+            encoding="utf-8", errors="replace") as child:
+        assert child.stderr is not None
+        try:
+            for line in child.stderr:
+                said = _object_of(line)
+                if "error" in said:
+                    error = said["error"]
+                elif "progress" in said:
+                    share = said["progress"].get("share")
+                    if progress is not None and share is not None:
+                        progress(share)
+                elif line.strip():
+                    remarks.append(line.strip().removeprefix("endmill: warning: "))
+        except BaseException:
+            child.terminate()
+            raise
+    return _answered(child.returncode, answer, error, remarks)
+
+
+def _answered(code: int, answer: Path, error: dict[str, Any],
+              remarks: list[str]) -> tuple[dict[str, Any], bool, list[str]]:
+    if code in (0, 1):
+        text = answer.read_text(encoding="utf-8")
+        if text.strip():
+            if error:
+                remarks.append(error["message"])
+            return json.loads(text), code == 0, remarks
+    if code == 128 + signal.SIGINT:
+        raise KeyboardInterrupt
+    raised = _raised_by_exit_code.get(code, errors.Error)
+    message = error.get("message") or "; ".join(remarks) or f"endmill ended with {code}"
+    raise raised(message, error.get("code", ""), error.get("file", ""), error.get("place", ""))
+
+
+def _object_of(line: str) -> dict[str, Any]:
+    if not line.startswith("{"):
+        return {}
+    try:
+        found = json.loads(line)
+    except ValueError:
+        return {}
+    return found if isinstance(found, dict) else {}

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// endmill.ToolPath: tips, axes and moves as arrays.
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "arrays.h"
+#include "endmill/core/error.h"
+#include "endmill/files/path_file.h"
+#include "endmill/path/tool_path.h"
+#include "module.h"
+
+namespace endmill::python {
+namespace {
+
+// In the order of the enumeration Move.
+constexpr std::array<std::string_view, 5> move_names{"cut", "link", "rapid", "plunge",
+                                                     "retract"};
+
+// Vectors that every point has, as a view.
+py::array_t<double> vectors(const py::object& self, Vec3 CutterLocation::* member)
+{
+    const auto& path = self.cast<const ToolPath&>();
+    const auto count = static_cast<py::ssize_t>(path.points.size());
+    const double* data =
+        count == 0 ? nullptr : (path.points.front().location.*member).data();
+    return view(data, {count, 3}, {sizeof(PathPoint), sizeof(double)}, self);
+}
+
+// Integers that every point has, as a view.
+py::array_t<int> integers(const py::object& self, int PathPoint::* member)
+{
+    const auto& path = self.cast<const ToolPath&>();
+    const auto count = static_cast<py::ssize_t>(path.points.size());
+    const int* data = count == 0 ? nullptr : &(path.points.front().*member);
+    return view(data, {count}, {sizeof(PathPoint)}, self);
+}
+
+py::array_t<std::uint8_t> moves(const ToolPath& path)
+{
+    py::array_t<std::uint8_t> numbers{static_cast<py::ssize_t>(path.points.size())};
+    std::uint8_t* out = numbers.mutable_data();
+    for (const PathPoint& point : path.points)
+        *out++ = static_cast<std::uint8_t>(point.move);
+    return numbers;
+}
+
+// Vectors that some points have; NaN for the others.
+template <typename Known>
+py::array_t<double> known_vectors(const ToolPath& path, const Known& known)
+{
+    py::array_t<double> result{
+        std::vector<py::ssize_t>{static_cast<py::ssize_t>(path.points.size()), 3}};
+    double* out = result.mutable_data();
+    for (const PathPoint& point : path.points) {
+        const Vec3* vector = known(point);
+        for (int k = 0; k < 3; ++k)
+            *out++ = vector ? (*vector)[k] : std::numeric_limits<double>::quiet_NaN();
+    }
+    return result;
+}
+
+py::array_t<double> settings(const ToolPath& path,
+                             std::optional<double> CuttingConditions::* member)
+{
+    py::array_t<double> result{static_cast<py::ssize_t>(path.points.size())};
+    double* out = result.mutable_data();
+    for (const PathPoint& point : path.points)
+        *out++ = (point.conditions.*member).value_or(std::numeric_limits<double>::quiet_NaN());
+    return result;
+}
+
+Move move_of(const std::string& word)
+{
+    for (std::size_t k = 0; k < move_names.size(); ++k)
+        if (move_names.at(k) == word)
+            return static_cast<Move>(k);
+    throw DomainError{"moves: found " + word +
+                      "; expected cut, link, rapid, plunge or retract"};
+}
+
+// Rows of a vector for each of `count` points, or nothing.
+std::optional<DoubleArray> vectors_for(const py::object& values, const char* name,
+                                       py::ssize_t count)
+{
+    if (values.is_none())
+        return std::nullopt;
+    DoubleArray array = rows(values, name, 3);
+    if (array.shape(0) != count)
+        throw py::value_error(std::string{name} + ": found " +
+                              std::to_string(array.shape(0)) + " rows; expected " +
+                              std::to_string(count) + ", one for each tip");
+    return array;
+}
+
+ToolPath path_of(const py::object& tips, const py::object& axes, const py::object& moves,
+                 const py::object& passes, const py::object& feeds)
+{
+    const DoubleArray places = rows(tips, "tips", 3);
+    const py::ssize_t count = places.shape(0);
+    const auto directions = vectors_for(axes, "axes", count);
+    const auto listed = [&](const py::object& values, const char* name) {
+        if (!values.is_none() && py::len(values) != static_cast<std::size_t>(count))
+            throw py::value_error(std::string{name} + ": found " +
+                                  std::to_string(py::len(values)) + " values; expected " +
+                                  std::to_string(count) + ", one for each tip");
+        return !values.is_none();
+    };
+    const bool has_moves = listed(moves, "moves");
+    const bool has_passes = listed(passes, "passes");
+    const bool has_feeds = listed(feeds, "feeds");
+    const DoubleArray numbers = has_passes ? double_array(passes, "passes") : DoubleArray{};
+    const DoubleArray speeds = has_feeds ? double_array(feeds, "feeds") : DoubleArray{};
+    const py::list words = has_moves ? py::list(moves) : py::list();
+    ToolPath path;
+    path.points.reserve(static_cast<std::size_t>(count));
+    int number = 0;
+    for (py::ssize_t k = 0; k < count; ++k) {
+        const auto row = [k](const DoubleArray& array, const char* name) {
+            const double* at = array.data() + 3 * k;
+            const Vec3 vector{at[0], at[1], at[2]};
+            require_finite(vector.sum(), name);
+            return vector;
+        };
+        const Vec3 axis = directions ? row(*directions, "axes") : Vec3{Vec3::UnitZ()};
+        constexpr double unit_tolerance = 1e-6;  // of files too
+        if (std::abs(axis.norm() - 1) > unit_tolerance)
+            throw DomainError{"axes: row " + std::to_string(k) +
+                              " is no unit vector; expected the length 1 to 1e-6"};
+        const int pass = has_passes ? static_cast<int>(numbers.data()[k]) : 0;
+        number = k > 0 && path.points.back().pass == pass ? number + 1 : 0;
+        PathPoint point{pass, number,
+                        has_moves ? move_of(py::str(words[k])) : Move::Cut, 0,
+                        {row(places, "tips"), axis}};
+        if (has_feeds && std::isfinite(speeds.data()[k])) {
+            if (!(speeds.data()[k] > 0))
+                throw DomainError{"feeds: expected numbers above 0 in mm/min"};
+            point.conditions.feed_mm_per_min = speeds.data()[k];
+        }
+        path.points.push_back(point);
+    }
+    return path;
+}
+
+py::dict totals(const ToolPath& path)
+{
+    const PathTotals found = path_totals(path);
+    py::dict totals;
+    totals["cut_mm"] = found.cut_mm;
+    totals["link_mm"] = found.link_mm;
+    totals["plunge_mm"] = found.plunge_mm;
+    totals["rapid_mm"] = found.rapid_mm;
+    totals["time_min"] = found.time_min;
+    return totals;
+}
+
+}  // namespace
+
+void add_paths(py::module_& module)
+{
+    py::class_<ToolPath>(module, "ToolPath", R"(A tool path: points in the order in which the cutter reaches them.
+
+ToolPath(tips, axes=None, moves=None, passes=None, feeds=None)
+    tips: (n, 3), mm, the lowest point of the cutter on its axis. axes: (n, 3), unit, from the
+    tip to the spindle; default +z. moves: n words cut, link, rapid, plunge or retract, how the
+    cutter comes to each point; default cut. passes: n whole numbers. feeds: n numbers in
+    mm/min, NaN where unknown.)")
+        .def(py::init(&path_of), py::arg("tips"), py::arg("axes") = py::none(),
+             py::arg("moves") = py::none(), py::arg("passes") = py::none(),
+             py::arg("feeds") = py::none())
+        .def_property_readonly(
+            "tips", [](const py::object& self) { return vectors(self, &CutterLocation::tip); },
+            "Tips (n, 3) in mm; a view, read-only.")
+        .def_property_readonly(
+            "axes", [](const py::object& self) { return vectors(self, &CutterLocation::axis); },
+            "Unit axes (n, 3); a view, read-only.")
+        .def_property_readonly(
+            "passes", [](const py::object& self) { return integers(self, &PathPoint::pass); },
+            "Numbers (n,) of the passes; a view, read-only.")
+        .def_property_readonly(
+            "patches", [](const py::object& self) { return integers(self, &PathPoint::patch); },
+            "Numbers (n,) of the surfaces; a view, read-only.")
+        .def_property_readonly(
+            "_moves", [](const ToolPath& path) { return moves(path); })
+        .def_property_readonly(
+            "contacts",
+            [](const ToolPath& path) {
+                return known_vectors(path, [](const PathPoint& point) {
+                    const SurfaceContact* contact = point.contact();
+                    return contact ? &contact->contact.point : nullptr;
+                });
+            },
+            "Contacts (n, 3) in mm; NaN where unknown.")
+        .def_property_readonly(
+            "normals",
+            [](const ToolPath& path) {
+                return known_vectors(path,
+                                     [](const PathPoint& point) { return point.normal(); });
+            },
+            "Unit normals (n, 3) at the contacts; NaN where unknown.")
+        .def_property_readonly(
+            "feeds",
+            [](const ToolPath& path) {
+                return settings(path, &CuttingConditions::feed_mm_per_min);
+            },
+            "Feeds (n,) in mm/min of the moves to the points; NaN where unknown.")
+        .def_property_readonly(
+            "spindle_speeds",
+            [](const ToolPath& path) {
+                return settings(path, &CuttingConditions::spindle_rpm);
+            },
+            "Spindle speeds (n,) in rpm; NaN where unknown.")
+        .def("totals", &totals, "Lengths in mm along the tip, and the time in min or None.")
+        .def("csv",
+             [](const ToolPath& path) {
+                 const py::gil_scoped_release release;
+                 return tool_path_csv(path);
+             },
+             "The text of the path as toolpath.csv.")
+        .def("__len__", [](const ToolPath& path) { return path.points.size(); })
+        .def("__repr__", [](const ToolPath& path) {
+            return "<ToolPath of " + std::to_string(path.points.size()) + " points>";
+        });
+    module.attr("move_names") = py::cast(
+        std::vector<std::string>(move_names.begin(), move_names.end()));
+    module.def("_read_path", [](const std::filesystem::path& file) {
+        const py::gil_scoped_release release;
+        return read_program(file).path;
+    }, py::arg("file"));
+}
+
+}  // namespace endmill::python
