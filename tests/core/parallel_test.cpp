@@ -3,12 +3,18 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <csignal>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <tuple>
 #include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -171,6 +177,32 @@ TEST(ParallelInOrder, ThrowsAsTheCallsOneAfterTheOther)
                 EXPECT_EQ(fault.finished, std::min({work, finish, 500}));
             }
         }
+}
+
+// Whether a forked process ends with the exit code 0 within ten seconds.
+bool ends_well(pid_t child)
+{
+    int status = 0;
+    for (int tenths = 0; tenths < 100; ++tenths) {
+        if (waitpid(child, &status, WNOHANG) == child)
+            return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+        std::this_thread::sleep_for(std::chrono::milliseconds{100});
+    }
+    kill(child, SIGKILL);
+    waitpid(child, &status, 0);
+    return false;
+}
+
+TEST(ParallelFor, WorksInAForkedProcess)
+{
+    set_thread_count(4);
+    EXPECT_EQ(visits(1000), std::vector<int>(1000, 1));  // the helpers exist
+    for (int trial = 0; trial < 10; ++trial) {
+        const pid_t child = fork();
+        if (child == 0)
+            _exit(visits(1000) == std::vector<int>(1000, 1) ? 0 : 1);
+        EXPECT_TRUE(ends_well(child));
+    }
 }
 
 TEST(SetThreadCount, RefusesCountsOutsideItsRange)

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <pthread.h>
+
 #include "endmill/core/error.h"
 
 // Every call of parallel_for is a job. Its caller works on it, and threads of one pool help.
@@ -113,7 +115,12 @@ public:
     // The pool of this process.
     static Pool& instance()
     {
-        static auto* const pool = new Pool;  // never destroyed: threads may outlive main
+        // never destroyed: threads may outlive main
+        static Pool* pool = new Pool;
+        // A process that forks off has no helpers, and none of the jobs of other threads.
+        [[maybe_unused]] static const int is_watched =
+            pthread_atfork([] { pool->mutex_.lock(); }, [] { pool->mutex_.unlock(); },
+                           [] { pool = new Pool{pool->threads_}; });
         return *pool;
     }
 
@@ -149,6 +156,9 @@ public:
     }
 
 private:
+    Pool() = default;
+    explicit Pool(int threads) : threads_{threads} {}
+
     // The caller of a job is one of the threads. Holds the mutex.
     void start_threads()
     {

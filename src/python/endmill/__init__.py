@@ -12,12 +12,9 @@ Lengths are in mm, angles in degrees where a name ends in _deg. Arrays of points
 finished share from 0 to 1.
 """
 
-from collections.abc import Callable, Sequence
-from os import PathLike
-from typing import Any
+from __future__ import annotations
 
-import numpy as np
-import numpy.typing as npt
+from typing import TYPE_CHECKING, Any
 
 from endmill import errors
 from endmill._native import (Cutter, DirectionGrid, DropCutter, Machine, Mesh, Part, Surface,
@@ -29,11 +26,18 @@ from endmill.commands import (Result, command, evaluate, feed, info, machine, pl
 from endmill.errors import (DomainError, Error, FormatError, GeometryError, LimitError,
                             OutputError)
 
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+    from os import PathLike
+
+    import numpy as np
+    import numpy.typing as npt
+
 __all__ = [
     "Cutter", "DirectionGrid", "DomainError", "DropCutter", "Error", "FormatError",
     "GeometryError", "LimitError", "Machine", "Mesh", "OutputError", "Part", "Result", "Surface",
     "ToolPath", "Trimmed", "VisibilityMap", "command", "compare_trimming", "cutting_coefficients",
-    "errors", "evaluate", "feed", "info", "machine", "move_names", "moves", "plan", "post",
+    "errors", "evaluate", "feed", "info", "machine", "move_names", "plan", "post",
     "read_part", "read_path", "read_visibility", "run_job", "run_sweep", "sample",
     "set_thread_count", "setup", "tool_life", "trim", "trim_curves", "trimming_methods", "verify",
     "visibility"
@@ -46,7 +50,9 @@ def read_part(path: str | PathLike[str], units: str = "mm", up: str = "z") -> Pa
     units ("mm" or "inch") and up ("x", "-x", ... "z": the axis that points upwards) are for mesh
     files. Raises FormatError with the place of a fault.
     """
-    return _read_part(path, units, up)
+    part = _read_part(path, units, up)
+    part._file = path
+    return part
 
 
 def read_path(path: str | PathLike[str]) -> ToolPath:
@@ -55,11 +61,6 @@ def read_path(path: str | PathLike[str]) -> ToolPath:
     Raises FormatError with the line of a fault.
     """
     return _read_path(path)
-
-
-def moves(path: ToolPath) -> npt.NDArray[np.str_]:
-    """The move to each point of a path: cut, link, rapid, plunge or retract."""
-    return np.asarray(move_names)[path._moves]
 
 
 def compare_trimming(

@@ -10,54 +10,30 @@ for an option without a value, a tuple for numbers with commas, and a list for a
 given several times.
 """
 
-import csv
-import html
-import json
+from __future__ import annotations
+
 import os
-import shutil
-import signal
-import subprocess
-import tempfile
 import warnings
 import weakref
-from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 
-from endmill import errors
 from endmill._native import Mesh, Part, Surface, ToolPath, _read_path
 
-Input = str | PathLike[str] | Part | Surface | Mesh | ToolPath | Sequence[npt.ArrayLike]
-Progress = Callable[[float], object]
+if TYPE_CHECKING:  # annotations alone need these, and importing them takes long
+    from collections.abc import Callable, Sequence
 
-_raised_by_exit_code = {
-    2: errors.DomainError,
-    3: errors.FormatError,
-    4: errors.GeometryError,
-    5: errors.OutputError,
-    6: errors.LimitError,
-}
+    import numpy.typing as npt
+
+    Input = (str | PathLike[str] | Part | Surface | Mesh | ToolPath |
+             Sequence[npt.ArrayLike])
+    Progress = Callable[[float], object]
 
 
-def program() -> Path:
-    """The program endmill: that of the variable ENDMILL_PROGRAM, that beside this package, or
-    the first on the PATH.
-
-    Raises OutputError if there is none.
-    """
-    given = os.environ.get("ENDMILL_PROGRAM")
-    if given:
-        return Path(given)
-    beside = Path(__file__).resolve().parents[4] / "bin" / "endmill"
-    found = str(beside) if beside.exists() else shutil.which("endmill")
-    if not found:
-        raise errors.OutputError(
-            "the program endmill is missing; expected it on the PATH or in ENDMILL_PROGRAM")
-    return Path(found)
+_main_pictures = ("toolpath.svg", "setup.svg", "deviation.svg", "feed.svg")
 
 
 class Result:
@@ -93,11 +69,17 @@ class Result:
         """The tool path in toolpath.csv."""
         return self.read_path()
 
+    def text(self, name: str) -> str:
+        """The content of a file of the folder, such as a machine program."""
+        return (self.folder / name).read_text(encoding="utf-8")
+
     def table(self, name: str) -> dict[str, npt.NDArray[Any]]:
         """The columns of a CSV file of the folder, by name.
 
         Columns of numbers are doubles, with NaN in empty cells; all others are texts.
         """
+        import csv  # here and below: what not every script needs is imported where it is used
+
         with open(self.folder / name, newline="", encoding="utf-8") as file:
             lines = csv.reader(file)
             names = next(lines)
@@ -105,15 +87,18 @@ class Result:
         return {column: _numbers_or_texts(cells) for column, cells in zip(names, columns)}
 
     def svg(self) -> str:
-        """The first picture of the folder, or an empty text."""
+        """The main picture of the folder, or an empty text."""
         pictures = [name for name in self.files if name.endswith(".svg")]
-        return (self.folder / pictures[0]).read_text(encoding="utf-8") if pictures else ""
+        main = [name for name in _main_pictures if name in pictures] or pictures
+        return (self.folder / main[0]).read_text(encoding="utf-8") if main else ""
 
     def __repr__(self) -> str:
         answer = "yes" if self.is_yes else "no"
         return f"<Result of {self.command}: {answer}, {len(self.summary)} keys, {self.folder}>"
 
     def _repr_html_(self) -> str:
+        import html
+
         rows = "".join(f"<tr><th>{html.escape(key)}</th><td>{html.escape(_shown(value))}</td></tr>"
                        for key, value in self.summary.items()
                        if not isinstance(value, (dict, list)))
@@ -135,7 +120,9 @@ def command(name: str,
     FormatError for a file with a fault, GeometryError, OutputError, LimitError; an interrupt ends
     the program.
     """
-    own = Path(tempfile.mkdtemp(prefix="endmill-"))
+    from endmill import _child
+
+    own = _child.new_folder()
     try:
         arguments = [name]
         if input_ is not None:
@@ -145,12 +132,12 @@ def command(name: str,
         folder = Path(output) if output is not None else own / "results"
         if name not in ("cite", "eval"):
             arguments += ["--output", str(folder)]
-        summary, is_yes, remarks = _run(arguments, own, progress)
+        summary, is_yes, remarks = _child.run(arguments, own, progress)
     except BaseException:
-        shutil.rmtree(own, ignore_errors=True)
+        _child.remove(own)
         raise
     result = Result(name, summary, folder, is_yes, remarks)
-    weakref.finalize(result, shutil.rmtree, own, ignore_errors=True)
+    weakref.finalize(result, _child.remove, own)
     for remark in remarks:
         warnings.warn(remark, stacklevel=3)
     return result
@@ -251,9 +238,9 @@ def _file_of(value: Any, folder: Path, stem: str) -> str:
     if isinstance(value, Result):
         return str(value.folder / "toolpath.csv")
     if isinstance(value, Part):
-        value = value.mesh if value.mesh is not None else value.surfaces
-        if isinstance(value, list) and len(value) == 1:
-            value = value[0]
+        if value.mesh is None:
+            return os.fspath(value._file)
+        value = value.mesh
     if isinstance(value, Surface):
         return _written(folder / f"{stem}.json", value._text(stem))
     if isinstance(value, Mesh):
@@ -263,7 +250,7 @@ def _file_of(value: Any, folder: Path, stem: str) -> str:
     if _is_list_of_curves(value):
         return _written(folder / f"{stem}.csv", _curves_text(value))
     raise TypeError(f"found a {type(value).__name__}; expected the name of a file, a Surface, a "
-                    "Mesh, a Part of one surface, a ToolPath, a Result or arrays of curves")
+                    "Mesh, a Part, a ToolPath, a Result or arrays of curves")
 
 
 def _is_list_of_curves(value: Any) -> bool:
@@ -302,59 +289,4 @@ def _words_of(name: str, value: Any, folder: Path) -> list[str]:
 def _word_of(value: Any) -> str:
     if isinstance(value, (float, np.floating)):
         return repr(float(value))
-    return os.fspath(value) if isinstance(value, PathLike) else str(value)
-
-
-# Runs the program; returns summary, whether the answer is yes, and warnings.
-def _run(arguments: list[str], folder: Path,
-         progress: Progress | None) -> tuple[dict[str, Any], bool, list[str]]:
-    words = [str(program()), *arguments, "--json", "--json-errors"]
-    if progress is not None:
-        words.append("--json-progress")
-    remarks: list[str] = []
-    error: dict[str, Any] = {}
-    answer = folder / "answer"
-    with open(answer, "wb") as out, subprocess.Popen(
-            words, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.PIPE, text=True,
-            encoding="utf-8", errors="replace") as child:
-        assert child.stderr is not None
-        try:
-            for line in child.stderr:
-                said = _object_of(line)
-                if "error" in said:
-                    error = said["error"]
-                elif "progress" in said:
-                    share = said["progress"].get("share")
-                    if progress is not None and share is not None:
-                        progress(share)
-                elif line.strip():
-                    remarks.append(line.strip().removeprefix("endmill: warning: "))
-        except BaseException:
-            child.terminate()
-            raise
-    return _answered(child.returncode, answer, error, remarks)
-
-
-def _answered(code: int, answer: Path, error: dict[str, Any],
-              remarks: list[str]) -> tuple[dict[str, Any], bool, list[str]]:
-    if code in (0, 1):
-        text = answer.read_text(encoding="utf-8")
-        if text.strip():
-            if error:
-                remarks.append(error["message"])
-            return json.loads(text), code == 0, remarks
-    if code == 128 + signal.SIGINT:
-        raise KeyboardInterrupt
-    raised = _raised_by_exit_code.get(code, errors.Error)
-    message = error.get("message") or "; ".join(remarks) or f"endmill ended with {code}"
-    raise raised(message, error.get("code", ""), error.get("file", ""), error.get("place", ""))
-
-
-def _object_of(line: str) -> dict[str, Any]:
-    if not line.startswith("{"):
-        return {}
-    try:
-        found = json.loads(line)
-    except ValueError:
-        return {}
-    return found if isinstance(found, dict) else {}
+    return str(os.fspath(value)) if isinstance(value, PathLike) else str(value)

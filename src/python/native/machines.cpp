@@ -67,7 +67,56 @@ PartOnMachine setup_of(const Machine& machine, double tool_length,
     return setup;
 }
 
-// Both solutions of a pose; NaN where there is none.
+// Rows of tips and axes.
+struct Poses {
+    const double* tips;
+    const double* axes;
+    py::ssize_t count;
+};
+
+// Both solutions of each pose; NaN where there is none.
+void find_positions(const PartOnMachine& setup, const Poses& poses, double* out,
+                    bool* is_within)
+{
+    const py::gil_scoped_release release;
+    std::fill_n(out, poses.count * 2 * axis_words,
+                std::numeric_limits<double>::quiet_NaN());
+    std::fill_n(is_within, poses.count * 2, false);
+    for (py::ssize_t k = 0; k < poses.count; ++k) {
+        const double* tip = poses.tips + 3 * k;
+        const double* axis = poses.axes + 3 * k;
+        const Vec3 at{tip[0], tip[1], tip[2]};
+        require_finite(at.sum(), "tips");
+        double* row = out + 2 * k * axis_words;
+        bool* within = is_within + 2 * k;
+        for (const RotarySolution& solution :
+             rotary_solutions(setup, {axis[0], axis[1], axis[2]})) {
+            const AxisPositions reached = axis_positions(setup, solution.positions, at);
+            std::copy_n(reached.xyz.data(), 3, row);
+            row[3] = Angle::radians(reached.rotary[0]).degrees();
+            row[4] = Angle::radians(reached.rotary[1]).degrees();
+            *within++ = solution.is_within_limits &&
+                        is_within_travel(setup.machine, reached);
+            row += axis_words;
+        }
+    }
+}
+
+void find_poses(const PartOnMachine& setup, const double* row, py::ssize_t count,
+                double* tip, double* axis)
+{
+    const py::gil_scoped_release release;
+    for (py::ssize_t k = 0; k < count; ++k, row += axis_words) {
+        for (int i = 0; i < axis_words; ++i)
+            require_finite(row[i], "positions");
+        const CutterLocation at = tool_location(
+            setup, {{Angle::degrees(row[3]).radians(), Angle::degrees(row[4]).radians()},
+                    {row[0], row[1], row[2]}});
+        std::copy_n(at.tip.data(), 3, tip + 3 * k);
+        std::copy_n(at.axis.data(), 3, axis + 3 * k);
+    }
+}
+
 py::tuple positions(const Machine& machine, const py::object& tips, const py::object& axes,
                     double tool_length, const py::object& clamp,
                     const py::object& part_to_machine)
@@ -80,30 +129,8 @@ py::tuple positions(const Machine& machine, const py::object& tips, const py::ob
     const py::ssize_t count = places.shape(0);
     py::array_t<double> found{std::vector<py::ssize_t>{count, 2, axis_words}};
     py::array_t<bool> within{std::vector<py::ssize_t>{count, 2}};
-    double* out = found.mutable_data();
-    bool* is_within = within.mutable_data();
-    const double* tip = places.data();
-    const double* axis = directions.data();
-    const py::gil_scoped_release release;
-    std::fill_n(out, count * 2 * axis_words, std::numeric_limits<double>::quiet_NaN());
-    std::fill_n(is_within, count * 2, false);
-    for (py::ssize_t k = 0; k < count; ++k) {
-        const Vec3 at{tip[3 * k], tip[3 * k + 1], tip[3 * k + 2]};
-        require_finite(at.sum(), "tips");
-        const auto solutions = rotary_solutions(
-            setup, {axis[3 * k], axis[3 * k + 1], axis[3 * k + 2]});
-        for (std::size_t s = 0; s < solutions.size(); ++s) {
-            const AxisPositions reached =
-                axis_positions(setup, solutions[s].positions, at);
-            double* row = out + (2 * k + static_cast<py::ssize_t>(s)) * axis_words;
-            std::copy_n(reached.xyz.data(), 3, row);
-            row[3] = Angle::radians(reached.rotary[0]).degrees();
-            row[4] = Angle::radians(reached.rotary[1]).degrees();
-            is_within[2 * k + static_cast<py::ssize_t>(s)] =
-                solutions[s].is_within_limits &&
-                is_within_travel(setup.machine, reached);
-        }
-    }
+    find_positions(setup, {places.data(), directions.data(), count}, found.mutable_data(),
+                   within.mutable_data());
     return py::make_tuple(found, within);
 }
 
@@ -115,19 +142,7 @@ py::tuple poses(const Machine& machine, const py::object& positions, double tool
     const py::ssize_t count = array.shape(0);
     py::array_t<double> tips{std::vector<py::ssize_t>{count, 3}};
     py::array_t<double> axes{std::vector<py::ssize_t>{count, 3}};
-    double* tip = tips.mutable_data();
-    double* axis = axes.mutable_data();
-    const double* row = array.data();
-    const py::gil_scoped_release release;
-    for (py::ssize_t k = 0; k < count; ++k, row += axis_words) {
-        for (int i = 0; i < axis_words; ++i)
-            require_finite(row[i], "positions");
-        const CutterLocation at = tool_location(
-            setup, {{Angle::degrees(row[3]).radians(), Angle::degrees(row[4]).radians()},
-                    {row[0], row[1], row[2]}});
-        std::copy_n(at.tip.data(), 3, tip + 3 * k);
-        std::copy_n(at.axis.data(), 3, axis + 3 * k);
-    }
+    find_poses(setup, array.data(), count, tips.mutable_data(), axes.mutable_data());
     return py::make_tuple(tips, axes);
 }
 

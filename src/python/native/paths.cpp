@@ -2,7 +2,9 @@
 // endmill.ToolPath: tips, axes and moves as arrays.
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -28,6 +30,11 @@ namespace {
 constexpr std::array<std::string_view, 5> move_names{"cut", "link", "rapid", "plunge",
                                                      "retract"};
 
+std::vector<std::string> words()
+{
+    return {move_names.begin(), move_names.end()};
+}
+
 // Vectors that every point has, as a view.
 py::array_t<double> vectors(const py::object& self, Vec3 CutterLocation::* member)
 {
@@ -47,13 +54,13 @@ py::array_t<int> integers(const py::object& self, int PathPoint::* member)
     return view(data, {count}, {sizeof(PathPoint)}, self);
 }
 
-py::array_t<std::uint8_t> moves(const ToolPath& path)
+py::object moves(const ToolPath& path)
 {
     py::array_t<std::uint8_t> numbers{static_cast<py::ssize_t>(path.points.size())};
     std::uint8_t* out = numbers.mutable_data();
     for (const PathPoint& point : path.points)
         *out++ = static_cast<std::uint8_t>(point.move);
-    return numbers;
+    return py::array{py::cast(words())}[numbers];
 }
 
 // Vectors that some points have; NaN for the others.
@@ -104,6 +111,13 @@ std::optional<DoubleArray> vectors_for(const py::object& values, const char* nam
     return array;
 }
 
+int pass_number(double value)
+{
+    if (value != std::floor(value) || value < 0 || value > std::numeric_limits<int>::max())
+        throw DomainError{"passes: expected whole numbers from 0"};
+    return static_cast<int>(value);
+}
+
 ToolPath path_of(const py::object& tips, const py::object& axes, const py::object& moves,
                  const py::object& passes, const py::object& feeds)
 {
@@ -138,7 +152,7 @@ ToolPath path_of(const py::object& tips, const py::object& axes, const py::objec
         if (std::abs(axis.norm() - 1) > unit_tolerance)
             throw DomainError{"axes: row " + std::to_string(k) +
                               " is no unit vector; expected the length 1 to 1e-6"};
-        const int pass = has_passes ? static_cast<int>(numbers.data()[k]) : 0;
+        const int pass = has_passes ? pass_number(numbers.data()[k]) : 0;
         number = k > 0 && path.points.back().pass == pass ? number + 1 : 0;
         PathPoint point{pass, number,
                         has_moves ? move_of(py::str(words[k])) : Move::Cut, 0,
@@ -191,8 +205,8 @@ ToolPath(tips, axes=None, moves=None, passes=None, feeds=None)
         .def_property_readonly(
             "patches", [](const py::object& self) { return integers(self, &PathPoint::patch); },
             "Numbers (n,) of the surfaces; a view, read-only.")
-        .def_property_readonly(
-            "_moves", [](const ToolPath& path) { return moves(path); })
+        .def_property_readonly("moves", &moves,
+                               "Words (n,): how the cutter comes to each point.")
         .def_property_readonly(
             "contacts",
             [](const ToolPath& path) {
@@ -232,8 +246,7 @@ ToolPath(tips, axes=None, moves=None, passes=None, feeds=None)
         .def("__repr__", [](const ToolPath& path) {
             return "<ToolPath of " + std::to_string(path.points.size()) + " points>";
         });
-    module.attr("move_names") = py::cast(
-        std::vector<std::string>(move_names.begin(), move_names.end()));
+    module.attr("move_names") = py::cast(words());
     module.def("_read_path", [](const std::filesystem::path& file) {
         const py::gil_scoped_release release;
         return read_program(file).path;

@@ -415,7 +415,7 @@ Default: a thousandth of the longest side of its box, rounded down to one digit.
                    std::to_string(surface.patches(Parameter::V)) + " patches>";
         });
 
-    py::class_<PartFile>(module, "Part", R"(A part that read_part has read: surfaces, or a mesh.)")
+    py::class_<PartFile>(module, "Part", py::dynamic_attr(), R"(A part that read_part has read: surfaces, or a mesh.)")
         .def_readonly("name", &PartFile::name, "Name in the file, or the file's own name.")
         .def_readonly("source", &PartFile::source, "Origin of the numbers, or empty.")
         .def_readonly("notes", &PartFile::notes, "A sentence for each peculiarity.")

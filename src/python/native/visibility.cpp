@@ -75,10 +75,12 @@ py::array_t<bool> accessible(const VisibilityMap& map)
         std::vector<py::ssize_t>{static_cast<py::ssize_t>(map.facets()),
                                  static_cast<py::ssize_t>(map.cells())}};
     bool* out = result.mutable_data();
-    const py::gil_scoped_release release;
-    for (std::size_t facet = 0; facet < map.facets(); ++facet)
-        for (std::size_t cell = 0; cell < map.cells(); ++cell)
-            *out++ = map.is_accessible(facet, cell);
+    {
+        const py::gil_scoped_release release;
+        for (std::size_t facet = 0; facet < map.facets(); ++facet)
+            for (std::size_t cell = 0; cell < map.cells(); ++cell)
+                *out++ = map.is_accessible(facet, cell);
+    }
     return result;
 }
 
