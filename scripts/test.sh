@@ -22,7 +22,8 @@ It takes 27 minutes on two cores, beginning with an empty clone.
                  and on 8 threads, fuzzes each reader for 60 s,
                  repeats the tests of faults many times as often, compiles all experiments
                  and benchmarks, compiles every installed
-                 header alone, builds and tests the Debian package, builds the
+                 header alone, builds and tests the Debian package, installs the Python package by
+                 pip, builds the
                  documentation, runs an experiment by scripts/reproduce.sh, compares every
                  picture of docs/images with what its commands make, and runs clang-tidy
                  on every file; takes hours on two cores
@@ -38,7 +39,7 @@ all=false
 fuzz_seconds=3
 tidy_options=()
 setup_options=()
-groups=(build mpi figures tests sanitizers)
+groups=(build mpi python figures tests sanitizers)
 release_targets=(all endmill_tests)
 asan_targets=(endmill endmill_fuzzers)
 # The commands that read files; the others take minutes under sanitizers.
@@ -121,6 +122,7 @@ if $all; then
     run headers cmake --build --preset release --target all_verify_interface_header_sets
     run "package: build" cmake --build --preset release --target package
     run "package: try" /usr/bin/python3 tests/package/package_test.py
+    run "package: pip" /usr/bin/python3 tests/package/pip_test.py
     run documentation scripts/docs.sh "${setup_options[@]}"
     run reproduction scripts/reproduce.sh "${setup_options[@]}" economic-cl-data/table-1
     run pictures /usr/bin/python3 scripts/write_pictures.py --check --all

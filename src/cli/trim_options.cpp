@@ -402,8 +402,8 @@ TrimmingOptions trimming_options(const TrimOptions& options, double extent)
     if (const std::optional<Cutter>& cutter = cutter_of(options))
         trimming.scan_step = step_share_of_radius * cutter->radius();
     trimming.scan_step = options.scan_step.value_or(trimming.scan_step);
-    trimming.scan_threshold = options.scan_threshold.value_or(scan_threshold_in_steps *
-                                                              trimming.scan_step);
+    trimming.scan_threshold =
+        options.scan_threshold.value_or(scan_threshold_in_steps * trimming.scan_step);
     // The paper scans to the end of the curve, which guarded detection excludes.
     const bool is_printed =
         options.mode == TrimMode::Paper && trimming.detection == FoldDetection::Literal;

@@ -22,8 +22,9 @@ BLOCK = re.compile(r"^```sh\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 # Commands that this test does not run: scripts/test.sh itself builds the program and runs this test, and
 # with --all also docs.sh and `reproduce.sh economic-cl-data/table-1`, as the guide prints it. No test runs
 # reproduce.sh without a name, which takes 15 minutes; tests/scripts/reproduce_test.py tests how it
-# chooses the experiments. The test sets the path itself.
-RUN_BY_TEST_SH = re.compile(r"^(scripts/(test|reproduce|docs|bench|setup|fuzz)\.sh|cmake |ctest |export PATH=)")
+# chooses the experiments. The test sets the path itself. tests/package installs by pip, with --all.
+RUN_BY_TEST_SH = re.compile(r"^(scripts/(test|reproduce|docs|bench|setup|fuzz)\.sh|cmake |ctest |export PATH=|"
+                            r"python3 -m venv |my-environment/bin/pip )")
 
 
 def commands(page):

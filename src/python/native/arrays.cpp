@@ -55,8 +55,8 @@ std::pair<DoubleArray, DoubleArray> same_shape(const py::handle& first,
 {
     DoubleArray a = double_array(first, first_name);
     DoubleArray b = double_array(second, second_name);
-    const bool is_same = a.ndim() == b.ndim() &&
-                         std::equal(a.shape(), a.shape() + a.ndim(), b.shape());
+    const bool is_same =
+        a.ndim() == b.ndim() && std::equal(a.shape(), a.shape() + a.ndim(), b.shape());
     if (is_same)
         return {a, b};
     try {

@@ -61,7 +61,8 @@ py::array_t<double> heights(const DropCutter& drop, const py::object& places,
         const py::gil_scoped_release release;
         lower(drop, from, count, to, nullptr);
     } else {
-        long_call(progress, [&](Progress& shown) { lower(drop, from, count, to, &shown); });
+        long_call(progress,
+                  [&](Progress& shown) { lower(drop, from, count, to, &shown); });
     }
     return result;
 }
@@ -78,8 +79,9 @@ as on the command line.)")
         .def_property_readonly("radius", &Cutter::radius, "Radius, mm.")
         .def_property_readonly("corner_radius", &Cutter::corner_radius,
                                "Radius of the corner circle, mm.")
-        .def("profile", &Cutter::profile, py::arg("distance"),
-             "Height in mm of the cutter above its tip at a distance in mm from its axis.")
+        .def(
+            "profile", &Cutter::profile, py::arg("distance"),
+            "Height in mm of the cutter above its tip at a distance in mm from its axis.")
         .def("__eq__", [](const Cutter& a, const Cutter& b) { return a == b; })
         .def("__hash__",
              [](const Cutter& cutter) { return py::hash(py::str(cutter_word(cutter))); })
@@ -89,7 +91,8 @@ as on the command line.)")
         });
     py::implicitly_convertible<py::str, Cutter>();
 
-    py::class_<DropCutter>(module, "DropCutter", R"(A cutter that is lowered along -z onto a mesh.
+    py::class_<DropCutter>(module, "DropCutter",
+                           R"(A cutter that is lowered along -z onto a mesh.
 
 DropCutter(mesh, cutter). It is prepared once and then answers for any number of positions.)")
         .def(py::init([](const TriangleMesh& mesh, const Cutter& cutter) {

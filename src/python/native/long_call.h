@@ -33,7 +33,7 @@ public:
     }
 
     double share() const { return share_.load(); }  ///< the greatest share so far
-    void stop() { is_stopped_ = true; }  ///< the next report ends the call
+    void stop() { is_stopped_ = true; }             ///< the next report ends the call
 
 private:
     struct Stopped : std::exception {};

@@ -30,7 +30,8 @@ Machine machine_of(const std::string& text)
     if (text.ends_with(".json") || std::filesystem::exists(text))
         return moving_machine(read_machine(text));
     if (const auto fault = configuration_fault(text))
-        throw DomainError{"Machine: " + text + " is neither a file nor a word: " + *fault};
+        throw DomainError{"Machine: " + text +
+                          " is neither a file nor a word: " + *fault};
     Machine machine;
     machine.configuration = configuration_from_word(text);
     return machine;
@@ -95,8 +96,8 @@ void find_positions(const PartOnMachine& setup, const Poses& poses, double* out,
             std::copy_n(reached.xyz.data(), 3, row);
             row[3] = Angle::radians(reached.rotary[0]).degrees();
             row[4] = Angle::radians(reached.rotary[1]).degrees();
-            *within++ = solution.is_within_limits &&
-                        is_within_travel(setup.machine, reached);
+            *within++ =
+                solution.is_within_limits && is_within_travel(setup.machine, reached);
             row += axis_words;
         }
     }
@@ -117,8 +118,8 @@ void find_poses(const PartOnMachine& setup, const double* row, py::ssize_t count
     }
 }
 
-py::tuple positions(const Machine& machine, const py::object& tips, const py::object& axes,
-                    double tool_length, const py::object& clamp,
+py::tuple positions(const Machine& machine, const py::object& tips,
+                    const py::object& axes, double tool_length, const py::object& clamp,
                     const py::object& part_to_machine)
 {
     const DoubleArray places = rows(tips, "tips", 3);
@@ -171,8 +172,10 @@ first.)")
             "is_valid",
             [](const Machine& machine) { return machine.configuration.is_valid(); },
             "Whether every rotary axis tilts or turns the tool.")
-        .def("positions", &positions, py::arg("tips"), py::arg("axes"), tool_length, clamp,
-             turn, R"(Inverse kinematics: positions (n, 2, 5) and whether they are within limits (n, 2).
+        .def(
+            "positions", &positions, py::arg("tips"), py::arg("axes"), tool_length, clamp,
+            turn,
+            R"(Inverse kinematics: positions (n, 2, 5) and whether they are within limits (n, 2).
 
 tips: (n, 3) in mm, axes: (n, 3), both in the part. A pose has up to two solutions; the rows of
 a missing one are NaN. Raises DomainError for a machine that is not valid.)")

@@ -80,7 +80,8 @@ py::dict report(const TriangleMesh& mesh)
 
 void add_meshes(py::module_& module)
 {
-    py::class_<TriangleMesh>(module, "Mesh", R"(Triangles over shared points. A value that does not change.
+    py::class_<TriangleMesh>(
+        module, "Mesh", R"(Triangles over shared points. A value that does not change.
 
 Mesh(points, triangles)
     points: numbers (n, 3), mm. triangles: whole numbers (m, 3) of points, from 0,

@@ -36,7 +36,7 @@ std::vector<std::string> words()
 }
 
 // Vectors that every point has, as a view.
-py::array_t<double> vectors(const py::object& self, Vec3 CutterLocation::* member)
+py::array_t<double> vectors(const py::object& self, Vec3 CutterLocation::*member)
 {
     const auto& path = self.cast<const ToolPath&>();
     const auto count = static_cast<py::ssize_t>(path.points.size());
@@ -46,7 +46,7 @@ py::array_t<double> vectors(const py::object& self, Vec3 CutterLocation::* membe
 }
 
 // Integers that every point has, as a view.
-py::array_t<int> integers(const py::object& self, int PathPoint::* member)
+py::array_t<int> integers(const py::object& self, int PathPoint::*member)
 {
     const auto& path = self.cast<const ToolPath&>();
     const auto count = static_cast<py::ssize_t>(path.points.size());
@@ -79,12 +79,13 @@ py::array_t<double> known_vectors(const ToolPath& path, const Known& known)
 }
 
 py::array_t<double> settings(const ToolPath& path,
-                             std::optional<double> CuttingConditions::* member)
+                             std::optional<double> CuttingConditions::*member)
 {
     py::array_t<double> result{static_cast<py::ssize_t>(path.points.size())};
     double* out = result.mutable_data();
     for (const PathPoint& point : path.points)
-        *out++ = (point.conditions.*member).value_or(std::numeric_limits<double>::quiet_NaN());
+        *out++ =
+            (point.conditions.*member).value_or(std::numeric_limits<double>::quiet_NaN());
     return result;
 }
 
@@ -113,7 +114,8 @@ std::optional<DoubleArray> vectors_for(const py::object& values, const char* nam
 
 int pass_number(double value)
 {
-    if (value != std::floor(value) || value < 0 || value > std::numeric_limits<int>::max())
+    if (value != std::floor(value) || value < 0 ||
+        value > std::numeric_limits<int>::max())
         throw DomainError{"passes: expected whole numbers from 0"};
     return static_cast<int>(value);
 }
@@ -134,7 +136,8 @@ ToolPath path_of(const py::object& tips, const py::object& axes, const py::objec
     const bool has_moves = listed(moves, "moves");
     const bool has_passes = listed(passes, "passes");
     const bool has_feeds = listed(feeds, "feeds");
-    const DoubleArray numbers = has_passes ? double_array(passes, "passes") : DoubleArray{};
+    const DoubleArray numbers =
+        has_passes ? double_array(passes, "passes") : DoubleArray{};
     const DoubleArray speeds = has_feeds ? double_array(feeds, "feeds") : DoubleArray{};
     const py::list words = has_moves ? py::list(moves) : py::list();
     ToolPath path;
@@ -154,8 +157,10 @@ ToolPath path_of(const py::object& tips, const py::object& axes, const py::objec
                               " is no unit vector; expected the length 1 to 1e-6"};
         const int pass = has_passes ? pass_number(numbers.data()[k]) : 0;
         number = k > 0 && path.points.back().pass == pass ? number + 1 : 0;
-        PathPoint point{pass, number,
-                        has_moves ? move_of(py::str(words[k])) : Move::Cut, 0,
+        PathPoint point{pass,
+                        number,
+                        has_moves ? move_of(py::str(words[k])) : Move::Cut,
+                        0,
                         {row(places, "tips"), axis}};
         if (has_feeds && std::isfinite(speeds.data()[k])) {
             if (!(speeds.data()[k] > 0))
@@ -183,7 +188,9 @@ py::dict totals(const ToolPath& path)
 
 void add_paths(py::module_& module)
 {
-    py::class_<ToolPath>(module, "ToolPath", R"(A tool path: points in the order in which the cutter reaches them.
+    py::class_<ToolPath>(
+        module, "ToolPath",
+        R"(A tool path: points in the order in which the cutter reaches them.
 
 ToolPath(tips, axes=None, moves=None, passes=None, feeds=None)
     tips: (n, 3), mm, the lowest point of the cutter on its axis. axes: (n, 3), unit, from the
@@ -194,16 +201,20 @@ ToolPath(tips, axes=None, moves=None, passes=None, feeds=None)
              py::arg("moves") = py::none(), py::arg("passes") = py::none(),
              py::arg("feeds") = py::none())
         .def_property_readonly(
-            "tips", [](const py::object& self) { return vectors(self, &CutterLocation::tip); },
+            "tips",
+            [](const py::object& self) { return vectors(self, &CutterLocation::tip); },
             "Tips (n, 3) in mm; a view, read-only.")
         .def_property_readonly(
-            "axes", [](const py::object& self) { return vectors(self, &CutterLocation::axis); },
+            "axes",
+            [](const py::object& self) { return vectors(self, &CutterLocation::axis); },
             "Unit axes (n, 3); a view, read-only.")
         .def_property_readonly(
-            "passes", [](const py::object& self) { return integers(self, &PathPoint::pass); },
+            "passes",
+            [](const py::object& self) { return integers(self, &PathPoint::pass); },
             "Numbers (n,) of the passes; a view, read-only.")
         .def_property_readonly(
-            "patches", [](const py::object& self) { return integers(self, &PathPoint::patch); },
+            "patches",
+            [](const py::object& self) { return integers(self, &PathPoint::patch); },
             "Numbers (n,) of the surfaces; a view, read-only.")
         .def_property_readonly("moves", &moves,
                                "Words (n,): how the cutter comes to each point.")
@@ -219,8 +230,8 @@ ToolPath(tips, axes=None, moves=None, passes=None, feeds=None)
         .def_property_readonly(
             "normals",
             [](const ToolPath& path) {
-                return known_vectors(path,
-                                     [](const PathPoint& point) { return point.normal(); });
+                return known_vectors(
+                    path, [](const PathPoint& point) { return point.normal(); });
             },
             "Unit normals (n, 3) at the contacts; NaN where unknown.")
         .def_property_readonly(
@@ -235,22 +246,27 @@ ToolPath(tips, axes=None, moves=None, passes=None, feeds=None)
                 return settings(path, &CuttingConditions::spindle_rpm);
             },
             "Spindle speeds (n,) in rpm; NaN where unknown.")
-        .def("totals", &totals, "Lengths in mm along the tip, and the time in min or None.")
-        .def("csv",
-             [](const ToolPath& path) {
-                 const py::gil_scoped_release release;
-                 return tool_path_csv(path);
-             },
-             "The text of the path as toolpath.csv.")
+        .def("totals", &totals,
+             "Lengths in mm along the tip, and the time in min or None.")
+        .def(
+            "csv",
+            [](const ToolPath& path) {
+                const py::gil_scoped_release release;
+                return tool_path_csv(path);
+            },
+            "The text of the path as toolpath.csv.")
         .def("__len__", [](const ToolPath& path) { return path.points.size(); })
         .def("__repr__", [](const ToolPath& path) {
             return "<ToolPath of " + std::to_string(path.points.size()) + " points>";
         });
     module.attr("move_names") = py::cast(words());
-    module.def("_read_path", [](const std::filesystem::path& file) {
-        const py::gil_scoped_release release;
-        return read_program(file).path;
-    }, py::arg("file"));
+    module.def(
+        "_read_path",
+        [](const std::filesystem::path& file) {
+            const py::gil_scoped_release release;
+            return read_program(file).path;
+        },
+        py::arg("file"));
 }
 
 }  // namespace endmill::python

@@ -70,11 +70,11 @@ py::array_t<double> coefficients(const py::object& mu_deg, const py::object& lam
 
 void add_process(py::module_& module)
 {
-    module.def("cutting_coefficients", &coefficients, py::arg("mu_deg"),
-               py::arg("lambda_deg"), py::arg("pick_feed_ratio"), py::arg("depth_ratio"),
-               py::arg("previous") = "pass", py::arg("chip") = "paper",
-               py::arg("accuracy") = coefficient_accuracy,
-               R"(Cutting action coefficients I1 to I8 of a ball-end mill, an array (..., 8).
+    module.def(
+        "cutting_coefficients", &coefficients, py::arg("mu_deg"), py::arg("lambda_deg"),
+        py::arg("pick_feed_ratio"), py::arg("depth_ratio"), py::arg("previous") = "pass",
+        py::arg("chip") = "paper", py::arg("accuracy") = coefficient_accuracy,
+        R"(Cutting action coefficients I1 to I8 of a ball-end mill, an array (..., 8).
 
 mu_deg: slope of the pick feed, lambda_deg: slope of the feed, both within 90 degrees.
 pick_feed_ratio and depth_ratio: in radii of the ball. The four are numbers or arrays that can

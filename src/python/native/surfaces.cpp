@@ -169,8 +169,9 @@ py::array_t<double> vectors(const Surface& surface, const py::object& u,
 py::array_t<double> point(const Surface& surface, const py::object& u,
                           const py::object& v)
 {
-    return vectors(surface, u, v,
-                   [&](double at_u, double at_v) { return surface.tangents(at_u, at_v).point; });
+    return vectors(surface, u, v, [&](double at_u, double at_v) {
+        return surface.tangents(at_u, at_v).point;
+    });
 }
 
 py::array_t<double> normal(const Surface& surface, const py::object& u,
@@ -200,7 +201,7 @@ py::array_t<double> curvature(const Surface& surface, const py::object& u,
 
 py::tuple derivatives(const Surface& surface, const py::object& u, const py::object& v)
 {
-    const auto part = [&](Vec3 SurfaceJet::* member) {
+    const auto part = [&](Vec3 SurfaceJet::*member) {
         return vectors(surface, u, v, [&, member](double at_u, double at_v) {
             return surface.jet(at_u, at_v).*member;
         });
@@ -248,17 +249,20 @@ struct SplineText {
                 const BezierPatch& patch = surface.patch(i, j);
                 if (patch.degree(Parameter::U) != degree_u ||
                     patch.degree(Parameter::V) != degree_v)
-                    throw DomainError{"Surface: patches of different degrees cannot be "
-                                      "written as one surface file"};
+                    throw DomainError{
+                        "Surface: patches of different degrees cannot be "
+                        "written as one surface file"};
                 is_rational = is_rational || patch.is_rational();
                 for (int k = 0; i > 0 && k <= degree_v; ++k)
-                    is_joined_u = is_joined_u &&
-                                  patch.homogeneous_point(0, k) ==
-                                      surface.patch(i - 1, j).homogeneous_point(degree_u, k);
+                    is_joined_u =
+                        is_joined_u &&
+                        patch.homogeneous_point(0, k) ==
+                            surface.patch(i - 1, j).homogeneous_point(degree_u, k);
                 for (int k = 0; j > 0 && k <= degree_u; ++k)
-                    is_joined_v = is_joined_v &&
-                                  patch.homogeneous_point(k, 0) ==
-                                      surface.patch(i, j - 1).homogeneous_point(k, degree_v);
+                    is_joined_v =
+                        is_joined_v &&
+                        patch.homogeneous_point(k, 0) ==
+                            surface.patch(i, j - 1).homogeneous_point(k, degree_v);
             }
         }
         std::string points;
@@ -290,7 +294,8 @@ struct SplineText {
 
 private:
     // Numbers of a patch and of a control point in it, for all control points of the surface.
-    std::vector<std::pair<int, int>> places(Parameter along, int degree, bool is_joined) const
+    std::vector<std::pair<int, int>> places(Parameter along, int degree,
+                                            bool is_joined) const
     {
         std::vector<std::pair<int, int>> places;
         for (int i = 0; i < surface.patches(along); ++i)
@@ -315,9 +320,12 @@ private:
     std::string side_word() const
     {
         switch (surface.tool_side()) {
-        case ToolSide::Up: return "up";
-        case ToolSide::DuCrossDv: return "du_cross_dv";
-        case ToolSide::DvCrossDu: return "dv_cross_du";
+            case ToolSide::Up:
+                return "up";
+            case ToolSide::DuCrossDv:
+                return "du_cross_dv";
+            case ToolSide::DvCrossDu:
+                return "dv_cross_du";
         }
         return {};
     }
@@ -357,7 +365,9 @@ py::object mesh_of(const py::object& self)
 void add_surfaces(py::module_& module)
 {
     const py::arg_v side{"tool_side", "up"};
-    py::class_<Surface>(module, "Surface", R"(A surface in mm, as Bezier patches. A value that does not change.
+    py::class_<Surface>(
+        module, "Surface",
+        R"(A surface in mm, as Bezier patches. A value that does not change.
 
 Make one with Surface.bezier, Surface.nurbs or Surface.height_grid, or read a file with
 read_part. tool_side is "up" (the side above), "du_cross_dv" or "dv_cross_du". Methods take
@@ -375,8 +385,9 @@ control_points: (3 m + 1, 3 n + 1, 3) for m patches along v and n along u, in mm
 
 control_points: (points along v, points along u, 3) in mm; weights: (points along v, points
 along u), above 0, or None. There are degree + 1 more knots than points.)")
-        .def_static("height_grid", &heights, py::arg("x"), py::arg("y"), py::arg("z"), side,
-                    R"(The bicubic spline through heights: z[j, i] at (x[i], y[j]), in mm.)")
+        .def_static(
+            "height_grid", &heights, py::arg("x"), py::arg("y"), py::arg("z"), side,
+            R"(The bicubic spline through heights: z[j, i] at (x[i], y[j]), in mm.)")
         .def("point", &point, py::arg("u"), py::arg("v"), "Points (..., 3) in mm.")
         .def("normal", &normal, py::arg("u"), py::arg("v"),
              R"(Unit normals (..., 3) on the tool's side.
@@ -392,8 +403,9 @@ Positive where the part is convex. Raises GeometryError where there is no normal
              R"(A Mesh no farther from the surface than chord_tolerance in mm.
 
 Default: a thousandth of the longest side of its box, rounded down to one digit.)")
-        .def("largest_ball", &largest_ball,
-             R"(Diameter in mm of the largest ball that fits everywhere; None if every ball fits.)")
+        .def(
+            "largest_ball", &largest_ball,
+            R"(Diameter in mm of the largest ball that fits everywhere; None if every ball fits.)")
         .def_property_readonly(
             "range_u", [](const Surface& s) { return range(s, Parameter::U); },
             "First and last u.")
@@ -411,12 +423,14 @@ Default: a thousandth of the longest side of its box, rounded down to one digit.
                  return SplineText{surface}.text(name);
              })
         .def("__repr__", [](const Surface& surface) {
-            return "<Surface of " + std::to_string(surface.patches(Parameter::U)) + " by " +
-                   std::to_string(surface.patches(Parameter::V)) + " patches>";
+            return "<Surface of " + std::to_string(surface.patches(Parameter::U)) +
+                   " by " + std::to_string(surface.patches(Parameter::V)) + " patches>";
         });
 
-    py::class_<PartFile>(module, "Part", py::dynamic_attr(), R"(A part that read_part has read: surfaces, or a mesh.)")
-        .def_readonly("name", &PartFile::name, "Name in the file, or the file's own name.")
+    py::class_<PartFile>(module, "Part", py::dynamic_attr(),
+                         R"(A part that read_part has read: surfaces, or a mesh.)")
+        .def_readonly("name", &PartFile::name,
+                      "Name in the file, or the file's own name.")
         .def_readonly("source", &PartFile::source, "Origin of the numbers, or empty.")
         .def_readonly("notes", &PartFile::notes, "A sentence for each peculiarity.")
         .def_property_readonly("surfaces", &surfaces_of,

@@ -56,7 +56,8 @@ SectionCurve curve_of(const py::handle& values, const std::string& name)
 PlaneSection section_of(const py::handle& curves, const std::string& name)
 {
     if (!py::isinstance<py::sequence>(curves) || py::isinstance<py::str>(curves))
-        throw py::type_error(name + ": expected a list of arrays (n, 2) of s and z in mm");
+        throw py::type_error(name +
+                             ": expected a list of arrays (n, 2) of s and z in mm");
     PlaneSection section;
     std::size_t number = 0;
     for (const py::handle curve : py::reinterpret_borrow<py::sequence>(curves))
@@ -78,8 +79,7 @@ const TrimmingMethod& method_of(const std::string& name)
 }
 
 TrimmingOptions options_for(std::span<const PlaneSection> sections,
-                            const std::string& detection,
-                            std::optional<double> scan_step,
+                            const std::string& detection, std::optional<double> scan_step,
                             std::optional<double> scan_threshold)
 {
     TrimmingOptions options = default_trimming_options(section_height(sections));
@@ -146,7 +146,9 @@ Trimmed trim(const py::object& curves, const std::string& method,
     const TrimmingMethod& known = method_of(method);
     const TrimmingOptions options =
         options_for({&section, 1}, detection, scan_step, scan_threshold);
-    const auto work = [&] { return trim_planes({&section, 1}, {}, known, options).front(); };
+    const auto work = [&] {
+        return trim_planes({&section, 1}, {}, known, options).front();
+    };
     if (!progress.is_none())
         return long_call(progress, [&](Progress&) { return work(); });
     const py::gil_scoped_release release;
@@ -204,7 +206,8 @@ Comparison compared(const py::object& method, std::span<const PlaneSection> sect
     for (std::size_t k = 0; k < sections.size(); ++k) {
         const TrimmingQuality quality = trimming_quality(sections[k].curves, results[k]);
         found.wrong += is_right(quality, accepted) ? 0 : 1;
-        found.worst.step_back_mm = std::max(found.worst.step_back_mm, quality.step_back_mm);
+        found.worst.step_back_mm =
+            std::max(found.worst.step_back_mm, quality.step_back_mm);
         found.worst.gouge_mm = std::max(found.worst.gouge_mm, quality.gouge_mm);
         found.worst.uncovered = std::max(found.worst.uncovered, quality.uncovered);
     }
@@ -247,15 +250,18 @@ py::list compare(const py::object& planes, const py::object& methods, int repeat
 
 void add_trimming(py::module_& module)
 {
-    py::class_<Trimmed>(module, "Trimmed", R"(The curves of a drive plane without their loops.)")
+    py::class_<Trimmed>(module, "Trimmed",
+                        R"(The curves of a drive plane without their loops.)")
         .def_property_readonly(
             "curves", [](const Trimmed& trimmed) { return arrays_of(trimmed); },
             "List of arrays (n, 2) of s and z in mm.")
-        .def_property_readonly("kinds", &kinds_of, R"(The origin of each point, a list for each curve.
+        .def_property_readonly("kinds", &kinds_of,
+                               R"(The origin of each point, a list for each curve.
 
 vertex: of the curve; crossing: of two segments; link: above or below a vertex; end.)")
-        .def_property_readonly("rules", &rules_of,
-                               "Tuples (curve, first point, last point, rule) of what was cut out.")
+        .def_property_readonly(
+            "rules", &rules_of,
+            "Tuples (curve, first point, last point, rule) of what was cut out.")
         .def_readonly("unresolved", &Trimmed::unresolved, "Number of folds that remain.")
         .def("__repr__", [](const Trimmed& trimmed) {
             return "<Trimmed: " + std::to_string(trimmed.curves.size()) + " curves, " +

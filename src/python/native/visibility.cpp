@@ -63,17 +63,16 @@ py::array_t<std::uint64_t> words(const py::object& self)
     const auto cells = static_cast<py::ssize_t>(map.cells());
     const auto count = static_cast<py::ssize_t>(map.words());
     const std::uint64_t* data = cells == 0 ? nullptr : map.column(0).data();
-    return view(data, {cells, count},
-                {count * static_cast<py::ssize_t>(sizeof(std::uint64_t)),
-                 sizeof(std::uint64_t)},
-                self);
+    return view(
+        data, {cells, count},
+        {count * static_cast<py::ssize_t>(sizeof(std::uint64_t)), sizeof(std::uint64_t)},
+        self);
 }
 
 py::array_t<bool> accessible(const VisibilityMap& map)
 {
-    py::array_t<bool> result{
-        std::vector<py::ssize_t>{static_cast<py::ssize_t>(map.facets()),
-                                 static_cast<py::ssize_t>(map.cells())}};
+    py::array_t<bool> result{std::vector<py::ssize_t>{
+        static_cast<py::ssize_t>(map.facets()), static_cast<py::ssize_t>(map.cells())}};
     bool* out = result.mutable_data();
     {
         const py::gil_scoped_release release;
@@ -95,7 +94,8 @@ py::array_t<double> numbers(const py::object& self, const std::vector<Vec3>& vec
 
 void add_visibility(py::module_& module)
 {
-    py::class_<SphereGrid>(module, "DirectionGrid", R"(The sphere of directions, divided into cells.
+    py::class_<SphereGrid>(module, "DirectionGrid",
+                           R"(The sphere of directions, divided into cells.
 
 DirectionGrid("hex:10"): 12 F^2 cells of "hex:F" or "cube:F", 2 N (M - 1) of "latlong:NxM",
 20 * 4^L of "ico:L".)")
@@ -117,21 +117,23 @@ DirectionGrid("hex:10"): 12 F^2 cells of "hex:F" or "cube:F", 2 N (M - 1) of "la
             },
             "Solid angle (m,) of each cell in sr; a view, read-only.")
         .def("__len__", [](const SphereGrid& grid) { return grid.centres.size(); })
-        .def("__repr__", [](const SphereGrid& grid) {
-            return "DirectionGrid('" + grid.name + "')";
-        });
+        .def("__repr__",
+             [](const SphereGrid& grid) { return "DirectionGrid('" + grid.name + "')"; });
 
-    py::class_<VisibilityMap>(module, "VisibilityMap", R"(The visibility cones of the facets of a part, as bits.)")
+    py::class_<VisibilityMap>(module, "VisibilityMap",
+                              R"(The visibility cones of the facets of a part, as bits.)")
         .def_property_readonly("facets", &VisibilityMap::facets, "Number of facets.")
         .def_property_readonly("cells", &VisibilityMap::cells, "Number of directions.")
-        .def_property_readonly("words", &words, R"(Array (cells, words) of uint64; a view, read-only.
+        .def_property_readonly("words", &words,
+                               R"(Array (cells, words) of uint64; a view, read-only.
 
 Bit j % 64 of word j / 64 is 1 where facet j is accessible along the direction of the cell.)")
         .def("accessible", &accessible,
-             "Array (facets, cells) of bool: whether a facet is accessible along a direction.")
+             "Array (facets, cells) of bool: whether a facet is accessible along a "
+             "direction.")
         .def("__repr__", [](const VisibilityMap& map) {
-            return "<VisibilityMap of " + std::to_string(map.facets()) + " facets along " +
-                   std::to_string(map.cells()) + " directions>";
+            return "<VisibilityMap of " + std::to_string(map.facets()) +
+                   " facets along " + std::to_string(map.cells()) + " directions>";
         });
     module.def("visibility", &visibility, py::arg("mesh"), py::arg("directions"),
                py::arg("incidence_deg") = 90.0, py::arg("kind") = "global",
@@ -143,10 +145,13 @@ DirectionGrid("hex:10").centres. incidence_deg: largest angle of direction and n
 90. kind: "global" (facets hide each other, decided exactly) or "local". progress: a function
 of the finished share. Raises DomainError for values out of range.
 Source: Kang and Suh, section 2.)");
-    module.def("read_visibility", [](const std::filesystem::path& file) {
-        const py::gil_scoped_release release;
-        return parse_visibility(read_file(file), file.string()).visibility.map;
-    }, py::arg("file"), "Read the VisibilityMap of a file visibility.bsm.");
+    module.def(
+        "read_visibility",
+        [](const std::filesystem::path& file) {
+            const py::gil_scoped_release release;
+            return parse_visibility(read_file(file), file.string()).visibility.map;
+        },
+        py::arg("file"), "Read the VisibilityMap of a file visibility.bsm.");
 }
 
 }  // namespace endmill::python
