@@ -41,8 +41,8 @@ class Experiment:
 
     @property
     def target(self):
-        """The name of the driver in the build; that of the program, which a script runs."""
-        return "endmill" if self.script.is_file() else f"{self.paper}-{self.item}"
+        """The name of the driver in the build; for a script that of what it runs, by default the program."""
+        return self.params().get("target", "endmill") if self.script.is_file() else f"{self.paper}-{self.item}"
 
     @property
     def script(self):
@@ -69,7 +69,7 @@ class Experiment:
             raise Fault(f"{path}: {error}") from None
         if not isinstance(params, dict):
             raise Fault(f"{path}: expected an object")
-        unknown = params.keys() - {"parameters", "tolerances", "figures", "alone", "long", "peers"}
+        unknown = params.keys() - {"parameters", "tolerances", "figures", "alone", "long", "peers", "target"}
         if unknown:
             raise Fault(f"{path}: unknown keys {sorted(unknown)}")
         return params
