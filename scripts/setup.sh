@@ -13,6 +13,7 @@ apt-get only if something is missing. The other scripts call it with the groups 
   build        compiler, CMake and libraries: the program endmill and the experiments
   mpi          Open MPI and Boost.MPI: the program endmill-mpi
   python       pybind11 and NumPy: the Python package
+  page         npm and esbuild: the page of endmill view, and Chromium, which tests it
   figures      draws the figures of results/report.html
   benchmarks   libraries that the benchmarks compare with
   tests        test framework, checks of format and style, interpreter of G-code
@@ -149,6 +150,19 @@ look() {
 
 # --- Debian ---
 
+# Prints the packages whose program is not there. Node.js, for one, often comes from elsewhere, and
+# then excludes the package.
+without_programs_there() {
+    local package name test reason
+    for package; do
+        for name in "${wanted[@]}"; do
+            IFS='|' read -r name test reason <<<"$name"
+            [[ $name == "$package" && $test == "program "* ]] && passes "$test" && continue 2
+        done
+        echo "$package"
+    done
+}
+
 install_missing() {
     local names missing apt_get
     mapfile -t names < <(printf '%s\n' "${wanted[@]}" | cut -d'|' -f1 | sort -u)
@@ -160,6 +174,7 @@ install_missing() {
     mapfile -t missing < <(comm -23 <(printf '%s\n' "${names[@]}") <(
         dpkg-query --show --showformat='${db:Status-Abbrev} ${Package}\n' "${names[@]}" 2>/dev/null |
             awk 'substr($1, 2, 1) == "i" { print $2 }' | sort -u))
+    mapfile -t missing < <(without_programs_there "${missing[@]}")
     if [[ ${#missing[@]} -eq 0 ]]; then
         return
     fi

@@ -39,7 +39,7 @@ all=false
 fuzz_seconds=3
 tidy_options=()
 setup_options=()
-groups=(build mpi python figures tests sanitizers)
+groups=(build mpi python page figures tests sanitizers)
 release_targets=(all endmill_tests)
 asan_targets=(endmill endmill_fuzzers)
 # The commands that read files; the others take minutes under sanitizers.

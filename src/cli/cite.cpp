@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // endmill cite: the papers that the methods follow.
 
+#include "cli/cite.h"
+
 #include <array>
 #include <memory>
 #include <string_view>
@@ -67,6 +69,16 @@ std::string author_list(const std::string& authors)
         list.replace(at, separator.size(), "; ");
     return list + authors.substr(last);
 }
+
+}  // namespace
+
+std::string cited_work(std::string_view key)
+{
+    return author_list(bibliography_field(key, "author")) + ": " +
+           bibliography_field(key, "title");
+}
+
+namespace {
 
 ExitCode run_cite(const CiteOptions& options)
 {

@@ -31,6 +31,7 @@ struct CommonOptions {
     bool quiet = false;
     FullFolder full_folder = FullFolder::Refuse;  ///< Accept with --force
     std::optional<int> threads;                   ///< empty: all cores
+    bool html = false;           ///< with --html: also write a page of the results
     bool json_progress = false;  ///< progress as lines of JSON, for programs
     bool json_errors = false;    ///< main also finds it itself, since parsing may fail
     ReadLimits limits;
@@ -40,6 +41,9 @@ struct CommonOptions {
 
 /// Adds the common options to `command`. --threads takes effect when it is parsed.
 void add_common_options(CLI::App& command, CommonOptions& options);
+
+/// Adds the option --html to a command that writes a folder of results.
+void add_html_option(CLI::App& command, CommonOptions& options);
 
 /// Each function adds one command to `program`. The chosen command sets `action`.
 void add_info_command(CLI::App& program, Action& action);    ///< report on a part
@@ -60,5 +64,6 @@ void add_sweep_command(CLI::App& program, Action& action);    ///< run many case
 void add_cite_command(CLI::App& program, Action& action);     ///< list the sources
 void add_run_command(CLI::App& program, Action& action);      ///< run a job
 void add_demo_command(CLI::App& program, Action& action);     ///< run an example
+void add_view_command(CLI::App& program, Action& action);     ///< write a page
 
 }  // namespace endmill

@@ -52,4 +52,11 @@ void add_common_options(CLI::App& command, CommonOptions& options)
     });
 }
 
+void add_html_option(CLI::App& command, CommonOptions& options)
+{
+    command.add_flag("--html", options.html,
+                     "also write page.html, which shows the results in a browser, as "
+                     "endmill view does");
+}
+
 }  // namespace endmill

@@ -9,6 +9,7 @@
 #include "cli/feed_files.h"
 #include "cli/feed_remarks.h"
 #include "cli/progress.h"
+#include "cli/view.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/output_folder.h"
@@ -82,7 +83,9 @@ ExitCode run_feed(const FeedCommandOptions& options)
                            planned_minutes(cuts, input, options), folder.path(), remarks},
                           folder);
     }();
+    folder.remove_unless_written("page.html");
     folder.publish();
+    write_html(folder.path(), options.common);
     const bool is_infeasible = cuts.totals.infeasible > 0;
     // With --allow-infeasible this is a result and no fault.
     const std::string allowed = is_infeasible && options.allow_infeasible

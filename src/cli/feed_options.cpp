@@ -213,6 +213,7 @@ void add_feed_options(CLI::App& command, FeedCommandOptions& options)
     add_reading_options(command, options.path);
     command.add_flag("--allow-infeasible", options.allow_infeasible,
                      "exit 0 even if no feed satisfies the limits somewhere");
+    add_html_option(command, options.common);
     add_common_options(command, options.common);
 }
 

@@ -76,6 +76,7 @@ ExitCode run(int argc, char** argv, bool json_errors)
     add_run_command(program, action);
     add_demo_command(program, action);
     add_sweep_command(program, action);
+    add_view_command(program, action);
     try {
         program.parse(argc, argv);
     } catch (const CLI::CallForVersion& version) {

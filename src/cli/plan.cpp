@@ -22,6 +22,7 @@
 #include "cli/plan_text.h"
 #include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
+#include "cli/view.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/output_folder.h"
@@ -392,7 +393,9 @@ ExitCode run_plan(PlanOptions options)
                               : options.strategy == StrategyChoice::Iso
                                   ? write_plan(task, folder)
                                   : write_strategy_plan(task, folder);
+    folder.remove_unless_written("page.html");
     folder.publish();
+    write_html(folder.path(), options.common);
     print_result(options.common, result.summary,
                  settings_text(context, options) + result.text + "written to " +
                      printable(folder.path().string()) + "\n");

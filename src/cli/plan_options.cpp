@@ -369,6 +369,7 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
     add_path_policies(command, options);
     add_paper_options(command, options.planning);
     add_mesh_options(command, options.part);
+    add_html_option(command, options.common);
     add_common_options(command, options.common);
 }
 

@@ -15,9 +15,9 @@ namespace {
 constexpr std::array<std::string_view, 5> left_out{"run", "sweep", "demo", "eval",
                                                    "cite"};
 // Options that a run sets itself, or that do not change its result.
-constexpr std::array<std::string_view, 8> of_the_run{
-    "--help",  "--output",  "--json",        "--quiet",
-    "--force", "--threads", "--json-errors", "--json-progress"};
+constexpr std::array<std::string_view, 9> of_the_run{
+    "--help", "--output",  "--json",        "--quiet",        "--force",
+    "--html", "--threads", "--json-errors", "--json-progress"};
 
 OptionValue value_of(const CLI::Option& option)
 {

@@ -15,6 +15,7 @@
 #include "cli/progress.h"
 #include "cli/run_options.h"
 #include "cli/surface_facts.h"
+#include "cli/view.h"
 #include "endmill/core/text.h"
 
 namespace endmill {
@@ -179,6 +180,7 @@ void add_run_options(CLI::App& command, RunOptions& options)
         ->allow_extra_args(false);
     command.add_flag("--dry-run", options.dry_run,
                      "print which steps would run, and why; change nothing");
+    add_html_option(command, options.common);
     add_common_options(command, options.common);
 }
 
@@ -206,6 +208,8 @@ ExitCode run_job_command(const RunOptions& options, const ProgramDescription& pr
     };
     const JobRun run = run_job(job, program, running);
     progress.end();
+    if (!options.dry_run && (run.exit == 0 || run.exit == 1))
+        write_html(folder, options.common);
     print_result(options.common, summary_of(run), text_of(run, options, folder));
     if (run.exit != 0)
         report_error(run.code, run.message, static_cast<ExitCode>(run.exit),

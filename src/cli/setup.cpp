@@ -13,6 +13,7 @@
 #include "cli/setup_summary.h"
 #include "cli/setup_toolpath.h"
 #include "cli/setup_visibility.h"
+#include "cli/view.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
@@ -71,13 +72,16 @@ ExitCode run_setup(const SetupCommandOptions& options)
     const SetupVisibility visibility = visibility_for(input, options);
     std::vector<SetupAnswer> answers = ranked_answers(input, visibility, options);
     answers.front().missed = missed_facets(answers.front(), input, visibility, options);
-    const Json summary = setup_summary(input, visibility, answers, options);
+    Json summary = setup_summary(input, visibility, answers, options);
+    name_part(summary, options.part, folder.path());
     {
         const ProgressLine progress{"writing the results", options.common};
         write_setup_files(input, visibility, answers.front(), options, folder);
     }
     folder.write("summary.json", summary.dump(2) + "\n");
+    folder.remove_unless_written("page.html");
     folder.publish();
+    write_html(folder.path(), options.common);
     print_result(
         options.common, summary,
         setup_text(summary) + "written to " + printable(folder.path().string()) + "\n");

@@ -171,6 +171,7 @@ void add_setup_options(CLI::App& command, SetupCommandOptions& options)
     add_setup_machine(command, options);
     add_setup_visibility(command, options);
     add_setup_search(command, options);
+    add_html_option(command, options.common);
     add_common_options(command, options.common);
 }
 

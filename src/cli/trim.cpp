@@ -18,6 +18,7 @@
 #include "cli/trim_comparison.h"
 #include "cli/trim_files.h"
 #include "cli/trim_ranks.h"
+#include "cli/view.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/trimming/trimmed_planes.h"
@@ -263,7 +264,9 @@ ExitCode run_trim(const TrimOptions& given)
                         options.common.full_folder};
     folder.protect(input.file);
     const Outcome outcome = trim_as_selected(input, options, runs, folder);
+    folder.remove_unless_written("page.html");
     folder.publish();
+    write_html(folder.path(), options.common);
     print_result(options.common, outcome.summary,
                  outcome.text + "written to " + printable(folder.path().string()) + "\n");
     if (!outcome.fault)

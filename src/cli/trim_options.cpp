@@ -259,6 +259,7 @@ void add_trim_options(CLI::App& command, TrimOptions& options)
                 NumberDomain::from_to(0, most_of_machine)},
                options.thin_tolerance);
     add_result_options(command, options);
+    add_html_option(command, options.common);
     add_common_options(command, options.common);
     CLI::Option* const polyline = command.get_option("--polyline");
     for (const char* name : part_options)

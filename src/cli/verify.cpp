@@ -8,6 +8,7 @@
 #include "cli/progress.h"
 #include "cli/verify_files.h"
 #include "cli/verify_input.h"
+#include "cli/view.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/output_folder.h"
@@ -70,7 +71,9 @@ ExitCode run_verify(const VerifyOptions& options)
         return write_verification({input, options, task, verification, of_protected},
                                   folder);
     }();
+    folder.remove_unless_written("page.html");
     folder.publish();
+    write_html(folder.path(), options.common);
     print_result(options.common, summary,
                  verify_text(summary, options, verification) + "written to " +
                      printable(folder.path().string()) + "\n");

@@ -103,6 +103,7 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
                      "stock.dexels with five axes");
     command.add_flag("--write-mesh", options.write_mesh,
                      "write the remaining stock as the mesh rest.stl");
+    add_html_option(command, options.common);
     add_common_options(command, options.common);
 }
 

@@ -127,5 +127,69 @@ TEST(DeviationVtp, RefusesNonFiniteNumbersAndFewerThanTwoPoints)
     EXPECT_THROW(deviation_vtp(charts, deviation), DomainError);
 }
 
+// The code and the text of the error of reading a file.
+std::string fault_of(const std::string& content, const ReadLimits& limits = {})
+{
+    try {
+        parse_deviation_points(content, "d.vtp", limits);
+    } catch (const Error& error) {
+        return error.code() + " " + error.what();
+    }
+    return "none";
+}
+
+std::string written()
+{
+    const PartCharts charts = part_charts(slope);
+    return deviation_vtp(charts, made_deviation(charts, 0.3, wavy));
+}
+
+TEST(DeviationPoints, ReadBackAsTheIndependentReaderReadsThem)
+{
+    const std::string file = written();
+    const VtpReader reader{file};
+    const DeviationPoints points = parse_deviation_points(file, "d.vtp");
+    EXPECT_EQ(points.point_mm, reader.array<float>("point_mm", "Float32"));
+    EXPECT_EQ(points.left_mm, reader.array<float>("left_mm", "Float32"));
+    EXPECT_FALSE(points.left_mm.empty());
+}
+
+TEST(DeviationPoints, RefuseAFileOfEveryOtherLength)
+{
+    const std::string file = written();
+    for (std::size_t length = 0; length < file.size(); length += 97)
+        EXPECT_NE(fault_of(file.substr(0, length)), "none") << length;
+    EXPECT_EQ(fault_of(file + "x").substr(0, 10), "E_VTP_SIZE");
+}
+
+TEST(DeviationPoints, RefuseCountsThatLie)
+{
+    std::string file = written();
+    const std::string key = "NumberOfPoints=\"";
+    const std::size_t at = file.find(key) + key.size();
+    for (const char* count : {"9", "99999999999999999999", "1099511627776", "-1", "x"}) {
+        std::string lie = file;
+        lie.replace(at, lie.find('"', at) - at, count);
+        EXPECT_EQ(fault_of(lie).substr(0, 5), "E_VTP") << count;
+    }
+}
+
+TEST(DeviationPoints, RefuseNumbersThatAreNotFinite)
+{
+    std::string file = written();
+    const float infinite = std::numeric_limits<float>::infinity();
+    const std::size_t at = file.find("\"raw\">\n_") + 8 + 8 + 40;
+    file.replace(at, sizeof infinite, reinterpret_cast<const char*>(&infinite),
+                 sizeof infinite);
+    EXPECT_EQ(fault_of(file).substr(0, 11), "E_NONFINITE");
+}
+
+TEST(DeviationPoints, RefuseOtherFilesAndTooLittleMemory)
+{
+    EXPECT_EQ(fault_of("<?xml version=\"1.0\"?><VTKFile/>").substr(0, 5), "E_VTP");
+    EXPECT_EQ(fault_of("").substr(0, 5), "E_VTP");
+    EXPECT_EQ(fault_of(written(), {1e6, 1e-9}).substr(0, 7), "E_LIMIT");
+}
+
 }  // namespace
 }  // namespace endmill

@@ -75,4 +75,22 @@ inline constexpr std::size_t usual_deviation_points = 500'000;
 std::string deviation_vtp(const PartCharts& charts, const Deviation& deviation,
                           std::size_t most_points = usual_deviation_points);
 
+/// The points of a deviation file.
+struct DeviationPoints {
+    std::vector<float> point_mm;  ///< x, y, z of each point
+    std::vector<float> left_mm;   ///< remaining stock; negative in a gouge
+};
+
+/// Reads the points and values of a file that `deviation_vtp` wrote.
+/// \throws FormatError E_VTP for another head, and E_NONFINITE for a number that is not finite;
+///         E_VTP_SIZE for a file of another length than its head requires; also as `read_file`.
+/// \throws LimitError if it needs more memory than the limit.
+DeviationPoints read_deviation_points(const std::filesystem::path& path,
+                                      const ReadLimits& limits = {});
+
+/// Parses the content of a deviation file as `read_deviation_points` does.
+/// \param file name of the file for messages.
+DeviationPoints parse_deviation_points(std::string_view content, const std::string& file,
+                                       const ReadLimits& limits = {});
+
 }  // namespace endmill

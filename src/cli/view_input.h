@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/command.h"
+#include "cli/surface_facts.h"
+
+namespace endmill {
+
+/// Options of `view`.
+struct ViewOptions {
+    CommonOptions common;
+    std::vector<std::string> sources;  ///< folders of results, parts and paths
+    PartOptions part;  ///< with --part; an empty path: that of the summaries
+};
+
+/// A summary.json, and the file it comes from.
+struct ViewSummary {
+    std::filesystem::path file;
+    Json content;
+};
+
+/// The files that a page shows. A name is empty if there is no such file.
+struct ViewInput {
+    std::string title;
+    std::vector<ViewSummary> summaries = {};
+    std::string toolpath = {};
+    std::string deviation = {};
+    std::string sections = {};
+    std::string trimmed = {};
+    std::string visibility = {};
+    std::string engagement = {};
+    PartOptions part = {};
+    std::vector<std::filesystem::path> pictures = {};  ///< SVG files
+};
+
+/// Finds what the sources of a page hold. Of two files of one kind the later one counts. A
+/// folder of a job stands for the folders of its steps.
+/// \throws FormatError for a source that does not exist or holds nothing to show, and for a
+///         damaged summary.json.
+ViewInput find_view_input(const ViewOptions& options);
+
+}  // namespace endmill

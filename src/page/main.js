@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page: one tab for each view that its content allows. `window.endmill` is the state, for tests.
+
+import { readContent } from "./content.js";
+import { CutView } from "./cut.js";
+import { button, element } from "./elements.js";
+import { hasWebGL } from "./scene.js";
+import { SectionsView } from "./sections.js";
+import { SphereView } from "./sphere.js";
+import { pictureOf, SummaryView } from "./summary.js";
+
+// Pictures in place of a 3D view where the browser has no WebGL.
+class Pictures {
+  constructor(pictures) {
+    const words = "This browser has no WebGL; these pictures stand in for the 3D view.";
+    this.node = element("section", { class: "view" }, element("p", { class: "note" }, words), ...pictures.map(pictureOf));
+  }
+}
+
+function viewsOf(content) {
+  const views = [];
+  const is3d = hasWebGL();
+  if (content.part || content.path || content.deviation)
+    views.push(["cut", "part and path", () => (is3d ? new CutView(content) : new Pictures(content.pictures))]);
+  if (content.sections) views.push(["sections", "sections", () => new SectionsView(content.sections)]);
+  if (content.sphere)
+    views.push(["sphere", "directions", () => (is3d ? new SphereView(content.sphere) : new Pictures(content.pictures))]);
+  views.push(["summary", "summary", () => new SummaryView(content)]);
+  return views;
+}
+
+function start() {
+  const content = readContent();
+  const tabs = document.getElementById("tabs");
+  const stage = document.getElementById("views");
+  const views = viewsOf(content);
+  const made = new Map();
+  const state = { tab: null, views: {}, isReady: false };
+  window.endmill = state;
+
+  const choose = (chosen) => {
+    const [name, , make] = views.find(([known]) => known === chosen);
+    state.tab = name;
+    for (const tab of tabs.children) {
+      const isChosen = tab.dataset.view === name;
+      tab.setAttribute("aria-selected", isChosen);
+      tab.tabIndex = isChosen ? 0 : -1;
+    }
+    for (const [other, view] of made) view.node.hidden = other !== name;
+    if (made.has(name)) return;
+    const view = make();
+    view.node.setAttribute("role", "tabpanel");
+    view.node.setAttribute("aria-labelledby", `tab-${name}`);
+    made.set(name, view);
+    state.views[name] = view;
+    stage.append(view.node);
+  };
+
+  for (const [name, title] of views)
+    tabs.append(button(title, () => choose(name), { role: "tab", id: `tab-${name}`, "data-view": name }));
+  tabs.addEventListener("keydown", (event) => {
+    const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+    if (!step) return;
+    const next = (views.findIndex(([name]) => name === state.tab) + step + views.length) % views.length;
+    choose(views[next][0]);
+    tabs.children[next].focus();
+  });
+  choose(views[0][0]);
+  state.isReady = true;
+}
+
+start();

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A 3D view: camera, light, and drawing only when something has changed.
+
+import {
+  AmbientLight, Box3, BufferAttribute, BufferGeometry, Color, ColorManagement, DirectionalLight, DoubleSide, Group,
+  LinearSRGBColorSpace, Mesh, MeshLambertMaterial, OrthographicCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { element } from "./elements.js";
+
+// Colours are those of the screen throughout.
+ColorManagement.enabled = false;
+
+export function hasWebGL() {
+  try {
+    return Boolean(document.createElement("canvas").getContext("webgl2"));
+  } catch {
+    return false;
+  }
+}
+
+// Whether the browser draws by software, for which smooth lines take six times as long.
+function isSoftware() {
+  const context = document.createElement("canvas").getContext("webgl2");
+  const names = context?.getExtension("WEBGL_debug_renderer_info");
+  return /swiftshader|llvmpipe|software/i.test(names ? context.getParameter(names.UNMASKED_RENDERER_WEBGL) : "");
+}
+
+export class View3d {
+  // description: the text alternative of the view.
+  constructor(description) {
+    this.node = element("div", { class: "stage" });
+    this.renderer = new WebGLRenderer({ antialias: !isSoftware() });
+    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    const canvas = this.renderer.domElement;
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", description);
+    this.node.append(canvas);
+    this.scene = new Scene();
+    this.content = new Group();
+    this.scene.add(this.content, new AmbientLight(0xffffff, 1.6));
+    this.camera = new OrthographicCamera(-1, 1, 1, -1, -1000, 1000);
+    this.camera.up.set(0, 0, 1);
+    const light = new DirectionalLight(0xffffff, 1.8);
+    light.position.set(-0.4, 0.5, 1);
+    this.camera.add(light);
+    this.scene.add(this.camera);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.listenToKeyEvents(canvas);
+    this.controls.addEventListener("change", () => this.draw());
+    this.frames = 0;
+    this.isWanted = false;
+    new ResizeObserver(() => this.resize()).observe(this.node);
+    this.takeColours();
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.takeColours());
+  }
+
+  takeColours() {
+    this.scene.background = new Color(getComputedStyle(document.documentElement).getPropertyValue("--panel").trim());
+    this.draw();
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.node;
+    if (width === 0 || height === 0) return;
+    this.renderer.setSize(width, height, false);
+    const aspect = width / height;
+    const half = 1.05 * Math.max(this.halfHeight ?? 1, (this.halfWidth ?? 1) / aspect);
+    Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+    this.camera.updateProjectionMatrix();
+    this.draw();
+  }
+
+  // Looks at the whole content from above the front.
+  fit() {
+    const box = new Box3().setFromObject(this.content);
+    if (box.isEmpty()) box.set(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
+    const centre = box.getCenter(new Vector3());
+    const radius = Math.max(box.getSize(new Vector3()).length() / 2, 1e-9);
+    this.camera.near = -20 * radius;
+    this.camera.far = 20 * radius;
+    this.camera.zoom = 1;
+    this.controls.target.copy(centre);
+    this.camera.position.copy(centre).add(new Vector3(-0.55, -1, 0.8).normalize().multiplyScalar(3 * radius));
+    this.controls.update();
+    this.camera.updateMatrixWorld();
+    // The box as the camera sees it; the stage may be wide or high.
+    const seen = new Vector3();
+    this.halfWidth = this.halfHeight = 1e-9;
+    for (let k = 0; k < 8; ++k) {
+      seen.set(k & 1 ? box.min.x : box.max.x, k & 2 ? box.min.y : box.max.y, k & 4 ? box.min.z : box.max.z);
+      seen.applyMatrix4(this.camera.matrixWorldInverse);
+      this.halfWidth = Math.max(this.halfWidth, Math.abs(seen.x));
+      this.halfHeight = Math.max(this.halfHeight, Math.abs(seen.y));
+    }
+    this.resize();
+  }
+
+  draw() {
+    if (this.isWanted) return;
+    this.isWanted = true;
+    requestAnimationFrame(() => {
+      this.isWanted = false;
+      if (this.node.clientWidth === 0) return;
+      this.renderer.render(this.scene, this.camera);
+      ++this.frames;
+    });
+  }
+
+  // The first triangle of `object` at a place of the canvas, given by an event; or null.
+  triangleAt(event, object) {
+    const { left, top, width, height } = this.renderer.domElement.getBoundingClientRect();
+    const ray = new Raycaster();
+    ray.setFromCamera(
+      new Vector2(((event.clientX - left) / width) * 2 - 1, 1 - ((event.clientY - top) / height) * 2), this.camera);
+    const [hit] = ray.intersectObject(object);
+    return hit ? hit.faceIndex : null;
+  }
+
+  // Calls `then` for a click that turns nothing.
+  onClick(then) {
+    const canvas = this.renderer.domElement;
+    let from = null;
+    canvas.addEventListener("pointerdown", (event) => (from = [event.clientX, event.clientY]));
+    canvas.addEventListener("pointerup", (event) => {
+      if (from && Math.hypot(event.clientX - from[0], event.clientY - from[1]) < 4) then(event);
+      from = null;
+    });
+  }
+}
+
+// A mesh with flat facets. colours: three numbers for each triangle, or none.
+export function facetMesh({ points, triangles }, colour, colours = null) {
+  const corners = new Float32Array(3 * triangles.length);
+  for (let k = 0; k < triangles.length; ++k) corners.set(points.subarray(3 * triangles[k], 3 * triangles[k] + 3), 3 * k);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(corners, 3));
+  geometry.computeVertexNormals();
+  if (colours) geometry.setAttribute("color", new BufferAttribute(new Float32Array(corners.length), 3));
+  const material = new MeshLambertMaterial({ side: DoubleSide, vertexColors: Boolean(colours), color: colours ? 0xffffff : colour });
+  const mesh = new Mesh(geometry, material);
+  if (colours) colourFacets(mesh, colours);
+  return mesh;
+}
+
+export function colourFacets(mesh, colours) {
+  const attribute = mesh.geometry.getAttribute("color");
+  for (let k = 0; k < attribute.count; ++k) attribute.setXYZ(k, ...colours(Math.floor(k / 3)));
+  attribute.needsUpdate = true;
+}

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables of the summaries, what the page was made from, and the works to cite.
+
+import { element } from "./elements.js";
+
+export class SummaryView {
+  constructor({ summaries, provenance, citations, pictures }) {
+    const table = (rows) => element("table", {}, ...rows.map(([key, value]) =>
+      element("tr", {}, element("th", { scope: "row" }, key), element("td", {}, value))));
+    this.node = element("section", { class: "view" });
+    for (const { title, rows } of summaries) this.node.append(element("h2", {}, title), table(rows));
+    this.node.append(element("h2", {}, "Made from"), table(provenance));
+    if (citations.length > 0)
+      this.node.append(element("h2", {}, "Please cite"), element("ul", {}, ...citations.map((work) => element("li", {}, work))));
+    if (pictures.length > 0) this.node.append(element("h2", {}, "Pictures"), ...pictures.map(pictureOf));
+  }
+}
+
+export function pictureOf({ name, svg }) {
+  const image = element("img", { src: `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`, alt: name, class: "plot" });
+  return element("figure", {}, image, element("figcaption", { class: "note" }, name));
+}

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page in a real browser: ENDMILL is the program, CHROMIUM the browser.
+//
+// UPDATE_PICTURES=1 writes the kept pictures anew.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { fileURLToPath } from "node:url";
+
+const { chromium } = createRequire(join(process.env.NODE_PATH, "x"))("playwright-core");
+const root = fileURLToPath(new URL("../..", import.meta.url));
+const kept = fileURLToPath(new URL("pictures/", import.meta.url));
+const datasets = join(root, "datasets");
+const flags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist"];
+
+let folder;
+let browser;
+
+function endmill(...words) {
+  execFileSync(process.env.ENDMILL, words, { cwd: folder, stdio: "pipe" });
+}
+
+// Columns of a CSV file of numbers and words.
+function table(file) {
+  const [head, ...lines] = readFileSync(join(folder, file), "utf8").trim().split("\n").map((line) => line.split(","));
+  return lines.map((cells) => Object.fromEntries(head.map((name, k) => [name, cells[k]])));
+}
+
+// Waits until a function of the page returns true. The security policy of the page forbids to do so in the page.
+async function until(page, condition) {
+  const start = Date.now();
+  while (!(await page.evaluate(condition))) {
+    assert.ok(Date.now() - start < 60000, `never: ${condition}`);
+    await page.waitForTimeout(50);
+  }
+}
+
+// Opens a page of the folder. Requests and messages of the console are faults.
+async function open(name, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  page.faults = [];
+  page.on("console", (message) => page.faults.push(message.text()));
+  page.on("pageerror", (error) => page.faults.push(error.message));
+  page.on("dialog", (dialog) => page.faults.push(`dialog ${dialog.message()}`));
+  page.on("request", (request) => {
+    if (!/^(file|data):/.test(request.url())) page.faults.push(`request ${request.url()}`);
+  });
+  await page.goto(`file://${join(folder, name)}`);
+  await until(page, () => window.endmill?.isReady);
+  return page;
+}
+
+const cut = (page, read) => page.evaluate(`(${read})(window.endmill.views.cut)`);
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "endmill-page-"));
+  endmill("plan", join(datasets, "surfaces/saddle.json"), "--cutter", "ball:15", "--scallop", "0.5", "--strategy", "iso-u", "-o", "saddle");
+  endmill("verify", "saddle/toolpath.csv", "--resolution", "1", "-o", "checked", "--html");
+  endmill("view", "saddle", "checked", "-o", "saddle.html");
+  endmill("trim", join(datasets, "surfaces/valley.json"), "--cutter", "ball:20", "--planes", "5", "-o", "trimmed");
+  endmill("view", "trimmed", "-o", "trimmed.html");
+  endmill("setup", join(datasets, "meshes/teapot-288.off"), "--machine", "W/caxyBz/T", "--sphere", "hex:4", "-o", "setup", "--html");
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: flags });
+});
+
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+describe("part and path", () => {
+  test("the slider moves the tool to the points of the path", async () => {
+    const page = await open("saddle.html");
+    const rows = table("saddle/toolpath.csv");
+    for (const share of [0, 0.3, 0.77, 1]) {
+      const point = Math.round(share * (rows.length - 1));
+      await page.locator("#point").evaluate((slider, value) => {
+        slider.value = value;
+        slider.dispatchEvent(new Event("input"));
+      }, point);
+      const state = await cut(page, (view) => ({ ...view.state, number: view.content.path.numbers[view.state.point], drawn: view.cutter.position.toArray(), origin: view.content.origin_mm }));
+      const row = rows[state.number];
+      ["x", "y", "z"].forEach((axis, c) => {
+        const expected = Number(row[`tip_${axis}_mm`]);
+        assert.ok(Math.abs(state.tip_mm[c] - expected) < 1e-4);
+        assert.ok(Math.abs(state.drawn[c] + state.origin[c] - expected) < 1e-4);
+      });
+      assert.match(await page.locator(".readout").textContent(), new RegExp(`point ${state.number} · ${row.move}`));
+    }
+    assert.deepEqual(page.faults, []);
+  });
+
+  test("play moves the tool forward, and pause stops it", async () => {
+    const page = await open("saddle.html");
+    await page.click("#play");
+    await until(page, () => window.endmill.views.cut.state.point > 5);
+    await page.click("#play");
+    const at = await cut(page, (view) => view.state.point);
+    await page.waitForTimeout(300);
+    assert.equal(await cut(page, (view) => view.state.point), at);
+  });
+
+  test("colours and boxes change what is drawn", async () => {
+    const page = await open("saddle.html");
+    await page.selectOption("#colour", "pass");
+    assert.match(await page.locator(".legend").nth(1).textContent(), /number of the pass: 0/);
+    await page.uncheck("#show-part");
+    assert.equal(await cut(page, (view) => view.parts.part.visible), false);
+  });
+
+  test("the worst places stand where the summary says", async () => {
+    const page = await open("saddle.html");
+    const summary = JSON.parse(readFileSync(join(folder, "checked/summary.json"), "utf8"));
+    const places = await cut(page, (view) => view.parts.places.children.map((ball) => ball.position.toArray().map((x, c) => x + view.content.origin_mm[c])));
+    const named = [summary.max_gouge_at, summary.max_scallop_at].filter(Boolean);
+    assert.equal(places.length, named.length);
+    named.forEach(({ point_mm: expected }, k) =>
+      expected.forEach((x, c) => assert.ok(Math.abs(x - places[k][c]) < 1e-3)));
+  });
+});
+
+test("sections follow the slider of planes", async () => {
+  const page = await open("trimmed.html");
+  await page.click("#tab-sections");
+  const curves = (name) => new Set(table(name).filter((row) => row.plane === "3").map((row) => row.curve)).size;
+  await page.locator("#plane").evaluate((slider) => {
+    slider.value = 3;
+    slider.dispatchEvent(new Event("input"));
+  });
+  const words = await page.locator(".readout").last().textContent();
+  assert.match(words, new RegExp(`plane 3 of 5.*${curves("trimmed/sections.csv")} curves? before, ${curves("trimmed/trimmed.csv")} curves? after`));
+  assert.equal(await page.locator("path.before").count(), curves("trimmed/sections.csv"));
+  assert.deepEqual(page.faults, []);
+});
+
+// The bits of visibility.bsm, as docs/file-formats.md describes them.
+function visibility(file) {
+  const bytes = readFileSync(join(folder, file));
+  const facets = Number(bytes.readBigUInt64LE(16));
+  const cells = Number(bytes.readBigUInt64LE(24));
+  const names = bytes.readUInt32LE(48) + bytes.readUInt32LE(52);
+  const dropped = bytes.readUInt32LE(56);
+  const up8 = (count) => Math.ceil(count / 8) * 8;
+  const start = 64 + up8(names) + up8(4 * dropped);
+  const words = Math.ceil(facets / 64);
+  const reaches = (facet, cell) => !((bytes[start + 8 * cell * words + (facet >> 3)] >> (facet & 7)) & 1);
+  return { facets, cells, reaches };
+}
+
+describe("directions", () => {
+  const numbers = (count) => Array.from({ length: count }, (_, k) => k);
+
+  test("a click on a facet shows its cone, and one on a direction its facets", async () => {
+    const page = await open("setup/page.html");
+    await page.click("#tab-sphere");
+    const { facets, cells, reaches } = visibility("setup/visibility.bsm");
+    const [part, sphere] = await page.locator(".pair canvas").all();
+    const state = () => page.evaluate(() => ({ ...window.endmill.views.sphere.state }));
+    await part.click();
+    const { facet, cone } = await state();
+    assert.notEqual(facet, null);
+    assert.equal(cone, numbers(cells).filter((cell) => reaches(facet, cell)).length);
+    await sphere.click();
+    const { cell, facetsSeen } = await state();
+    assert.notEqual(cell, null);
+    assert.equal(facetsSeen, numbers(facets).filter((one) => reaches(one, cell)).length);
+    await page.fill("#number-of-facet", "17");
+    await page.press("#number-of-facet", "Enter");
+    assert.equal((await state()).cone, numbers(cells).filter((one) => reaches(17, one)).length);
+    assert.deepEqual(page.faults, []);
+  });
+});
+
+describe("texts", () => {
+  test("a hostile name stays text", async () => {
+    const name = `<script>alert(1)</script>" onload="alert(2)'&amp;`;
+    const part = JSON.parse(readFileSync(join(datasets, "surfaces/plane.json"), "utf8"));
+    mkdirSync(join(folder, "hostile"));
+    writeFileSync(join(folder, "hostile/part.json"), JSON.stringify({ ...part, name, source: name }));
+    endmill("plan", "hostile/part.json", "--cutter", "ball:10", "--scallop", "1", "--strategy", "iso-u", "-o", "hostile/plan", "--html");
+    const page = await open("hostile/plan/page.html");
+    assert.equal(await page.locator("h1").textContent(), name);
+    assert.equal(await page.title(), name);
+    await page.click("#tab-summary");
+    assert.equal(await page.locator("td", { hasText: "alert(1)" }).first().textContent(), name);
+    assert.deepEqual(page.faults, []);
+  });
+
+  test("the summary shows every short value", async () => {
+    const page = await open("saddle.html");
+    await page.click("#tab-summary");
+    const summary = JSON.parse(readFileSync(join(folder, "checked/summary.json"), "utf8"));
+    assert.equal(await page.locator("tr", { has: page.locator(`th:text-is("verdict")`) }).last().locator("td").textContent(), summary.verdict);
+    assert.match(await page.locator("main").textContent(), /SHA-256 [0-9a-f]{64}/);
+  });
+});
+
+describe("every screen", () => {
+  test("arrow keys choose the tab", async () => {
+    const page = await open("saddle.html");
+    await page.focus("#tab-cut");
+    await page.keyboard.press("ArrowRight");
+    assert.equal(await page.evaluate(() => window.endmill.tab), "summary");
+    assert.equal(await page.locator("#tab-summary").getAttribute("aria-selected"), "true");
+  });
+
+  test("nothing is wider than a narrow screen", async () => {
+    for (const name of ["saddle.html", "trimmed.html", "setup/page.html"]) {
+      const page = await open(name, { viewport: { width: 375, height: 700 } });
+      for (const tab of await page.locator("nav button").all()) {
+        await tab.click();
+        assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 375, name);
+      }
+    }
+  });
+
+  test("pictures stand in where the browser has no WebGL", async () => {
+    const without = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox", "--disable-3d-apis"] });
+    const page = await without.newPage();
+    await page.goto(`file://${join(folder, "saddle.html")}`);
+    await until(page, () => window.endmill?.isReady);
+    assert.match(await page.locator("main").textContent(), /no WebGL/);
+    assert.ok(await page.locator("figure img").first().evaluate((image) => image.complete && image.naturalWidth > 0));
+    await without.close();
+  });
+
+  // The share of points of two pictures that differ clearly. The browser itself reads them.
+  const difference = (page, first, second) => page.evaluate(async ([a, b]) => {
+    const pixels = async (data) => {
+      const image = new Image();
+      image.src = `data:image/png;base64,${data}`;
+      await image.decode();
+      const canvas = document.createElement("canvas");
+      Object.assign(canvas, { width: image.width, height: image.height });
+      const context = canvas.getContext("2d");
+      context.drawImage(image, 0, 0);
+      return context.getImageData(0, 0, image.width, image.height);
+    };
+    const [one, two] = [await pixels(a), await pixels(b)];
+    if (one.width !== two.width || one.height !== two.height) return 1;
+    let count = 0;
+    for (let k = 0; k < one.data.length; k += 4)
+      if (Math.max(...[0, 1, 2].map((c) => Math.abs(one.data[k + c] - two.data[k + c]))) > 48) ++count;
+    return count / (one.data.length / 4);
+  }, [first, second]);
+
+  for (const [name, tab] of [["saddle.html", "cut"], ["trimmed.html", "sections"], ["setup/page.html", "sphere"]])
+    for (const width of [1280, 375])
+      for (const colorScheme of ["light", "dark"])
+        test(`${tab} at ${width} px, ${colorScheme}, looks as kept`, async () => {
+          const page = await open(name, { viewport: { width, height: 900 }, colorScheme });
+          await page.click(`#tab-${tab}`);
+          await page.waitForTimeout(700);
+          const picture = await page.screenshot();
+          const file = join(kept, `${tab}-${width}-${colorScheme}.png`);
+          if (process.env.UPDATE_PICTURES) writeFileSync(file, picture);
+          assert.ok(existsSync(file), "no kept picture; UPDATE_PICTURES=1 writes it");
+          const share = await difference(page, picture.toString("base64"), readFileSync(file).toString("base64"));
+          assert.ok(share < 0.04, `${(100 * share).toFixed(1)} % of the points differ`);
+        });
+});
