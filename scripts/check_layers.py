@@ -9,7 +9,7 @@ The script reports:
 * A module other than job uses files. Modules that compute or draw do not read files.
 * A folder under src/endmill is not a declared module, or a declared module has no folder.
 * A module folder has other folders than detail/.
-* A module has more than 14 public headers, or all modules together have more than 172.
+* A module has more than 14 public headers, or all modules together have more than 180.
 * The umbrella header of a module does not include exactly the module's public headers.
 * The names of two types, or of two files, in src differ only in the order of their words.
 * Units (a header with its source) include each other in a cycle.
@@ -29,7 +29,7 @@ KEYWORDS = {"USES", "LIBRARIES", "PRIVATE_LIBRARIES", "OPTIONS", "TEST_LIBRARIES
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 KEPT_INSIDE = re.compile(r"^(CGAL|OpenMesh|boost|embree\d*|tbb|oneapi)/")
 MOST_HEADERS_OF_A_MODULE = 14
-MOST_HEADERS = 172  # of all modules, umbrella headers included
+MOST_HEADERS = 180  # of all modules, umbrella headers included
 TYPE = re.compile(r"^[ ]*(?:enum class|enum struct|enum|class|struct|using)\s+([A-Z]\w*)(?!\w|::)", re.M)
 WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 SPDX = "SPDX-License-Identifier:"

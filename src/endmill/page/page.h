@@ -36,7 +36,7 @@ private:
     std::string bytes_;
 };
 
-/// Bytes as base64, with padding. Source: RFC 4648, section 4.
+/// Bytes as base64, with padding, as RFC 4648 defines it.
 std::string base64(std::string_view bytes);
 
 /// The parts of a page that do not depend on its content.
