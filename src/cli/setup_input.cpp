@@ -94,8 +94,9 @@ void require_map_memory(const SetupInput& input, const SetupCommandOptions& opti
     const std::size_t facets = input.mesh.triangles().size();
     // A cell needs one bit for each facet, and a triangle, half a corner point, a
     // centre and a solid angle.
-    // Without the skipped facets there is a second map.
-    const int maps = options.skip_facets.empty() ? 1 : 2;
+    // Without the skipped facets there is a second map. The search keeps the different cones
+    // as rows and as a map; there are at most as many as facets.
+    const int maps = options.skip_facets.empty() ? 3 : 4;
     const double bytes_per_cell = maps * static_cast<double>(facets) / 8 +
                                   sizeof(Triangle) + 1.5 * sizeof(Vec3) + sizeof(double);
     const double gib = static_cast<double>(cells) * bytes_per_cell / one_gib;
