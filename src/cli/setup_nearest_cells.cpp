@@ -17,9 +17,9 @@
 namespace endmill {
 namespace {
 
-// Every rank sorts all cells at each tool axis, which takes as long as the work for about
-// 10 000 facets; rank 0 does so twice. With fewer facets on a rank division saves nothing.
-constexpr std::size_t least_facets_of_a_rank = 16'384;
+// Every rank sorts all cells at each tool axis, and rank 0 does so twice. Each time takes as
+// long as the work for 14 000 facets. With fewer facets on a rank division saves little.
+constexpr std::size_t least_facets_of_a_rank = 24'576;
 
 // The number of ranks that take a share; the last ones may have none.
 std::size_t shares_of(const VisibilityMap& map)

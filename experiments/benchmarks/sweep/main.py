@@ -3,7 +3,7 @@
 
   PYTHONPATH=scripts python3 experiments/benchmarks/sweep/main.py OUTPUT_FOLDER
 
-About two minutes; measures time, so nothing else should run. Columns: README.md beside this.
+About three minutes; measures time, so nothing else should run. Columns: README.md beside this.
 """
 import csv
 import json
