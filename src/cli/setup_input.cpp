@@ -102,7 +102,8 @@ void require_map_memory(const SetupInput& input, const SetupCommandOptions& opti
     const double gib = static_cast<double>(cells) * bytes_per_cell / one_gib;
     if (gib > options.common.limits.max_memory_gib)
         throw LimitError{fmt::format(
-            "the visibility of {} facets from {} directions needs about {:.2g} GiB; the "
+            "the visibility of {} facets from {} directions and the search for a setup "
+            "need about {:.2g} GiB; the "
             "limit is {:g} GiB (--max-memory); a coarser --sphere needs less",
             facets, cells, gib, options.common.limits.max_memory_gib)};
 }
