@@ -13,7 +13,7 @@
 ///
 /// Rank 0 reads, decides, writes and prints; the others compute shares for it and print
 /// nothing. A command that divides its work gives the other ranks a function of their own; it
-/// may return before rank 0 ends.
+/// may return before rank 0 ends, or serve rank 0 until the end.
 
 namespace endmill {
 

@@ -9,6 +9,7 @@
 #include "cli/progress.h"
 #include "cli/setup_files.h"
 #include "cli/setup_idle.h"
+#include "cli/setup_nearest_cells.h"
 #include "cli/setup_points.h"
 #include "cli/setup_summary.h"
 #include "cli/setup_toolpath.h"
@@ -52,7 +53,7 @@ ExitCode run_setup(const SetupCommandOptions& options)
     check_setup_options(options);
     if (program_ranks().rank() > 0) {
         send_visibility(options);
-        return ExitCode::Yes;
+        serve_nearest_cells();
     }
     if (!options.points.empty())
         return run_setup_points(options);
@@ -115,7 +116,9 @@ void add_setup_command(CLI::App& program, Action& action)
         "it would need), the answer is undecided, or the setup exceeds the travel of "
         "the\n"
         "linear axes (with --within-travel: every pose that was tried exceeds it).\n\n"
-        "mpirun -n N endmill setup PART ... divides the directions among N processes.\n\n"
+        "mpirun -n N endmill setup PART ... divides the directions among N processes, "
+        "and\n"
+        "for large parts the facets of the search.\n\n"
         "Example:\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine W/caxyBz/T -o teapot\n"
         "  endmill setup datasets/meshes/teapot-288.off --machine all --from-visibility "

@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "cli/progress.h"
+#include "cli/setup_nearest_cells.h"
 #include "cli/setup_visibility.h"
 #include "endmill/visibility/visibility.h"
 
@@ -70,6 +71,11 @@ MachineSetup setup_on(const SearchedMachine& machine, const SetupInput& input,
                                      set_progress_text(now, options),
                                      static_cast<double>(now.nodes) / options.max_nodes);
                              }},
+         .nearest_cells =
+             [&](const VisibilityMap& map, std::span<const Vec3> centres,
+                 const NearestCellsVisit& visit) {
+                 divided_nearest_cells(map, centres, visit, progress);
+             },
          .cell_progress =
              [&](std::size_t done) {
                  progress.show(static_cast<double>(done) / looks);

@@ -94,14 +94,16 @@ void require_map_memory(const SetupInput& input, const SetupCommandOptions& opti
     const std::size_t facets = input.mesh.triangles().size();
     // A cell needs one bit for each facet, and a triangle, half a corner point, a
     // centre and a solid angle.
-    // Without the skipped facets there is a second map.
-    const int maps = options.skip_facets.empty() ? 1 : 2;
+    // Without the skipped facets there is a second map. The search keeps the different cones
+    // as rows and as a map; there are at most as many as facets.
+    const int maps = options.skip_facets.empty() ? 3 : 4;
     const double bytes_per_cell = maps * static_cast<double>(facets) / 8 +
                                   sizeof(Triangle) + 1.5 * sizeof(Vec3) + sizeof(double);
     const double gib = static_cast<double>(cells) * bytes_per_cell / one_gib;
     if (gib > options.common.limits.max_memory_gib)
         throw LimitError{fmt::format(
-            "the visibility of {} facets from {} directions needs about {:.2g} GiB; the "
+            "the visibility of {} facets from {} directions and the search for a setup "
+            "need about {:.2g} GiB; the "
             "limit is {:g} GiB (--max-memory); a coarser --sphere needs less",
             facets, cells, gib, options.common.limits.max_memory_gib)};
 }

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rank other than 0 sends the checksum of its part, then its columns as they lie in memory,
-// some at a time.
+// A rank other than 0 sends the checksum of its part, then its columns.
 
 #include "cli/setup_visibility.h"
 
-#include <algorithm>
-#include <cstring>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "cli/column_messages.h"
 #include "cli/program_ranks.h"
 #include "cli/progress.h"
 #include "endmill/core/error.h"
@@ -17,9 +14,6 @@
 
 namespace endmill {
 namespace {
-
-// Of a message. Rank 0 needs this memory besides the map.
-constexpr std::size_t message_bytes = std::size_t{1} << 26;
 
 DirectionShare share_of(int rank)
 {
@@ -30,13 +24,6 @@ DirectionShare share_of(int rank)
 std::string checksum_word(const SetupInput& input)
 {
     return std::to_string(part_checksum(input.mesh));
-}
-
-std::size_t columns_a_message(const VisibilityMap& map)
-{
-    const std::size_t column_bytes = map.words() * sizeof(std::uint64_t);
-    return std::max<std::size_t>(1,
-                                 message_bytes / std::max<std::size_t>(1, column_bytes));
 }
 
 // The share of the visibility along `directions`, with the tool kept clear of the part.
@@ -66,21 +53,12 @@ PartVisibility visibility_share(const SetupInput& input, std::span<const Vec3> d
 }
 
 // Takes the columns of another rank into the map.
-void receive_columns(int rank, const std::string& checksum, VisibilityMap& map)
+void receive_visibility(int rank, const std::string& checksum, VisibilityMap& map)
 {
-    Ranks& ranks = program_ranks();
-    if (ranks.receive_from(rank).content != checksum)
+    if (program_ranks().receive_from(rank).content != checksum)
         throw DomainError{"rank " + std::to_string(rank) +
                           " read another part; expected the same files on all machines"};
-    const DirectionShare share = share_of(rank);
-    const std::size_t count = share.count(map.cells());
-    const std::size_t column_bytes = map.words() * sizeof(std::uint64_t);
-    for (std::size_t k = 0; k < count;) {
-        const std::string columns = ranks.receive_from(rank).content;
-        for (std::size_t from = 0; from < columns.size(); from += column_bytes, ++k)
-            std::memcpy(map.column(share.direction(k)).data(), columns.data() + from,
-                        column_bytes);
-    }
+    receive_columns(rank, map, share_of(rank));
 }
 
 }  // namespace
@@ -95,7 +73,7 @@ PartVisibility divided_visibility(const SetupInput& input,
     ProgressLine progress{"gathering the visibility of all ranks", options.common};
     const std::string checksum = checksum_word(input);
     for (int rank = 1; rank < program_ranks().count(); ++rank) {
-        receive_columns(rank, checksum, found.map);
+        receive_visibility(rank, checksum, found.map);
         progress.show(static_cast<double>(rank) / program_ranks().count());
     }
     return found;
@@ -113,12 +91,7 @@ void send_visibility(const SetupCommandOptions& options)
         directions[k] = input.grid.centres[share.direction(k)];
     const VisibilityMap map = visibility_share(input, directions, {}, options).map;
     ranks.send(0, checksum_word(input));
-    const std::size_t at_once = columns_a_message(map);
-    for (std::size_t k = 0; k < map.cells(); k += at_once) {
-        const std::size_t count = std::min(at_once, map.cells() - k);
-        ranks.send(0, {reinterpret_cast<const char*>(map.column(k).data()),
-                       count * map.words() * sizeof(std::uint64_t)});
-    }
+    send_columns(0, map);
 }
 
 }  // namespace endmill

@@ -37,10 +37,11 @@ struct TimeSpread {
 /// \pre there is a time.
 TimeSpread time_spread(std::vector<double> times_ms);
 
-/// Trims the sections by every method, or by those of --compare-only, and compares the results with those of the exact
-/// method `envelope`. A first run of each method is not timed. Then, with --repeat, every
-/// repetition runs all methods once, each time beginning with another one, so that slow
-/// changes of the machine affect all of them.
+/// Trims the sections by every method, or by those of --compare-only, and compares the results
+/// with those of the exact method `envelope`. A first run of each method is not timed. Then,
+/// with --repeat, every repetition runs all methods once, each time beginning with another
+/// one, so that slow changes of the machine affect all of them. All runs are those of this
+/// process, on its threads; no other rank takes part.
 /// \throws as trim_planes.
 std::vector<MethodRuns> run_methods(const TrimInput& input, const TrimOptions& options);
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """setup, trim and sweep under mpirun: the files of one process, errors from one rank, and the end of a run whose rank dies."""
 import json
+import math
 import os
 import random
 import re
@@ -46,6 +47,18 @@ def family(count, seed, spacing):
             points.append(points[0])
         rows += [f"{s},{z},{number}" for s, z in points]
     return "\n".join(rows) + "\n"
+
+
+def bumpy_part(cells):
+    """A mesh of 2 x cells x cells facets with bumps of two wave lengths."""
+    def height(x, y):
+        return 4 * math.sin(x / 5) * math.cos(y / 4) + 1.5 * math.sin((x + 0.7 * y) / 2)
+    places = [(120 * i / cells - 60, 80 * j / cells - 40) for j in range(cells + 1) for i in range(cells + 1)]
+    corners = [j * (cells + 1) + i for j in range(cells) for i in range(cells)]
+    lines = [f"OFF\n{len(places)} {2 * len(corners)} 0", *(f"{x} {y} {height(x, y)}" for x, y in places)]
+    for a in corners:
+        lines += [f"3 {a} {a + 1} {a + cells + 2}", f"3 {a} {a + cells + 2} {a + cells + 1}"]
+    return "\n".join(lines) + "\n"
 
 
 class WithoutMpi(ProgramTest):
@@ -111,6 +124,24 @@ class Mpi(ProgramTest):
         tool = ROOT / "datasets/tools/ball-10-shrink-fit.json"
         call = ["setup", MESHES / "dome.stl", "--machine", "W/caxyBz/T", "--tool", tool, "--sphere", "hex:2"]
         self.assert_same_files("tool", *call, status=self.status_of(*call))
+
+    def test_search_of_a_large_part_writes_the_files_of_one_process(self):
+        """A part of which each rank searches a share of the facets: for every mode, both families, and within travel."""
+        part = self.file(bumpy_part(240), "bumpy.off")
+        self.assert_same_files("large", "setup", part, "--machine", "W/caxyBz/T", "--sphere", "hex:5", "--write-bsm-csv")
+        with open(self.folder / "large 1/out/visibility.csv", encoding="utf-8") as rows:
+            different_cones = len({row.partition(",")[2] for row in rows}) - 1
+        self.assertGreater(different_cones, 3 * 24_576)  # enough for a share on each of three ranks; the fourth has none
+        stored = self.folder / "large 1/out/visibility.bsm"
+        call = ["setup", part, "--from-visibility", stored]
+        searches = (["--family", "AB", "--mode", "paper-literal"], ["--family", "CA", "--mode", "corrected"],
+                    ["--family", "CA", "--mode", "set", "--gap", "0.5"],
+                    ["--machine", ROOT / "datasets/machines/ca-table-table.json", "--within-travel"],
+                    ["--machine", "all", "--max-setups", "2"])
+        for number, words in enumerate(searches):
+            with self.subTest(words):
+                words = [*call, *words]
+                self.assert_same_files(f"search {number}", *words, status=self.status_of(*words))
 
     def test_setup_from_a_stored_map_and_for_points_is_that_of_one_process(self):
         teapot = MESHES / "teapot-288.off"

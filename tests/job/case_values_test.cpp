@@ -9,7 +9,7 @@
 
 #include "endmill/core/text.h"
 #include "endmill/job/child_process.h"
-#include "endmill/job/detail/random_share.h"
+#include "endmill/job/detail/drawn_fraction.h"
 #include "some_program.h"
 
 namespace endmill {
@@ -147,7 +147,7 @@ TEST(CaseSamples, FollowTheDocumentedRule)
                 ElementsAre("chord_tolerance", "cutter", "max_memory", "scallop"));
     for (std::uint64_t i = 0; i < cases.count(); ++i) {
         const auto values = cases.values(i);
-        const auto share = [&](const char* key) { return random_share(11, key, i); };
+        const auto share = [&](const char* key) { return drawn_fraction(11, key, i); };
         EXPECT_EQ(values[0], to_text(-1 + 4 * share("chord_tolerance")));
         EXPECT_EQ(values[1],
                   std::string(1, "abc"[static_cast<int>(3 * share("cutter"))]));

@@ -5,7 +5,8 @@ import json
 import unittest
 
 from fake_tree import ROOT
-from studies.scale import Rates, Task, direction_times, formula, limit, part_bytes, rank_end, simulate, table
+from studies.scale import (Rates, Task, direction_times, formula, limit, part_bytes, rank_end, search_stages, simulate,
+                           table)
 
 PARAMS = json.loads((ROOT / "experiments/sweeps/scale/params.json").read_text(encoding="utf-8"))["parameters"]
 RATES = Rates(**PARAMS["rates"])
@@ -46,6 +47,26 @@ class Scale(unittest.TestCase):
         self.assertGreater(simulated["until_map_s"], 0.9 * expected)
         self.assertLess(simulated["until_map_s"], 1.25 * expected)
 
+    def test_the_search_of_the_simulation_is_the_formula(self):
+        for task in (Task(10_000, 1200, 4), Task(1_000_000, 10_000, 1), Task(1_000_000, 10_000, 2),
+                     Task(10_000_000, 1000, 1024, threads=8)):
+            found, simulated = formula(task, RATES), simulate(task, RATES)
+            self.assertAlmostEqual(simulated["search_s"], found["search_s"], delta=1e-9 * found["search_s"])
+
+    def test_the_search_is_divided_among_ranks_with_enough_facets(self):
+        self.assertEqual(Task(2 * RATES.least_facets - 1, 100, 8).searching(RATES), 1)
+        self.assertEqual(Task(3 * RATES.least_facets, 100, 8).searching(RATES), 3)
+        self.assertEqual(Task(1_000_000, 100, 8).searching(RATES), 8)
+        source = (ROOT / "src/cli/setup_nearest_cells.cpp").read_text(encoding="utf-8").replace("'", "")
+        self.assertIn(f"least_facets_of_a_rank = {RATES.least_facets};", source)
+
+    def test_of_the_search_only_the_nearest_cells_are_divided(self):
+        one, four = (search_stages(Task(1_000_000, 10_000, ranks), RATES) for ranks in (1, 4))
+        sorting = RATES.sort_s * 10_000**2
+        self.assertAlmostEqual(four["share"] - sorting, (one["share"] - sorting) / 4)
+        self.assertEqual(four["cones"], one["cones"])
+        self.assertAlmostEqual(four["fit"], one["fit"] + sorting)
+
     def test_threads_take_the_next_direction_when_they_are_free(self):
         self.assertEqual(rank_end([3, 1, 1, 1], 2), 3)
         self.assertEqual(rank_end([1, 1, 1, 3], 2), 4)
@@ -55,9 +76,8 @@ class Scale(unittest.TestCase):
         small, large = Task(1_000_000, 10_000, 64), Task(10_000_000, 100_000, 64)
         self.assertEqual(limit(large, RATES, 64), "memory of rank 0")
         self.assertEqual(limit(small, RATES, 64), "search")
-        no_search = dataclasses.replace(RATES, search_s=0.0)
-        self.assertEqual(limit(Task(1_000_000, 10_000, 1), no_search, 64), "rays")
-        self.assertEqual(limit(dataclasses.replace(large, ranks=1024), no_search, 1000), "disk")
+        self.assertEqual(limit(Task(1_000_000, 10_000, 1), RATES, 64, with_search=False), "rays")
+        self.assertEqual(limit(dataclasses.replace(large, ranks=1024), RATES, 1000, with_search=False), "disk")
         self.assertAlmostEqual(part_bytes(small, RATES), 1_000_000 * (RATES.facet_bytes + RATES.thread_bytes))
 
     def test_table_is_the_expected_one(self):

@@ -90,6 +90,23 @@ TEST(DistinctCones, LieSideBySideIfTheyAreSimilar)
     EXPECT_EQ(sorted.size(), cones.size());
 }
 
+// Facets 0, 2 and 3 have the same cone, facet 1 another one, facet 4 none.
+TEST(DistinctCones, HaveAMapWithOneFacetForEach)
+{
+    VisibilityMap map{5, 70};
+    for (const std::size_t cell : {3, 69})
+        map.column(cell)[0] = 0b01101;
+    map.column(5)[0] = 0b00010;
+    const VisibilityMap cones = map_of_distinct_cones(map);
+    ASSERT_EQ(cones.facets(), 2U);
+    ASSERT_EQ(cones.cells(), 70U);
+    const std::size_t of_three = cones.is_accessible(0, 3) ? 0 : 1;
+    for (std::size_t cell = 0; cell < 70; ++cell) {
+        EXPECT_EQ(cones.is_accessible(of_three, cell), cell == 3 || cell == 69);
+        EXPECT_EQ(cones.is_accessible(1 - of_three, cell), cell == 5);
+    }
+}
+
 TEST(DistinctCones, MayBeEmpty)
 {
     EXPECT_EQ(DistinctCones(VisibilityMap{}).size(), 0U);

@@ -478,6 +478,37 @@ TEST(PoseSearch, NeedsACentreOfUnitLengthForEachCell)
     EXPECT_THROW(pose_fit(2 * up, {}, {}), DomainError);
 }
 
+// A function that finds the same cells in another order of tool axes and facets.
+TEST(PoseSearch, IsTheSameWithTheNearestCellsOfSharesOfTheFacets)
+{
+    const Part& part = teapot("hex:4");
+    int calls = 0;
+    const auto by_shares = [&](const VisibilityMap& map, std::span<const Vec3> centres,
+                               const NearestCellsVisit& visit) {
+        ++calls;
+        std::vector<std::uint64_t> rows =
+            nearest_cell_rows(facet_share(map, 0, 2), centres);
+        const auto others = nearest_cell_rows(facet_share(map, 1, 2), centres);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            rows[i] |= others[i];
+        for_each_row_of_cells(rows, centres, visit);
+    };
+    for (const RotaryFamily family : {RotaryFamily::CA, RotaryFamily::AB}) {
+        PoseFitOptions options{family, SetupMode::Corrected, {{-1.4, 1.4}, {-1.3, 1.3}}};
+        const PoseSearchResult whole = pose_search(part.map, part.centres, options);
+        const auto poses = poses_within_limits(part.map, part.centres, options);
+        options.nearest_cells = by_shares;
+        const PoseSearchResult found = pose_search(part.map, part.centres, options);
+        expect_same_pose(found.least, whole.least);
+        expect_same_pose(found.feasible, whole.feasible);
+        const auto poses_of_shares = poses_within_limits(part.map, part.centres, options);
+        ASSERT_EQ(poses_of_shares.size(), poses.size());
+        for (std::size_t i = 0; i < poses.size(); ++i)
+            expect_same_pose(poses_of_shares[i], poses[i]);
+    }
+    EXPECT_EQ(calls, 4);
+}
+
 TEST(PoseSearch, ReportsTwoStepsForEachPose)
 {
     const Part& part = teapot("hex:4");

@@ -153,6 +153,88 @@ TEST_P(NearestCellsAtEveryPose, AgreeWithTheDefinitionAndWithEachPoseOnItsOwn)
 INSTANTIATE_TEST_SUITE_P(WithFewAndManyFacets, NearestCellsAtEveryPose,
                          testing::Values(0, 1, 63, 64, 65, 512, 513, 1600));
 
+// A map in which each facet is accessible along a random number of random directions.
+VisibilityMap random_map(std::size_t facets, std::size_t cells, test::Random& random)
+{
+    VisibilityMap map{facets, cells};
+    for (std::size_t facet = 0; facet < facets; ++facet) {
+        const double share = random.log_uniform(0.002, 0.9);
+        for (std::size_t cell = 0; cell < cells; ++cell)
+            if (random.uniform(0, 1) < share)
+                make_accessible(map, facet, cell);
+    }
+    return map;
+}
+
+// The nearest cells of shares of the facets, put together.
+std::vector<std::vector<std::uint32_t>> cells_of_shares(const VisibilityMap& map,
+                                                        const std::vector<Vec3>& centres,
+                                                        std::size_t shares)
+{
+    std::vector<std::uint64_t> rows;
+    for (std::size_t k = 0; k < shares; ++k) {
+        const auto found = nearest_cell_rows(facet_share(map, k, shares), centres);
+        rows.resize(found.size());
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            rows[i] |= found[i];
+    }
+    std::vector<std::vector<std::uint32_t>> cells(centres.size());
+    for_each_row_of_cells(rows, centres, [&](std::size_t pose, auto found) {
+        cells[pose] = std::move(found);
+    });
+    return cells;
+}
+
+// Fewer groups of 64 facets than shares, as many, and more.
+TEST(NearestCells, OfSharesOfTheFacetsAreThoseOfAllFacets)
+{
+    test::Random random{17};
+    for (const char* name : {"hex:3", "cube:4", "latlong:8x6"}) {
+        const std::vector<Vec3> centres = sphere_grid(name).centres;
+        for (const std::size_t facets : {0, 1, 64, 130, 256, 1000}) {
+            const VisibilityMap map = random_map(facets, centres.size(), random);
+            std::vector<std::vector<std::uint32_t>> whole(centres.size());
+            for_each_nearest_cells(map, centres, [&](std::size_t pose, auto cells) {
+                whole[pose] = std::move(cells);
+            });
+            for (const std::size_t shares : {1, 2, 4, 7})
+                EXPECT_EQ(cells_of_shares(map, centres, shares), whole)
+                    << name << ", " << facets << " facets, " << shares << " shares";
+        }
+    }
+}
+
+// Facet 64 a + b of a share is facet 64 (first + a step) + b of the map.
+TEST(NearestCells, OfAShareAreThoseOfEveryThirdGroupOf64Facets)
+{
+    test::Random random{18};
+    const VisibilityMap map = random_map(300, 20, random);
+    std::size_t facets = 0;
+    for (std::size_t first = 0; first < 3; ++first) {
+        const VisibilityMap share = facet_share(map, first, 3);
+        facets += share.facets();
+        for (std::size_t facet = 0; facet < share.facets(); ++facet)
+            for (std::size_t cell = 0; cell < map.cells(); ++cell)
+                EXPECT_EQ(
+                    share.is_accessible(facet, cell),
+                    map.is_accessible(64 * (first + facet / 64 * 3) + facet % 64, cell));
+    }
+    EXPECT_EQ(facets, map.facets());
+    EXPECT_EQ(facet_share(map, 5, 3).facets(), 0U);
+    EXPECT_EQ(facet_share(map, 5, 3).cells(), 20U);
+    EXPECT_THROW(facet_share(map, 0, 0), DomainError);
+}
+
+TEST(NearestCells, ReportEveryToolAxisOfTheirRows)
+{
+    const SphereGrid grid = sphere_grid("hex:3");
+    const VisibilityMap map{3, grid.centres.size()};
+    std::size_t told = 0;
+    nearest_cell_rows(map, grid.centres,
+                      [&](std::size_t done) { EXPECT_EQ(done, ++told); });
+    EXPECT_EQ(told, grid.centres.size());
+}
+
 TEST(NearestCells, EndWithTheExceptionOfAVisit)
 {
     const SphereGrid grid = sphere_grid("hex:3");
@@ -172,6 +254,9 @@ TEST(NearestCells, NeedACentreForEachCellAndAPoseAmongThem)
     EXPECT_THROW(nearest_cells(map, std::vector<Vec3>{Vec3::UnitZ()}, 0), DomainError);
     const auto visit = [](std::size_t, const auto&) {};
     EXPECT_THROW(for_each_nearest_cells(map, std::vector<Vec3>{Vec3::UnitZ()}, visit),
+                 DomainError);
+    EXPECT_THROW(nearest_cell_rows(map, std::vector<Vec3>{Vec3::UnitZ()}), DomainError);
+    EXPECT_THROW(for_each_row_of_cells(std::vector<std::uint64_t>(1), centres, visit),
                  DomainError);
 }
 

@@ -124,7 +124,7 @@ public:
 
     PoseSearchResult run()
     {
-        for_each_nearest_cells(map_, centres_, [this](std::size_t pose, auto cells) {
+        options_.nearest_cells(map_, centres_, [this](std::size_t pose, auto cells) {
             nearest_[pose] = std::move(cells);
             bound(pose);
             looks_.one_more();
@@ -217,7 +217,7 @@ std::vector<FittedPose> poses_within_limits(const VisibilityMap& map,
 {
     check_search(map, centres, options);
     std::vector<std::optional<FittedPose>> fits(centres.size());
-    for_each_nearest_cells(map, centres, [&](std::size_t pose, const auto& cells) {
+    options.nearest_cells(map, centres, [&](std::size_t pose, const auto& cells) {
         fits[pose] = feasible_of(
             fit(centres[pose], directions_of(cells, centres), options, {}), options);
     });

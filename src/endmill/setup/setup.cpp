@@ -29,6 +29,7 @@ PoseSearchResult best_at_cells(const SphereGrid& grid, const VisibilityMap& map,
                         .mode = mode,
                         .limits = request.reach.limits,
                         .order = rotary_order(request.reach.configuration),
+                        .nearest_cells = request.nearest_cells,
                         .progress = request.cell_progress});
 }
 
@@ -37,10 +38,11 @@ PoseSearchResult best_at_cells(const SphereGrid& grid, const VisibilityMap& map,
 PoseSampling sampling_of(const SetupRequest& request)
 {
     if (request.mode != SetupMode::WholeCones)
-        return {request.reach, request.mode};
+        return {request.reach, request.mode, {}, request.nearest_cells};
     return {request.reach, SetupMode::Corrected,
             PoseMeasure{family_of(request.reach.configuration),
-                        request.whole_cones.objective, request.whole_cones.floor_rad}};
+                        request.whole_cones.objective, request.whole_cones.floor_rad},
+            request.nearest_cells};
 }
 
 // The objective of the request, of a pose: rad^2, or rad.
@@ -260,11 +262,12 @@ PartSetup five_axis_setup(const SphereGrid& grid, const VisibilityMap& map,
     require(request.reach.configuration.family.has_value(),
             "five_axis_setup: need a machine with two rotary axes that tilt the tool");
     // Facets with equal cones need the same directions: one of them is searched for.
-    const DistinctCones cones{map};
-    if (request.mode == SetupMode::WholeCones)
-        return best_over_whole_cones(grid, cones.map(), request);
+    if (request.mode == SetupMode::WholeCones) {
+        const VisibilityMap cones = DistinctCones{map}.map();
+        return best_over_whole_cones(grid, cones, request);
+    }
     return setup_of(
-        best_at_cells(grid, cones.map(cones.similar_together()), request, request.mode));
+        best_at_cells(grid, map_of_distinct_cones(map), request, request.mode));
 }
 
 std::optional<double> floored_area_deg2(const PartSetup& setup,

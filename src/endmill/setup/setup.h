@@ -41,6 +41,9 @@ struct SetupRequest {
     SetupMode mode = SetupMode::Paper;   ///< used with five axes
     WholeConeCriteria whole_cones = {};  ///< used by the mode `WholeCones` only
 
+    /// Used by the search over cells as PoseFitOptions::nearest_cells.
+    NearestCellsFinder nearest_cells = for_each_nearest_cells;
+
     /// Called by the search over cells as PoseFitOptions::progress, twice for each cell.
     std::function<void(std::size_t done)> cell_progress = {};
 };

@@ -14,6 +14,7 @@
 #include "endmill/machine/axis_limits.h"
 #include "endmill/machine/configuration.h"
 #include "endmill/machine/kinematics.h"
+#include "endmill/visibility/visibility.h"
 
 /// \file
 /// Poses of a part on a machine, objectives that compare them, and modes of the search.
@@ -171,6 +172,9 @@ struct PoseFitOptions {
     RotaryLimits limits{};                   ///< rotations of the tool against the part
 
     RotaryOrder order = RotaryOrder::AFirst;  ///< of the family A,B
+
+    /// Used by searches. The result is the same for every such function.
+    NearestCellsFinder nearest_cells = for_each_nearest_cells;
 
     /// If set, it is called twice for each tool axis, after its quick bound and after its fit, with the
     /// number of calls so far. Any thread may call, one at a time. An exception ends the

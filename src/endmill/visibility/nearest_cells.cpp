@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "endmill/core/error.h"
 #include "endmill/core/parallel.h"
+#include "endmill/visibility/detail/direction_count.h"
 
 // How the nearest cells are found.
 //
@@ -170,6 +172,12 @@ std::vector<CellsAtPose> cells_at_poses(const VisibilityMap& map,
     return poses;
 }
 
+// Words of a row of bits over the cells.
+std::size_t row_words(std::span<const Vec3> centres)
+{
+    return (centres.size() + 63) / 64;
+}
+
 }  // namespace
 
 std::vector<std::uint32_t> nearest_cells(const VisibilityMap& map,
@@ -180,9 +188,8 @@ std::vector<std::uint32_t> nearest_cells(const VisibilityMap& map,
     return cells_at_poses(map, centres, pose, pose + 1).front().found();
 }
 
-void for_each_nearest_cells(
-    const VisibilityMap& map, std::span<const Vec3> centres,
-    const std::function<void(std::size_t pose, std::vector<std::uint32_t> cells)>& visit)
+void for_each_nearest_cells(const VisibilityMap& map, std::span<const Vec3> centres,
+                            const NearestCellsVisit& visit)
 {
     require(centres.size() == map.cells(),
             "for_each_nearest_cells: need a centre for each cell");
@@ -197,6 +204,55 @@ void for_each_nearest_cells(
                 cells_at_poses(map, centres, first, last);
             for (std::size_t pose = first; pose < last; ++pose)
                 visit(pose, poses[pose - first].found());
+        }
+    });
+}
+
+VisibilityMap facet_share(const VisibilityMap& map, std::size_t first, std::size_t step)
+{
+    require(step > 0, "facet_share: need a step above 0");
+    std::size_t facets = 0;
+    for (std::size_t word = first; word < map.words(); word += step)
+        facets += std::min<std::size_t>(64, map.facets() - 64 * word);
+    VisibilityMap share{facets, map.cells()};
+    for (std::size_t cell = 0; cell < map.cells(); ++cell) {
+        const std::span<const std::uint64_t> column = map.column(cell);
+        const std::span<std::uint64_t> kept = share.column(cell);
+        for (std::size_t i = 0; i < kept.size(); ++i)
+            kept[i] = column[first + i * step];
+    }
+    return share;
+}
+
+std::vector<std::uint64_t> nearest_cell_rows(
+    const VisibilityMap& map, std::span<const Vec3> centres,
+    const std::function<void(std::size_t done)>& progress)
+{
+    const std::size_t words = row_words(centres);
+    std::vector<std::uint64_t> rows(centres.size() * words);
+    DirectionCount finished{progress};
+    for_each_nearest_cells(map, centres, [&](std::size_t pose, const auto& cells) {
+        for (const std::uint32_t cell : cells)
+            rows[pose * words + cell / 64] |= std::uint64_t{1} << cell % 64;
+        finished.one_more();
+    });
+    return rows;
+}
+
+void for_each_row_of_cells(std::span<const std::uint64_t> rows,
+                           std::span<const Vec3> centres, const NearestCellsVisit& visit)
+{
+    const std::size_t words = row_words(centres);
+    require(rows.size() == centres.size() * words,
+            "for_each_row_of_cells: need a row for each cell");
+    parallel_for(centres.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t pose = begin; pose < end; ++pose) {
+            const std::span<const std::uint64_t> row = rows.subspan(pose * words, words);
+            std::vector<std::uint32_t> cells = cells_by_nearness(centres, centres[pose]);
+            std::erase_if(cells, [row](std::uint32_t cell) {
+                return (row[cell / 64] >> cell % 64 & 1) == 0;
+            });
+            visit(pose, std::move(cells));
         }
     });
 }

@@ -193,6 +193,10 @@ void keep_reachable(PartVisibility& visibility, const TriangleMesh& part,
 std::vector<std::uint32_t> nearest_cells(const VisibilityMap& map,
                                          std::span<const Vec3> centres, std::size_t pose);
 
+/// Receives the `nearest_cells` of a tool axis, the centre of the cell `pose`.
+using NearestCellsVisit =
+    std::function<void(std::size_t pose, std::vector<std::uint32_t> cells)>;
+
 /// Finds the `nearest_cells` at every tool axis, which is faster than one at a time.
 /// At most O(cells^2 * facets / 64); about a twentieth of it for a convex part if each 64
 /// successive facets have similar cones. Memory: on each thread 5 bytes for each cell and each
@@ -201,8 +205,38 @@ std::vector<std::uint32_t> nearest_cells(const VisibilityMap& map,
 /// \param visit is called once for each cell as the tool axis, in any order and by several
 ///        threads at once. An exception ends the work.
 /// \throws DomainError if there is not one centre for each cell.
-void for_each_nearest_cells(
+void for_each_nearest_cells(const VisibilityMap& map, std::span<const Vec3> centres,
+                            const NearestCellsVisit& visit);
+
+/// A function that does what `for_each_nearest_cells` does, for searches that use it. A
+/// program of several processes divides the facets among them.
+using NearestCellsFinder =
+    std::function<void(const VisibilityMap& map, std::span<const Vec3> centres,
+                       const NearestCellsVisit& visit)>;
+
+/// Every `step`-th group of 64 successive facets from the group `first` on: a share of the
+/// facets for one of `step` processes. Neighbouring groups often have similar cones, so that
+/// such shares cost about the same.
+/// \param map cones. \param first number of a group, from 0. \param step at least 1.
+/// \return the cones of these facets, over the same cells.
+/// \throws DomainError if `step` is 0. LimitError if there is not enough memory.
+VisibilityMap facet_share(const VisibilityMap& map, std::size_t first, std::size_t step);
+
+/// The `nearest_cells` at every tool axis as bits, without their order. Each tool axis has a
+/// row of (cells + 63) / 64 words; bit i % 64 of word i / 64 of a row belongs to cell i. The
+/// rows of a map are the rows of all its `facet_share`s, combined by a bitwise or.
+/// \param map, centres as for `for_each_nearest_cells`.
+/// \param progress as VisibilityOptions::progress, for tool axes.
+/// \throws DomainError as `for_each_nearest_cells`.
+std::vector<std::uint64_t> nearest_cell_rows(
     const VisibilityMap& map, std::span<const Vec3> centres,
-    const std::function<void(std::size_t pose, std::vector<std::uint32_t> cells)>& visit);
+    const std::function<void(std::size_t done)>& progress = {});
+
+/// Visits every tool axis as `for_each_nearest_cells` does, with the cells of its row. It
+/// sorts all cells at each tool axis, which takes O(cells^2 log cells).
+/// \param rows of `nearest_cell_rows`. \param centres unit, one for each cell.
+/// \throws DomainError if `rows` does not have a row for each cell.
+void for_each_row_of_cells(std::span<const std::uint64_t> rows,
+                           std::span<const Vec3> centres, const NearestCellsVisit& visit);
 
 }  // namespace endmill

@@ -9,7 +9,7 @@
 
 #include "endmill/core/text.h"
 #include "endmill/files/detail/csv_lines.h"
-#include "endmill/job/detail/random_share.h"
+#include "endmill/job/detail/drawn_fraction.h"
 
 namespace endmill {
 namespace {
@@ -271,7 +271,7 @@ std::vector<std::string> CaseSamples::values(std::uint64_t number) const
 {
     std::vector<std::string> all;
     for (std::size_t i = 0; i < keys_.size(); ++i) {
-        const double share = random_share(seed_, keys_[i], number);
+        const double share = drawn_fraction(seed_, keys_[i], number);
         if (const auto* const choices = std::get_if<Choices>(&parameters_[i])) {
             const auto count = static_cast<double>(choices->size());
             all.push_back((*choices)[static_cast<std::size_t>(share * count)]);

@@ -151,4 +151,10 @@ VisibilityMap DistinctCones::map(std::span<const std::size_t> cones) const
     return result;
 }
 
+VisibilityMap map_of_distinct_cones(const VisibilityMap& map)
+{
+    const DistinctCones cones{map};
+    return cones.map(cones.similar_together());
+}
+
 }  // namespace endmill

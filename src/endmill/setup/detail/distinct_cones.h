@@ -64,4 +64,8 @@ private:
     std::vector<std::size_t> first_facets_;  // by cone
 };
 
+/// The different cones of a map as a map with one facet for each, similar ones side by side.
+/// The memory of DistinctCones is free again when it returns.
+VisibilityMap map_of_distinct_cones(const VisibilityMap& map);
+
 }  // namespace endmill

@@ -84,12 +84,12 @@ std::vector<FittedPose> five_axis_poses(const SphereGrid& grid, const Visibility
     const PoseFitOptions options{.family = sampling.reach.configuration.family.value(),
                                  .mode = sampling.mode,
                                  .limits = sampling.reach.limits,
-                                 .order = rotary_order(sampling.reach.configuration)};
+                                 .order = rotary_order(sampling.reach.configuration),
+                                 .nearest_cells = sampling.nearest_cells};
     const RotaryLimits& limits = sampling.reach.limits;
     std::vector<FittedPose> poses;
-    const DistinctCones cones{map};
-    for (const FittedPose& fit : poses_within_limits(cones.map(cones.similar_together()),
-                                                     grid.centres, options)) {
+    for (const FittedPose& fit :
+         poses_within_limits(map_of_distinct_cones(map), grid.centres, options)) {
         poses.push_back(fit);
         if (options.family == RotaryFamily::AB) {
             if (const auto turned = turned_ab(fit, limits))

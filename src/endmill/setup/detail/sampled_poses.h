@@ -22,6 +22,8 @@ struct PoseSampling {
     SetupMode mode = SetupMode::Corrected;  ///< of five axes: any but `WholeCones`
     /// Orders the poses by this measure; nothing: by their area.
     std::optional<PoseMeasure> measure = {};
+    /// Used with five axes, as PoseFitOptions::nearest_cells.
+    NearestCellsFinder nearest_cells = for_each_nearest_cells;
 };
 
 /// The value by which a pose is ordered: rad^2, or rad.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/job/detail/random_share.h"
+#include "endmill/job/detail/drawn_fraction.h"
 
 #include <charconv>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace endmill {
 
-double random_share(std::uint64_t seed, std::string_view key, std::uint64_t number)
+double drawn_fraction(std::uint64_t seed, std::string_view key, std::uint64_t number)
 {
     constexpr std::size_t digits = 16;  // of 64 bits
     constexpr unsigned surplus_bits = 11;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "endmill/job/detail/random_share.h"
+#include "endmill/job/detail/drawn_fraction.h"
 
 #include <cmath>
 #include <string>
@@ -11,20 +11,20 @@ namespace {
 
 // python3 -c 'import hashlib; print((int.from_bytes(hashlib.sha256(b"7/scallop/12").digest()[:8],
 // "big") >> 11) / 2**53)'
-TEST(RandomShare, IsThatOfAnIndependentComputation)
+TEST(DrawnFraction, IsThatOfAnIndependentComputation)
 {
-    EXPECT_EQ(random_share(7, "scallop", 12), 0.4937885127926751);
-    EXPECT_EQ(random_share(0, "cutter", 9'999'999), 0.6185533997933875);
+    EXPECT_EQ(drawn_fraction(7, "scallop", 12), 0.4937885127926751);
+    EXPECT_EQ(drawn_fraction(0, "cutter", 9'999'999), 0.6185533997933875);
 }
 
 // The mean of n uniform numbers has the standard deviation 1 / sqrt(12 n).
-TEST(RandomShare, IsUniform)
+TEST(DrawnFraction, IsUniform)
 {
     constexpr int count = 20'000;
     double sum = 0;
     double squares = 0;
     for (int i = 0; i < count; ++i) {
-        const double share = random_share(1, "x", i);
+        const double share = drawn_fraction(1, "x", i);
         ASSERT_GE(share, 0);
         ASSERT_LT(share, 1);
         sum += share;
@@ -34,19 +34,19 @@ TEST(RandomShare, IsUniform)
     EXPECT_NEAR(squares / count, 1.0 / 3, 4 * std::sqrt(4.0 / 45 / count));
 }
 
-TEST(RandomShare, DependsOnSeedKeyAndCase)
+TEST(DrawnFraction, DependsOnSeedKeyAndCase)
 {
-    const double share = random_share(1, "x", 1);
-    EXPECT_NE(share, random_share(2, "x", 1));
-    EXPECT_NE(share, random_share(1, "y", 1));
-    EXPECT_NE(share, random_share(1, "x", 2));
+    const double share = drawn_fraction(1, "x", 1);
+    EXPECT_NE(share, drawn_fraction(2, "x", 1));
+    EXPECT_NE(share, drawn_fraction(1, "y", 1));
+    EXPECT_NE(share, drawn_fraction(1, "x", 2));
 }
 
 // The power by the library's logarithm, in higher precision.
 TEST(GeometricBetween, IsThePowerOfTheShare)
 {
     for (int i = 0; i < 1000; ++i) {
-        const double share = random_share(3, "x", i);
+        const double share = drawn_fraction(3, "x", i);
         for (const auto& [low, high] :
              {std::pair{0.01, 0.5}, {1e-9, 1e9}, {3.0, 3.0000001}, {2.0, 2.0}}) {
             const long double power = low * std::pow(static_cast<long double>(high) / low,
