@@ -14,7 +14,9 @@ writes one CSV. Installs missing packages (Debian, root). Do not use the machine
 
   without --compare   runs each benchmark N times and writes results/bench.csv: machine,
                       revision, and for each measured row median, spread, and the ratio to
-                      the library that the same run compares it with
+                      the library that the same run compares it with. Keeps them in
+                      results/bench_history.csv, and draws medians and ratios over all kept
+                      runs and revisions as results/bench-BENCHMARK.svg
   --runs N            runs of each benchmark (default 3)
   --compare REVISION  builds REVISION in build/bench too, and runs both in interleaved pairs.
                       Writes results/bench_compare.csv and prints for each row the median of
@@ -43,5 +45,5 @@ done
 export PYTHONPATH=scripts
 # Check the command line before installing anything.
 /usr/bin/python3 -m benchmarking --check "${arguments[@]}"
-scripts/setup.sh "${setup_options[@]}" build benchmarks
+scripts/setup.sh "${setup_options[@]}" build benchmarks figures
 exec /usr/bin/python3 -m benchmarking "${arguments[@]}"

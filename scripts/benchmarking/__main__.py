@@ -7,6 +7,7 @@ from pathlib import Path
 from reproduction import machine
 from reproduction.fault import Fault
 
+from .history import draw, keep
 from .measure import COMPARE_HEAD, RUN_HEAD, busy, compare, measure, write_csv
 from .trees import Tree, build, checked_out, compiler_options
 
@@ -63,8 +64,11 @@ def say(text):
 
 def run_alone(tree, arguments):
     build(tree, arguments.names)
-    write_csv(ROOT / "results/bench.csv", RUN_HEAD, measure(tree, arguments.names, arguments.runs, say))
+    rows = measure(tree, arguments.names, arguments.runs, say)
+    write_csv(ROOT / "results/bench.csv", RUN_HEAD, rows)
     say("written: results/bench.csv")
+    drawn = draw(ROOT / "results", keep(ROOT / "results/bench_history.csv", rows))
+    say(f"kept in results/bench_history.csv; drawn over all kept runs: {', '.join(drawn) or 'nothing yet'}")
     return 0
 
 

@@ -15,6 +15,7 @@ from .figures import draw_all
 from .outcome import gather, read_run
 from .run import run_all, write_whole
 from .verdicts import SHOWN, as_text
+from .views import make_view, words_of
 
 ROOT = Path(__file__).resolve().parents[2]
 START = time.monotonic()
@@ -38,7 +39,8 @@ def run_whole(command, root):
 
 def build(root, experiments):
     """Builds the drivers of the experiments, and the program for those that are scripts."""
-    targets = list(dict.fromkeys(e.target for e in experiments))
+    targets = list(dict.fromkeys([e.target for e in experiments] +
+                                 ["endmill" for e in experiments if words_of(e.params())]))
     run_whole(["cmake", "--build", "--preset", "release", "--target", *targets], root)
 
 
@@ -48,6 +50,7 @@ def draw(experiment):
     try:
         if run and run["exit"] == 0:
             draw_all(experiment.params(), experiment.results)
+            make_view(experiment)
     except Fault as fault:
         return [str(fault)]
     return []

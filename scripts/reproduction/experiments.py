@@ -69,7 +69,7 @@ class Experiment:
             raise Fault(f"{path}: {error}") from None
         if not isinstance(params, dict):
             raise Fault(f"{path}: expected an object")
-        unknown = params.keys() - {"parameters", "tolerances", "figures", "alone", "long", "peers", "target"}
+        unknown = params.keys() - {"parameters", "tolerances", "figures", "alone", "long", "peers", "target", "view"}
         if unknown:
             raise Fault(f"{path}: unknown keys {sorted(unknown)}")
         return params

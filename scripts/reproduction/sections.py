@@ -4,7 +4,7 @@ import base64
 from html import escape
 from urllib.parse import quote
 
-from . import claims, prose
+from . import claims, prose, views
 from .markup import addresses, anchor, in_words, row_anchor, table, word
 from .tables import rounded
 from .verdicts import SHOWN
@@ -83,6 +83,12 @@ def figure(outcome, description, inside):
     return f'<figure><div class="scroll">{picture}</div><figcaption>{"".join(lines)}</figcaption></figure>'
 
 
+def view(outcome):
+    """A link to the page on which the part of an item can be turned, if there is one."""
+    address = views.link(outcome.experiment)
+    return f'<p><a href="{quote(address)}">Turn it in 3D</a></p>' if address else ""
+
+
 def files(outcome):
     """Links to the CSV files of an item, relative to results/report.html."""
     experiment = outcome.experiment
@@ -123,6 +129,7 @@ def section(outcome, names, inside):
         in_words(judged_table(outcome, outcome.claims, claims.SHOWN, [2, 3], "claims and measurements")),
         result_table(outcome),
         *[figure(outcome, description, inside) for description in outcome.figures],
+        view(outcome),
         f"<div class=about>{readme.body}</div>",
         f"<p class=quiet>{earlier}<code>{escape(experiment.name)}</code>; files: {files(outcome)}</p>",
         for_developers(outcome, readme),

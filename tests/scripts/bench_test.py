@@ -6,6 +6,7 @@ import unittest
 from fake_tree import ROOT, FakeTree
 
 from benchmarking.__main__ import UsageError, read
+from benchmarking.history import draw, keep, series
 from benchmarking.measure import COMPARE_HEAD, RUN_HEAD, compare, judged, measure, pairs_of, write_csv
 from benchmarking.rows import Row, peer_ratio, sense, slowdown, spread_percent, verdict
 from benchmarking.trees import Tree, checked_out
@@ -14,6 +15,38 @@ from reproduction.fault import Fault
 from reproduction.tables import read_table
 
 HEAD = "row,measured,unit\n"
+
+
+def kept_row(revision, row, median, ratio=""):
+    values = {"revision": revision, "benchmark": "b", "row": row, "unit": "ms", "runs": 3, "median": median,
+              "spread_percent": 1, "ratio_to_peer": ratio}
+    return [values.get(name, "m") for name in RUN_HEAD]
+
+
+class History(FakeTree):
+    def test_runs_are_kept_and_their_curves_share_the_axis_of_runs(self):
+        path = self.root / "history.csv"
+        keep(path, [kept_row("r1", "fast", 2), kept_row("r1", "slow", 9, 3)], "2030-01-01T00:00:00Z")
+        keep(path, [kept_row("r2", "slow", 8, 2.5)], "2030-01-02T00:00:00Z")
+        rows = keep(path, [kept_row("r3", "fast", 1), kept_row("r3", "slow", 7, 2)], "2030-01-03T00:00:00Z")
+        runs, medians = series(rows, "median")
+        self.assertEqual([revision for _, revision in runs], ["r1", "r2", "r3"])
+        self.assertEqual(medians, {("b", "fast, ms"): [(0, 2.0), (2, 1.0)],
+                                   ("b", "slow, ms"): [(0, 9.0), (1, 8.0), (2, 7.0)]})
+        self.assertEqual(series(rows, "ratio_to_peer")[1], {("b", "slow, ms"): [(0, 3.0), (1, 2.5), (2, 2.0)]})
+
+    def test_each_benchmark_with_two_runs_is_drawn(self):
+        path = self.root / "history.csv"
+        one = keep(path, [kept_row("r1", "fast", 2)], "2030-01-01T00:00:00Z")
+        self.assertEqual(draw(self.root, one), [])
+        two = keep(path, [kept_row("r2", "fast", 3)], "2030-01-02T00:00:00Z")
+        self.assertEqual(draw(self.root, two), ["bench-b.svg"])
+        self.assertIn("<svg", (self.root / "bench-b.svg").read_text(encoding="utf-8"))
+
+    def test_a_history_with_another_head_is_begun_anew(self):
+        path = self.root / "history.csv"
+        path.write_text("other,head\n1,2\n", encoding="utf-8")
+        self.assertEqual(len(keep(path, [kept_row("r1", "fast", 2)], "2030-01-01T00:00:00Z")), 1)
 
 
 class Rows(unittest.TestCase):
