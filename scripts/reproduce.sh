@@ -41,10 +41,10 @@ for argument in "$@"; do
     case "$argument" in
         --help | -h) usage; exit 0 ;;
         --no-install) setup_options=(--no-install); continue ;;
-        --full) groups+=(benchmarks python) ;;
+        --full) groups+=(benchmarks python page) ;;
         --accept | --quick) ;;
         -*) echo "reproduce.sh: unknown option $argument, see --help" >&2; exit 2 ;;
-        benchmarks | benchmarks/* | experiments/benchmarks*) groups+=(benchmarks python) ;;
+        benchmarks | benchmarks/* | experiments/benchmarks*) groups+=(benchmarks python page) ;;
     esac
     arguments+=("$argument")
 done
