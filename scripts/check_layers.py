@@ -6,10 +6,10 @@ The script reports:
 
 * An #include uses a module that src/CMakeLists.txt does not declare for it, or is relative.
 * src/CMakeLists.txt declares an arrow that no #include of the module follows.
-* A module other than job uses files. Modules that compute or draw do not read files.
+* A module other than job and import uses files. Modules that compute or draw do not read files.
 * A folder under src/endmill is not a declared module, or a declared module has no folder.
 * A module folder has other folders than detail/.
-* A module has more than 14 public headers, or all modules together have more than 172.
+* A module has more than 14 public headers, or all modules together have more than 176.
 * The umbrella header of a module does not include exactly the module's public headers.
 * The names of two types, or of two files, in src differ only in the order of their words.
 * Units (a header with its source) include each other in a cycle.
@@ -29,7 +29,7 @@ KEYWORDS = {"USES", "LIBRARIES", "PRIVATE_LIBRARIES", "OPTIONS", "TEST_LIBRARIES
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 KEPT_INSIDE = re.compile(r"^(CGAL|OpenMesh|boost|embree\d*|tbb|oneapi)/")
 MOST_HEADERS_OF_A_MODULE = 14
-MOST_HEADERS = 172  # of all modules, umbrella headers included
+MOST_HEADERS = 176  # of all modules, umbrella headers included
 TYPE = re.compile(r"^[ ]*(?:enum class|enum struct|enum|class|struct|using)\s+([A-Z]\w*)(?!\w|::)", re.M)
 WORD = re.compile(r"[A-Z]+(?![a-z])|[A-Z]?[a-z]+|\d+")
 SPDX = "SPDX-License-Identifier:"
@@ -50,8 +50,8 @@ def declared_arrows(text, bad):
                 uses.add(token)
         for later in sorted(uses - arrows.keys()):
             bad.append(f"src/CMakeLists.txt: {name} uses {later}, which is not declared above it")
-        if "files" in uses and name != "job":
-            bad.append(f"src/CMakeLists.txt: {name} uses files; only job and cli may")
+        if "files" in uses and name not in ("job", "import"):
+            bad.append(f"src/CMakeLists.txt: {name} uses files; only job, import and cli may")
         arrows[name] = uses
     return arrows
 

@@ -53,7 +53,9 @@ ExitCode run_info(const InfoOptions& options)
         return report_path(path, options.common);
     }
     refuse_idle_options(options.common, path_option_names, "a part", "a tool path");
-    const PartFile file = read_part_for(options.part, options.common);
+    PartOptions part = options.part;
+    part.keeps_import = !options.common.output.empty();
+    const PartFile file = read_part_for(part, options.common);
     const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
     if (!surfaces) {
         refuse_idle_options(options.common, std::array{"--require", "--axis"}, "a mesh",
