@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cad/cad_model.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <unordered_map>
@@ -14,7 +15,8 @@
 #include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <IGESGraph_Color.hxx>
-#include <Interface_Static.hxx>
+#include <Interface_Check.hxx>
+#include <Interface_CheckIterator.hxx>
 #include <Quantity_Color.hxx>
 #include <STEPConstruct.hxx>
 #include <STEPConstruct_Styles.hxx>
@@ -78,6 +80,26 @@ void add_colour(Labels& labels, const TopoDS_Shape& shape, const std::string& co
     }
     for (TopExp_Explorer face{shape, TopAbs_FACE}; face.More(); face.Next())
         labels.colours.try_emplace(address(face.Current()), colour);
+}
+
+// Reports the first fault of a file as a line of the program's messages.
+template <typename Reader>
+void report_first_fault(const Reader& reader)
+{
+    Interface_CheckIterator checks = reader.WS()->ModelCheckList();
+    for (checks.Start(); checks.More(); checks.Next()) {
+        const Handle(Interface_Check)& check = checks.Value();
+        if (!check->HasFailed())
+            continue;
+        Handle(TCollection_HAsciiString) label;
+        if (check->HasEntity())
+            label = reader.Model()->StringLabel(check->Entity());
+        std::fprintf(stderr, "\nendmill-cad: %s%s%s\n",
+                     label.IsNull() ? "" : label->ToCString(), label.IsNull() ? "" : ": ",
+                     check->CFail(1));
+        std::fflush(stderr);
+        return;
+    }
 }
 
 void require_count(std::size_t faces, std::size_t most)
@@ -159,25 +181,41 @@ void add_step_colours(Labels& labels, const STEPControl_Reader& reader)
 }
 
 // The number of faces that the file lists, before they are built.
-template <typename Entity>
-std::size_t listed_faces(const Handle(Interface_InterfaceModel) & model)
+std::size_t listed_step_faces(const Handle(Interface_InterfaceModel) & model)
 {
     std::size_t count = 0;
     for (int i = 1; i <= model->NbEntities(); ++i)
-        count += model->Value(i)->IsKind(STANDARD_TYPE(Entity)) ? 1 : 0;
+        count += model->Value(i)->IsKind(STANDARD_TYPE(StepShape_Face)) ? 1 : 0;
     return count;
 }
 
-TopoDS_Shape read_step(const char* path, std::size_t most_faces, std::string& unit,
+// The faces that the file lists and that have no shape.
+std::size_t lost_step_faces(const STEPControl_Reader& reader)
+{
+    const Handle(Transfer_TransientProcess)& process =
+        reader.WS()->TransferReader()->TransientProcess();
+    const auto model = reader.Model();
+    std::size_t count = 0;
+    for (int i = 1; i <= model->NbEntities(); ++i) {
+        const auto face = Handle(StepShape_Face)::DownCast(model->Value(i));
+        if (!face.IsNull() && STEPConstruct::FindShape(process, face).IsNull())
+            ++count;
+    }
+    return count;
+}
+
+TopoDS_Shape read_step(const char* path, std::size_t most_faces, Model& model,
                        Labels& labels)
 {
     STEPControl_Reader reader;
     require_read(reader.ReadFile(path), reader, "STEP");
-    require_count(listed_faces<StepShape_Face>(reader.Model()), most_faces);
-    unit = step_unit(reader);
+    require_count(listed_step_faces(reader.Model()), most_faces);
+    report_first_fault(reader);
+    model.unit = step_unit(reader);
     reader.TransferRoots();
     add_step_names(labels, reader);
     add_step_colours(labels, reader);
+    model.lost_faces = lost_step_faces(reader);
     return reader.OneShape();
 }
 
@@ -229,26 +267,34 @@ void add_iges_labels(Labels& labels, const IGESControl_Reader& reader)
     }
 }
 
-TopoDS_Shape read_iges(const char* path, std::size_t most_faces, std::string& unit,
+bool is_iges_face(const Handle(IGESData_IGESEntity) & entity)
+{
+    constexpr std::array types{143, 144, 510};  // bounded, trimmed, of a solid
+    return std::ranges::find(types, entity->TypeNumber()) != types.end();
+}
+
+TopoDS_Shape read_iges(const char* path, std::size_t most_faces, Model& model,
                        Labels& labels)
 {
     IGESControl_Reader reader;
     require_read(reader.ReadFile(path), reader, "IGES");
-    const Handle(IGESData_IGESModel) model = reader.IGESModel();
-    std::size_t faces = 0;
-    for (int i = 1; i <= model->NbEntities(); ++i) {
-        const int type = model->Entity(i)->TypeNumber();
-        constexpr int trimmed_surface = 144;
-        constexpr int bounded_surface = 143;
-        constexpr int face = 510;
-        faces +=
-            type == trimmed_surface || type == bounded_surface || type == face ? 1 : 0;
-    }
-    require_count(faces, most_faces);
-    const Handle(TCollection_HAsciiString) name = model->GlobalSection().UnitName();
-    unit = name.IsNull() ? "" : utf8(name->String());
+    const Handle(IGESData_IGESModel) entities = reader.IGESModel();
+    std::vector<Handle(IGESData_IGESEntity)> faces;
+    for (int i = 1; i <= entities->NbEntities(); ++i)
+        if (is_iges_face(entities->Entity(i)))
+            faces.push_back(entities->Entity(i));
+    require_count(faces.size(), most_faces);
+    report_first_fault(reader);
+    const Handle(TCollection_HAsciiString) name = entities->GlobalSection().UnitName();
+    model.unit = name.IsNull() ? "" : utf8(name->String());
     reader.TransferRoots();
     add_iges_labels(labels, reader);
+    const Handle(Transfer_TransientProcess)& process =
+        reader.WS()->TransferReader()->TransientProcess();
+    model.lost_faces =
+        static_cast<std::size_t>(std::ranges::count_if(faces, [&](const auto& face) {
+            return TransferBRep::ShapeResult(process, face).IsNull();
+        }));
     return reader.OneShape();
 }
 
@@ -319,9 +365,8 @@ Model read_model(const char* path, FileKind kind, std::size_t most_faces)
 {
     Model model{};
     Labels labels;
-    model.shape = kind == FileKind::Step
-                      ? read_step(path, most_faces, model.unit, labels)
-                      : read_iges(path, most_faces, model.unit, labels);
+    model.shape = kind == FileKind::Step ? read_step(path, most_faces, model, labels)
+                                         : read_iges(path, most_faces, model, labels);
     model.is_sewn = !model.shape.IsNull() && has_separate_faces(model.shape);
     if (model.is_sewn)
         model.shape = sewn(model.shape, labels);

@@ -44,9 +44,12 @@ struct Model {
     std::string
         unit;      ///< name of the unit of length in the file; empty: the file names none
     bool is_sewn;  ///< whether the file had separate faces that were sewn
+    std::size_t lost_faces;  ///< faces in the file that OpenCASCADE does not build
 };
 
-/// Reads a file. Separate faces are sewn where their borders agree.
+/// Reads a file. Separate faces are sewn where their borders agree. The first fault that
+/// OpenCASCADE sees in the file goes to the standard error before the file is translated,
+/// because the translation may crash.
 /// \param path that OpenCASCADE opens for reading.
 /// \param most_faces largest number of faces.
 /// \throws BadFile if OpenCASCADE does not read it, or if it has no faces.

@@ -45,6 +45,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::string_view magic = "endmill-cad/1\n";
+constexpr int status_bad_file = 3;
+constexpr int status_limit = 6;
+constexpr int status_fault = 7;
 constexpr const char* input = "/proc/self/fd/0";
 
 struct Settings {
@@ -188,10 +191,26 @@ void add_whole(Json& head, const Model& model, int solids, double area)
     head["centre_mm"] = {centre.X(), centre.Y(), centre.Z()};
 }
 
+// The mesher leaves out a face if it gets no memory for it. Checks that it had enough: an
+// array that cannot grow is at least half as large as what is left.
+void require_memory_left()
+{
+    rlimit most{};
+    rusage used{};
+    if (getrlimit(RLIMIT_AS, &most) != 0 || most.rlim_cur == RLIM_INFINITY ||
+        getrusage(RUSAGE_SELF, &used) != 0)
+        return;
+    constexpr rlim_t bytes_per_unit = 1024;
+    if (static_cast<rlim_t>(used.ru_maxrss) * bytes_per_unit > most.rlim_cur / 3)
+        throw std::bad_alloc{};
+}
+
 void answer(const Settings& settings, Answer& out)
 {
     const Model model = read_model(input, settings.kind, settings.most_faces);
     const ModelMesh mesh = mesh_of(model, settings.tolerances);
+    if (!mesh.unmeshed.empty())
+        require_memory_left();
     const int solids = count_of(model.shape, TopAbs_SOLID);
     std::vector<double> numbers;
     double area = 0;
@@ -200,6 +219,7 @@ void answer(const Settings& settings, Answer& out)
         faces.push_back(face_head(face, numbers, area));
     Json head{{"unit", model.unit},
               {"sewn", model.is_sewn},
+              {"lost_faces", model.lost_faces},
               {"solids", solids},
               {"shells", count_of(model.shape, TopAbs_SHELL, TopAbs_SOLID)},
               {"points", mesh.points.size()},
@@ -222,9 +242,6 @@ void answer(const Settings& settings, Answer& out)
 // The exit status for the current exception, after a line on the standard error.
 int report()
 {
-    constexpr int bad_file = 3;
-    constexpr int limit = 6;
-    constexpr int fault = 7;
     const auto fail = [](int status, const char* text) {
         std::fprintf(stderr, "\nendmill-cad: %s\n", text);
         return status;
@@ -232,20 +249,35 @@ int report()
     try {
         throw;
     } catch (const BadFile& error) {
-        return fail(bad_file, error.what());
+        return fail(status_bad_file, error.what());
     } catch (const Limit& error) {
-        return fail(limit, error.what());
+        return fail(status_limit, error.what());
     } catch (const std::bad_alloc&) {
-        return fail(limit, "no memory");
+        return fail(status_limit, "no memory");
     } catch (const Standard_OutOfMemory&) {
-        return fail(limit, "no memory");
+        return fail(status_limit, "no memory");
     } catch (const Standard_Failure& error) {
-        return fail(bad_file, error.GetMessageString());
+        return fail(status_bad_file, error.GetMessageString());
     } catch (const std::exception& error) {
-        return fail(fault, error.what());
+        return fail(status_fault, error.what());
     } catch (...) {
-        return fail(fault, "unknown exception");
+        return fail(status_fault, "unknown exception");
     }
+}
+
+// Ends the program where an exception would not reach `main`.
+[[noreturn]] void end_without_memory()
+{
+    std::fputs("\nendmill-cad: no memory\n", stderr);
+    std::fflush(stderr);
+    _exit(status_limit);
+}
+
+[[noreturn]] void end_after_terminate()
+{
+    if (std::current_exception())
+        _exit(report());
+    std::abort();
 }
 
 }  // namespace
@@ -255,6 +287,8 @@ int main(int count, char** words)
 {
     using namespace endmill::cad;
     try {
+        std::set_new_handler(end_without_memory);
+        std::set_terminate(end_after_terminate);
         const rlimit no_file{0, 0};
         setrlimit(RLIMIT_FSIZE, &no_file);
         const Settings settings = settings_of(count, words);

@@ -31,6 +31,9 @@
 namespace endmill {
 namespace {
 
+// Address space that endmill-cad needs to load its libraries, GiB.
+constexpr double least_gib = 0.25;
+
 struct ImportOptions {
     CommonOptions common;
     std::string path;
@@ -135,6 +138,7 @@ Json import_summary(const ImportOptions& options, const CadPart& part,
         {"endmill", program_version},
         {"unit", part.unit.empty() ? Json(nullptr) : Json(part.unit)},
         {"sewn", part.is_sewn},
+        {"lost_faces", part.lost_faces},
         {"solids", part.solids},
         {"shells", part.shells},
         {"faces", part.faces.size()},
@@ -231,8 +235,11 @@ void add_limits(CLI::App& command, CadImportOptions& options)
         command,
         {"--limit-seconds", "S", "time limit of endmill-cad, which reads the file"},
         options.limit_seconds);
-    add_number(command, {"--limit-gib", "GIB", "memory limit of endmill-cad"},
-               options.limit_gib);
+    add_number(
+        command,
+        {"--limit-gib", "GIB", "memory limit of endmill-cad, which needs 0.25 to begin",
+         NumberDomain::from_to(least_gib, most_of_machine)},
+        options.limit_gib);
     add_whole_number(
         command,
         {"--max-faces", "refuse a file with more faces (default 100000)", 1,

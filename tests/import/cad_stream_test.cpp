@@ -84,6 +84,12 @@ TEST(CadStream, NotesThatTheFileNamesNoUnit)
                 ElementsAre(HasSubstr("names no unit of length")));
 }
 
+TEST(CadStream, NotesFacesThatAreMissing)
+{
+    EXPECT_THAT(read(with_head("\"lost_faces\": 0", "\"lost_faces\": 2")).notes,
+                ElementsAre("2 faces of the file cannot be read and are missing"));
+}
+
 TEST(CadStream, NotesFacesWithoutTriangles)
 {
     EXPECT_THAT(read(with_head("\"unmeshed\": []", "\"unmeshed\": [1]")).notes,

@@ -79,8 +79,10 @@ void require_answer(const ChildResult& result, const CadAnswer& answer,
                 throw limit_of(file,
                                "endmill-cad was killed, as happens when memory runs out");
             throw refused(file, "endmill-cad crashed on this file (signal " +
-                                    std::to_string(result.code) + "); its limits are " +
-                                    seconds + " and " + memory);
+                                    std::to_string(result.code) + ")" +
+                                    (answer.reason.empty() ? "" : " after: ") +
+                                    answer.reason + "; its limits are " + seconds +
+                                    " and " + memory);
         case ChildEnd::Exited:
             break;
     }

@@ -36,6 +36,7 @@ struct CadFace {
 struct CadPart {
     std::string unit;  ///< of lengths in the file, as it names it; empty if it names none
     bool is_sewn;      ///< whether separate faces of the file were sewn
+    std::size_t lost_faces;                    ///< faces of the file that cannot be read
     std::size_t solids;                        ///< number of them
     std::size_t shells;                        ///< outside of solids
     TriangleMesh mesh;                         ///< of all faces

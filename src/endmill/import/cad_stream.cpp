@@ -176,12 +176,13 @@ void StreamReader::read_face(const JsonValue& value)
 
 void StreamReader::read_head(const JsonValue& head)
 {
-    constexpr std::array<std::string_view, 11> keys{
-        "unit",     "sewn",  "solids",   "shells",     "points",   "triangles",
-        "unmeshed", "faces", "area_mm2", "volume_mm3", "centre_mm"};
+    constexpr std::array<std::string_view, 12> keys{
+        "lost_faces", "unit",     "sewn",  "solids",   "shells",     "points",
+        "triangles",  "unmeshed", "faces", "area_mm2", "volume_mm3", "centre_mm"};
     head.allow_only(keys);
     part_.unit = label(head, "unit");
     part_.is_sewn = head.member("sewn").truth();
+    part_.lost_faces = count(head, "lost_faces");
     part_.solids = count(head, "solids");
     part_.shells = count(head, "shells");
     points_ = count(head, "points");
@@ -323,6 +324,10 @@ CadPart parse_cad_stream(std::string_view bytes, const std::filesystem::path& pa
     CadPart part = StreamReader{bytes, path, limits}.read();
     if (part.unit.empty())
         part.notes.emplace_back("the file names no unit of length; it is read as mm");
+    if (part.lost_faces > 0)
+        part.notes.push_back(counted(part.lost_faces, "face") +
+                             " of the file cannot be read and " +
+                             (part.lost_faces == 1 ? "is" : "are") + " missing");
     if (!part.unmeshed_faces.empty())
         part.notes.push_back(counted(part.unmeshed_faces.size(), "face") +
                              " could not be meshed, the first is face " +
