@@ -12,6 +12,7 @@ apt-get only if something is missing. The other scripts call it with the groups 
 
   build        compiler, CMake and libraries: the program endmill and the experiments
   mpi          Open MPI and Boost.MPI: the program endmill-mpi
+  cad          OpenCASCADE: the program endmill-cad, which reads STEP and IGES
   figures      draws the figures of results/report.html
   benchmarks   libraries that the benchmarks compare with
   tests        test framework, checks of format and style, interpreter of G-code

@@ -95,6 +95,8 @@ void add_info_command(CLI::App& program, Action& action)
     command
         ->add_option("FILE", options->part.path,
                      "surface file (endmill-surface/1), mesh (.stl, .obj, .ply, .off), "
+                     "CAD file (.step, "
+                     ".stp, .iges, .igs), "
                      "or tool path (CSV, G-code, APT CL data, output of rs274 -g)")
         ->required();
     add_mesh_options(*command, options->part);

@@ -328,8 +328,9 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
 {
     command
         .add_option("PART", options.part.path,
-                    "surface file (endmill-surface/1), or a mesh file (.stl, .obj, .ply, "
-                    ".off), but not with --strategy iso, iso-u or iso-v")
+                    "surface file (endmill-surface/1), or, but not with --strategy iso, "
+                    "iso-u or iso-v, a mesh file (.stl, .obj, .ply, .off) or a CAD file "
+                    "(.step, .stp, .iges, .igs)")
         ->required();
     command
         .add_option("--protect", options.guard.path,

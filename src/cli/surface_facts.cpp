@@ -35,12 +35,15 @@ void add_mesh_options(CLI::App& command, PartOptions& part)
     add_choice<LengthUnit>(command, "--units", part.units, units,
                            "unit of a mesh file (default mm)");
     add_choice<UpAxis>(command, "--up", part.up, axes,
-                       "axis of a mesh file that points upwards (default z)");
+                       "axis of a mesh or CAD file that points upwards (default z)");
 }
 
 void add_surface_argument(CLI::App& command, std::string& path)
 {
-    command.add_option("SURFACE", path, "surface file (endmill-surface/1)")->required();
+    command
+        .add_option("SURFACE", path,
+                    "surface file (endmill-surface/1), or CAD file of one face")
+        ->required();
 }
 
 namespace {

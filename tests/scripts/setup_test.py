@@ -7,7 +7,7 @@ import unittest
 
 from fake_tree import ROOT, FakeTree
 
-GROUPS = ["build", "mpi", "figures", "benchmarks", "tests", "sanitizers", "docs", "paper", "packaging"]
+GROUPS = ["build", "mpi", "cad", "figures", "benchmarks", "tests", "sanitizers", "docs", "paper", "packaging"]
 
 
 class Setup(FakeTree):

@@ -73,8 +73,8 @@ std::string checked_extension(std::string_view content, const std::string& file,
         std::ranges::find(other_formats, extension, &OtherFormat::extension);
     if (other != other_formats.end())
         throw FormatError{"E_FORMAT",
-                          {file, "", std::string{other->name} + " is not read",
-                           "the part exported as a mesh: .stl, .obj, .ply or .off"}};
+                          {file, "", std::string{other->name} + " is not read here",
+                           "the part as a mesh: .stl, .obj, .ply or .off"}};
     if (std::ranges::find(extensions, extension) == extensions.end()) {
         const std::string guess =
             format ? ", content looks like " + std::string{*format} : "";
