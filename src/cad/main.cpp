@@ -2,7 +2,7 @@
 // endmill-cad: reads a STEP or IGES file from its standard input and writes meshes and spline
 // surfaces to its standard output, for `endmill import`, which starts it with limits.
 //
-//   endmill-cad step|iges CHORD_MM ANGLE_RAD MOST_FACES < FILE
+//   endmill-cad step|iges CHORD_MM ANGLE_RAD MOST_FACES measured|plain < FILE
 //
 // The answer is the line "endmill-cad/1", the length of a JSON text as eight bytes, the text,
 // and the numbers that the text counts: see src/endmill/import/README.md. The last line of the
@@ -54,6 +54,7 @@ struct Settings {
     FileKind kind;
     MeshTolerances tolerances;
     std::size_t most_faces;
+    bool is_measured;  // whether areas, volume and centre of mass are integrated
 };
 
 template <typename Number>
@@ -63,18 +64,21 @@ Number number_in(const char* text)
     const char* const end = text + std::strlen(text);
     const auto [after, error] = std::from_chars(text, end, number);
     if (error != std::errc{} || after != end)
-        throw std::invalid_argument{"expected step|iges CHORD_MM ANGLE_RAD MOST_FACES"};
+        throw std::invalid_argument{
+            "expected step|iges CHORD_MM ANGLE_RAD MOST_FACES measured|plain"};
     return number;
 }
 
 Settings settings_of(int count, char** words)
 {
-    constexpr int expected = 5;
+    constexpr int expected = 6;
     if (count != expected)
-        throw std::invalid_argument{"expected step|iges CHORD_MM ANGLE_RAD MOST_FACES"};
+        throw std::invalid_argument{
+            "expected step|iges CHORD_MM ANGLE_RAD MOST_FACES measured|plain"};
     return {std::string_view{words[1]} == "iges" ? FileKind::Iges : FileKind::Step,
             {number_in<double>(words[2]), number_in<double>(words[3])},
-            number_in<std::size_t>(words[4])};
+            number_in<std::size_t>(words[4]),
+            std::string_view{words[5]} == "measured"};
 }
 
 // The standard output, kept for the answer alone: what libraries print goes to the standard
@@ -154,14 +158,10 @@ int count_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
     return count;
 }
 
-Json face_head(const ModelFace& face, std::vector<double>& numbers, double& whole_area)
+Json face_head(const ModelFace& face, std::vector<double>& numbers)
 {
-    GProp_GProps area;
-    BRepGProp::SurfaceProperties(face.face, area);
-    whole_area += area.Mass();
     const bool trimmed = is_trimmed(face.face);
     Json head{{"kind", std::string{surface_kind(face.face)}},
-              {"area_mm2", area.Mass()},
               {"trimmed", trimmed},
               {"reversed", face.face.Orientation() == TopAbs_REVERSED}};
     if (!face.name.empty())
@@ -176,19 +176,30 @@ Json face_head(const ModelFace& face, std::vector<double>& numbers, double& whol
     return head;
 }
 
-// Volume and centre of the solids, or without solids the centre of the faces.
-void add_whole(Json& head, const Model& model, int solids, double area)
+// The area of each face; volume and centre of mass of the solids, or without solids the
+// centre of the faces.
+Json measures(const Model& model, int solids)
 {
-    head["area_mm2"] = area;
     GProp_GProps whole;
+    double area = 0;
+    Json areas = Json::array();
+    for (const ModelFace& face : model.faces) {
+        GProp_GProps of_face;
+        BRepGProp::SurfaceProperties(face.face, of_face);
+        areas.push_back(of_face.Mass());
+        area += of_face.Mass();
+        if (solids == 0)
+            whole.Add(of_face);
+    }
     if (solids > 0)
         BRepGProp::VolumeProperties(model.shape, whole);
-    else
-        BRepGProp::SurfaceProperties(model.shape, whole);
+    const gp_Pnt centre = whole.CentreOfMass();
+    Json head{{"face_areas_mm2", std::move(areas)},
+              {"area_mm2", area},
+              {"centre_mm", {centre.X(), centre.Y(), centre.Z()}}};
     if (solids > 0)
         head["volume_mm3"] = whole.Mass();
-    const gp_Pnt centre = whole.CentreOfMass();
-    head["centre_mm"] = {centre.X(), centre.Y(), centre.Z()};
+    return head;
 }
 
 // The mesher leaves out a face if it gets no memory for it. Checks that it had enough: an
@@ -213,10 +224,9 @@ void answer(const Settings& settings, Answer& out)
         require_memory_left();
     const int solids = count_of(model.shape, TopAbs_SOLID);
     std::vector<double> numbers;
-    double area = 0;
     Json faces = Json::array();
     for (const ModelFace& face : model.faces)
-        faces.push_back(face_head(face, numbers, area));
+        faces.push_back(face_head(face, numbers));
     Json head{{"unit", model.unit},
               {"sewn", model.is_sewn},
               {"lost_faces", model.lost_faces},
@@ -226,7 +236,8 @@ void answer(const Settings& settings, Answer& out)
               {"triangles", mesh.triangles.size()},
               {"unmeshed", mesh.unmeshed},
               {"faces", std::move(faces)}};
-    add_whole(head, model, solids, area);
+    if (settings.is_measured)
+        head["measures"] = measures(model, solids);
     const std::string text = head.dump(-1, ' ', false, Json::error_handler_t::replace);
     const std::uint64_t length = text.size();
     out.write(magic.data(), magic.size());

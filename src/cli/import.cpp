@@ -20,6 +20,7 @@
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
+#include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 #include "endmill/files/csv.h"
 #include "endmill/files/output_folder.h"
@@ -46,20 +47,23 @@ std::string surface_name(std::size_t face)
     return "surfaces/face-" + std::to_string(face + 1) + ".json";
 }
 
-// The largest ball for a face with a surface, in words and as a radius.
+// The largest ball for a face with a surface, by its curvature, in words and as a radius.
 struct FaceBall {
-    std::string limit;             // limited, unlimited or unknown
-    std::optional<double> radius;  // mm
+    std::string limit = "unknown";      // or limited or unlimited
+    std::optional<double> radius = {};  // mm
 };
 
 FaceBall largest_ball(const CadPart& part, const CadFace& face)
 {
     if (!face.surface)
-        return {"unknown", {}};
+        return {};
+    if (face.kind == "plane")
+        return {"unlimited"};
     const Surface surface = nurbs_surface(*face.surface, tool_side(part, face));
-    const auto limit = largest_cutter(surface, tool_side_sign(surface, Vec3::UnitZ()));
+    const auto limit =
+        largest_cutter_by_curvature(surface, tool_side_sign(surface, Vec3::UnitZ()));
     if (!limit)
-        return {"unlimited", {}};
+        return {"unlimited"};
     return {"limited", limit->radius_mm};
 }
 
@@ -75,23 +79,27 @@ std::vector<std::size_t> written_faces(const CadPart& part, const ImportOptions&
     return faces;
 }
 
-std::string faces_csv(const CadPart& part, std::span<const std::size_t> faces,
-                      ProgressLine& progress)
+std::string faces_csv(const CadPart& part, std::span<const std::size_t> faces)
 {
+    std::vector<FaceBall> balls(faces.size());
+    parallel_for(faces.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            balls[k] = largest_ball(part, part.faces[faces[k]]);
+    });
     CsvTable table{{"face", "kind", "area_mm2", "trimmed", "surface", "ball",
-                    "max_cutter_radius_mm", "colour", "name"}};
+                    "max_cutter_radius_local_mm", "colour", "name"}};
     const auto optional_text = [](const std::string& text) {
         return text.empty() ? CsvCell{} : CsvCell{text};
     };
     for (std::size_t k = 0; k < faces.size(); ++k) {
         const CadFace& face = part.faces[faces[k]];
-        const FaceBall ball = largest_ball(part, face);
-        table.add_row({static_cast<std::int64_t>(faces[k] + 1), face.kind, face.area_mm2,
+        const FaceBall& ball = balls[k];
+        table.add_row({static_cast<std::int64_t>(faces[k] + 1), face.kind,
+                       part.measures->face_areas_mm2[faces[k]],
                        face.is_trimmed ? "yes" : "no",
                        face.surface ? CsvCell{surface_name(faces[k])} : CsvCell{},
                        ball.limit, ball.radius ? CsvCell{*ball.radius} : CsvCell{},
                        optional_text(face.colour), optional_text(face.name)});
-        progress.show(static_cast<double>(k + 1) / static_cast<double>(faces.size()));
     }
     return table.text();
 }
@@ -119,9 +127,9 @@ void add_measures(Json& summary, const CadPart& part, const MeshFile& mesh,
         return;
     summary["centre_mm"] = vector_json(centre_of_mass(mesh.mesh, part.solids > 0));
     summary["of_faces"] = {
-        {"area_mm2", part.area_mm2},
-        {"volume_mm3", part.volume_mm3 ? Json(*part.volume_mm3) : Json(nullptr)},
-        {"centre_mm", vector_json(part.centre_mm)}};
+        {"area_mm2", part.measures->area_mm2},
+        {"volume_mm3", finite_or_null(part.measures->volume_mm3.value_or(NAN))},
+        {"centre_mm", vector_json(part.measures->centre_mm)}};
 }
 
 Json import_summary(const ImportOptions& options, const CadPart& part,
@@ -210,7 +218,7 @@ ExitCode run_import(const ImportOptions& options)
     folder.protect(options.path);
     remove_earlier_surfaces(folder);
     progress.begin("measuring the faces");
-    folder.write("faces.csv", faces_csv(part, faces, progress));
+    folder.write("faces.csv", faces_csv(part, faces));
     folder.write("mesh.ply",
                  mesh_text(mesh.mesh, MeshFormat::Ply, {}, mesh.face_numbers));
     for (const std::size_t k : faces)
@@ -255,6 +263,7 @@ void add_import_command(CLI::App& program, Action& action)
     CLI::App* command = program.add_subcommand(
         "import", "turn a STEP or IGES file into mesh and surfaces");
     const auto options = std::make_shared<ImportOptions>();
+    options->import.measures = true;
     command
         ->add_option("FILE", options->path,
                      "STEP or IGES file (.step, .stp, .iges, .igs)")

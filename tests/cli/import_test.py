@@ -218,7 +218,7 @@ class Import(CadTest):
         holes = [face for face in self.faces(CAD / "bracket-inch.step") if face["ball"] == "limited"]
         self.assertEqual(len(holes), 2)
         for hole in holes:
-            self.assertAlmostEqual(float(hole["max_cutter_radius_mm"]), 25.4 / 4, delta=1e-6)
+            self.assertAlmostEqual(float(hole["max_cutter_radius_local_mm"]), 25.4 / 4, delta=1e-6)
 
     def test_mesh_reads_back_with_its_face_numbers(self):
         folder, facts, _ = self.imported(CAD / "mould.step", "--chord-tolerance", 0.1)

@@ -95,7 +95,7 @@ TEST_F(CadImport, GivesTheFileAsInputAndTheOptionsAsArguments)
         {.chord_tolerance_mm = 0.5, .angle_deg = 90, .max_faces = 7});
     std::ifstream file{seen};
     const std::string text{std::istreambuf_iterator<char>{file}, {}};
-    EXPECT_THAT(text, StartsWith("step 0.5 1.5707963267948966 7\nISO-10303-21;\n"));
+    EXPECT_THAT(text, StartsWith("step 0.5 1.5707963267948966 7 plain\nISO-10303-21;\n"));
     EXPECT_THAT(text, testing::Not(HasSubstr("HOME=")));
 }
 

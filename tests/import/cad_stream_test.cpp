@@ -62,8 +62,10 @@ TEST(CadStream, HasMeshFacesAndSurfaces)
     const CadPart part = read(square_answer());
     EXPECT_EQ(part.unit, "INCH");
     EXPECT_EQ(part.shells, 1U);
-    EXPECT_EQ(part.volume_mm3, std::nullopt);
-    EXPECT_EQ(part.centre_mm, Vec3(1, 1, 0));
+    ASSERT_TRUE(part.measures);
+    EXPECT_EQ(part.measures->volume_mm3, std::nullopt);
+    EXPECT_EQ(part.measures->centre_mm, Vec3(1, 1, 0));
+    EXPECT_THAT(part.measures->face_areas_mm2, ElementsAre(2, 2));
     EXPECT_EQ(part.mesh.points()[2], Vec3(2, 2, 0));
     EXPECT_EQ(part.mesh.triangles()[1], (Triangle{0, 2, 3}));
     EXPECT_THAT(part.triangle_faces, ElementsAre(0, 1));
@@ -167,6 +169,7 @@ TEST(CadStream, RefusesOtherHeads)
              {"\"sewn\": false", "\"sewn\": false, \"more\": 1"},
              {"\"area_mm2\": 4", "\"area_mm2\": 1e999"},
              {"[1, 1, 0]", "[1, 1]"},
+             {"[2, 2]", "[2]"},
              {"\"nurbs\"", "\"nurb\""},
              {"#ff8000", "orange"},
              {"#ff8000", "#ff800g"},

@@ -28,6 +28,7 @@ struct CadImportOptions {
     std::size_t max_faces = 100000;    ///< a file with more faces is refused
     double limit_seconds = 60;         ///< of processor and of wall time
     double limit_gib = 4;              ///< address space of the program
+    bool measures = false;             ///< whether `CadPart::measures` is asked for
 };
 
 /// Imports a CAD file: starts `endmill-cad` with an empty environment and the limits, with the

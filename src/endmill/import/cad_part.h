@@ -23,12 +23,20 @@ struct CadFace {
     std::string
         kind;  ///< plane, cylinder, cone, sphere, torus, bezier, nurbs, revolution,
                ///< extrusion, offset or other
-    double area_mm2;   ///< by the integrals of the CAD library
     bool is_trimmed;   ///< whether its outline is not that of its rectangle of parameters
     bool is_reversed;  ///< whether its normal is opposite to du x dv
     std::string name;  ///< as the file gives it; empty without one
     std::string colour;            ///< "#rrggbb"; empty without one
     std::optional<Nurbs> surface;  ///< the same geometry; only if it is not trimmed
+};
+
+/// Measures of a CAD model by the integrals of the CAD library over its faces, accurate to about
+/// 1e-5.
+struct CadMeasures {
+    std::vector<double> face_areas_mm2;  ///< of each face
+    double area_mm2;                     ///< of all faces
+    std::optional<double> volume_mm3;    ///< of the solids; nothing without solids
+    Vec3 centre_mm;  ///< centre of mass of the solids, or without solids of the faces
 };
 
 /// A CAD model: its faces and a mesh of all of them. Faces are numbered from 1 in messages and
@@ -43,10 +51,8 @@ struct CadPart {
     std::vector<std::int32_t> triangle_faces;  ///< the face of each triangle, from 0
     std::vector<CadFace> faces;                ///< at least one
     std::vector<std::size_t> unmeshed_faces;   ///< those without triangles, from 0
-    double area_mm2;                           ///< by the integrals of the CAD library
-    std::optional<double> volume_mm3;          ///< the same; nothing without solids
-    Vec3 centre_mm;  ///< centre of mass of the solids, or without solids of the faces
-    std::vector<std::string> notes;  ///< one sentence for each peculiarity
+    std::optional<CadMeasures> measures;       ///< only if they were asked for
+    std::vector<std::string> notes;            ///< one sentence for each peculiarity
 };
 
 /// The side of the tool for a face: outside, or above if the part is a sheet.

@@ -87,12 +87,11 @@ public:
 private:
     void read_head(const JsonValue& head);
     void read_face(const JsonValue& value);
+    void read_measures(const JsonValue& value);
     void read_mesh();
     void read_spline(std::size_t number);
-    std::vector<double> knots(int degree, std::size_t points);
     Vec3 within_extent(const std::array<double, 3>& point) const;
     std::size_t count(const JsonValue& object, std::string_view key) const;
-    double number(const JsonValue& object, std::string_view key, double least) const;
 
     // A spline that is announced in the head.
     struct Announced {
@@ -118,15 +117,6 @@ std::size_t StreamReader::count(const JsonValue& object, std::string_view key) c
     return static_cast<std::size_t>(object.member(key).whole_number(0, most_items));
 }
 
-double StreamReader::number(const JsonValue& object, std::string_view key,
-                            double least) const
-{
-    const double value = object.member(key).number();
-    if (!(value >= least))
-        throw damaged(path_, std::string{key} + " is " + to_text(value));
-    return value;
-}
-
 // A text of the file for messages and tables.
 std::string label(const JsonValue& object, std::string_view key)
 {
@@ -146,12 +136,10 @@ bool is_colour(std::string_view text)
 
 void StreamReader::read_face(const JsonValue& value)
 {
-    constexpr std::array<std::string_view, 7> keys{
-        "kind", "area_mm2", "trimmed", "reversed", "name", "colour", "surface"};
+    constexpr std::array<std::string_view, 6> keys{"kind", "trimmed", "reversed",
+                                                   "name", "colour",  "surface"};
     value.allow_only(keys);
     CadFace face{std::string{value.member("kind").word(kinds)},
-                 // The integral of a folded face may be negative.
-                 number(value, "area_mm2", -std::numeric_limits<double>::max()),
                  value.member("trimmed").truth(),
                  value.member("reversed").truth(),
                  label(value, "name"),
@@ -174,11 +162,33 @@ void StreamReader::read_face(const JsonValue& value)
     part_.faces.push_back(std::move(face));
 }
 
+void StreamReader::read_measures(const JsonValue& value)
+{
+    constexpr std::array<std::string_view, 4> keys{"face_areas_mm2", "area_mm2",
+                                                   "volume_mm3", "centre_mm"};
+    value.allow_only(keys);
+    CadMeasures measures{};
+    const JsonValue areas = value.member("face_areas_mm2");
+    if (areas.size() != part_.faces.size())
+        throw damaged(path_, "it has another number of areas than faces");
+    for (std::size_t k = 0; k < areas.size(); ++k)
+        measures.face_areas_mm2.push_back(areas.item(k).number());
+    measures.area_mm2 = value.member("area_mm2").number();
+    if (const auto volume = value.find_member("volume_mm3"))
+        measures.volume_mm3 = volume->number();
+    const JsonValue centre = value.member("centre_mm");
+    if (centre.size() != 3)
+        throw damaged(path_, "centre_mm has no three numbers");
+    for (std::size_t c = 0; c < 3; ++c)
+        measures.centre_mm[static_cast<int>(c)] = centre.item(c).number();
+    part_.measures = std::move(measures);
+}
+
 void StreamReader::read_head(const JsonValue& head)
 {
-    constexpr std::array<std::string_view, 12> keys{
-        "lost_faces", "unit",     "sewn",  "solids",   "shells",     "points",
-        "triangles",  "unmeshed", "faces", "area_mm2", "volume_mm3", "centre_mm"};
+    constexpr std::array<std::string_view, 10> keys{
+        "unit",   "sewn",      "lost_faces", "solids", "shells",
+        "points", "triangles", "unmeshed",   "faces",  "measures"};
     head.allow_only(keys);
     part_.unit = label(head, "unit");
     part_.is_sewn = head.member("sewn").truth();
@@ -187,20 +197,13 @@ void StreamReader::read_head(const JsonValue& head)
     part_.shells = count(head, "shells");
     points_ = count(head, "points");
     triangles_ = count(head, "triangles");
-    part_.area_mm2 = number(head, "area_mm2", -std::numeric_limits<double>::max());
-    if (head.find_member("volume_mm3"))
-        part_.volume_mm3 =
-            number(head, "volume_mm3", -std::numeric_limits<double>::max());
-    const JsonValue centre = head.member("centre_mm");
-    if (centre.size() != 3)
-        throw damaged(path_, "centre_mm has no three numbers");
-    for (std::size_t c = 0; c < 3; ++c)
-        part_.centre_mm[static_cast<int>(c)] = centre.item(c).number();
     const JsonValue faces = head.member("faces");
     for (std::size_t k = 0; k < faces.size(); ++k)
         read_face(faces.item(k));
     if (part_.faces.empty())
         throw damaged(path_, "it has no faces");
+    if (const auto measures = head.find_member("measures"))
+        read_measures(*measures);
     const JsonValue unmeshed = head.member("unmeshed");
     for (std::size_t k = 0; k < unmeshed.size(); ++k)
         part_.unmeshed_faces.push_back(
