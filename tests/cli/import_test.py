@@ -10,6 +10,7 @@ import json
 import math
 import os
 import random
+import re
 import shutil
 import struct
 import subprocess
@@ -255,6 +256,14 @@ class Import(CadTest):
         self.assertEqual(self.summary("info", name)["triangles"], self.imported(name)[1]["triangles"])
 
 
+def as_shell(text, only=None):
+    """The text of a STEP file of one solid with a shell in its place, of all its faces or of one of them."""
+    text = text.replace("ADVANCED_BREP_SHAPE_REPRESENTATION", "MANIFOLD_SURFACE_SHAPE_REPRESENTATION")
+    text = re.sub(r"MANIFOLD_SOLID_BREP\('',(#\d+)\)", r"SHELL_BASED_SURFACE_MODEL('',(\1))", text)
+    faces = re.search(r"CLOSED_SHELL\('',\(([^)]*)\)\)", text).group(1).split(",")
+    return re.sub(r"CLOSED_SHELL\('',\([^)]*\)\)", f"OPEN_SHELL('',({','.join([faces[only - 1]] if only else faces)}))", text)
+
+
 def triangle_area(a, b, c):
     u, v = [b[k] - a[k] for k in range(3)], [c[k] - a[k] for k in range(3)]
     return math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2
@@ -268,11 +277,6 @@ def tetrahedron(a, b, c):
 
 @needs_cad
 class PartsOfCommands(CadTest):
-    def sheet(self):
-        """A STEP file of one face: the bottom of the plate."""
-        text = (CAD / "assembly.step").read_text()
-        return text
-
     def test_info_is_that_of_the_mesh_and_keeps_nothing(self):
         direct = self.summary("info", CAD / "mould.step")
         folder = self.imported(CAD / "mould.step")[0]
@@ -309,6 +313,18 @@ class PartsOfCommands(CadTest):
                     for pin in (15, 45):
                         self.assertGreater(math.hypot(x - pin, y - 20), 5 + 3 - 0.02)
                     self.assertGreater(z, 8 - 0.02)
+
+    def test_sheet_of_one_face_is_a_surface(self):
+        sheet = self.file(as_shell((CAD / "pillow.step").read_text(), only=5), "sheet.step")
+        facts = self.summary("info", sheet)
+        folder = self.imported(CAD / "pillow.step")[0]
+        solid = self.summary("info", folder / "surfaces/face-5.json")
+        for key in ("area_mm2", "patches", "continuity", "max_cutter_radius_mm"):
+            self.assertEqual(facts[key], solid[key])
+        self.assertEqual(self.summary("sample", sheet, "--grid", 5, "-o", "sampled")["triangles"], 32)
+        plan = self.summary("plan", sheet, "--cutter", "ball:6", "--scallop", 0.5, "--strategy", "iso-u", "--bound", "none", "-o", "plan")
+        self.assertEqual(plan["verdict"], "clean")
+        self.assert_refused(endmill("sample", CAD / "pillow.step", "-o", self.folder / "no", cwd=self.folder), 2, "found a mesh")
 
     def test_faces_need_face_numbers(self):
         for part in (ROOT / "datasets/meshes/pocket.stl", ROOT / "datasets/surfaces/saddle.json"):
@@ -383,14 +399,7 @@ class BadInput(CadTest):
         self.refused(self.step(whole.replace("MANIFOLD_SOLID_BREP('',", "VERTEX_SHELL('',")), 3)
 
     def test_solid_without_a_solid(self):
-        # shells only
-        whole = (CAD / "pillow.step").read_text()
-        text = whole.replace("MANIFOLD_SOLID_BREP(", "SHELL_BASED_SURFACE_MODEL(").replace("CLOSED_SHELL", "OPEN_SHELL")
-        text = text.replace("ADVANCED_BREP_SHAPE_REPRESENTATION", "MANIFOLD_SURFACE_SHAPE_REPRESENTATION")
-        start = text.index("SHELL_BASED_SURFACE_MODEL('',") + len("SHELL_BASED_SURFACE_MODEL('',")
-        shell = text[start:text.index(")", start)]
-        text = text.replace(f"SHELL_BASED_SURFACE_MODEL('',{shell})", f"SHELL_BASED_SURFACE_MODEL('',({shell}))")
-        _, facts, _ = self.imported(self.step(text))
+        _, facts, _ = self.imported(self.step(as_shell((CAD / "pillow.step").read_text())))
         self.assertEqual((facts["solids"], facts["shells"], facts["faces"]), (0, 1, 6))
         self.assertIsNone(facts["of_faces"]["volume_mm3"])
 
