@@ -50,7 +50,7 @@ void add_face_option(CLI::App& command, std::vector<int>& faces, const std::stri
             faces.push_back(whole_number_argument("--face", word, 1,
                                                   std::numeric_limits<int>::max()));
         std::ranges::sort(faces);
-        faces.erase(std::ranges::unique(faces).begin(), faces.end());
+        faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     };
     command.add_option_function<std::vector<std::string>>("--face", take, help)
         ->type_name("N,...")
