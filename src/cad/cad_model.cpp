@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <unordered_map>
 
@@ -63,11 +64,14 @@ std::string colour_text(const Quantity_Color& colour)
 {
     std::array<double, 3> parts{};
     colour.Values(parts[0], parts[1], parts[2], Quantity_TOC_sRGB);
+    const auto byte = [](double part) {
+        constexpr double most = 255;
+        return static_cast<unsigned>(std::lround(std::clamp(part, 0.0, 1.0) * most)) &
+               255U;
+    };
     std::array<char, 8> text{};
-    std::snprintf(text.data(), text.size(), "#%02x%02x%02x",
-                  static_cast<unsigned>(parts[0] * 255 + 0.5) & 255U,
-                  static_cast<unsigned>(parts[1] * 255 + 0.5) & 255U,
-                  static_cast<unsigned>(parts[2] * 255 + 0.5) & 255U);
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", byte(parts[0]),
+                  byte(parts[1]), byte(parts[2]));
     return text.data();
 }
 
@@ -106,7 +110,7 @@ void require_count(std::size_t faces, std::size_t most)
 {
     if (faces > most)
         throw Limit{"the file has " + std::to_string(faces) + " faces; the limit is " +
-                    std::to_string(most) + " (--max-faces)"};
+                    std::to_string(most) + " (--max-faces of import)"};
 }
 
 template <typename Reader>

@@ -42,6 +42,11 @@ struct ImportOptions {
     std::vector<int> faces;  // empty: all
 };
 
+std::string file_name_of(const ImportOptions& options)
+{
+    return printable(std::filesystem::path{options.path}.filename().string());
+}
+
 std::string surface_name(std::size_t face)
 {
     return "surfaces/face-" + std::to_string(face + 1) + ".json";
@@ -142,7 +147,7 @@ Json import_summary(const ImportOptions& options, const CadPart& part,
     };
     Json summary{
         {"name", mesh.name},
-        {"file", printable(std::filesystem::path{options.path}.filename().string())},
+        {"file", file_name_of(options)},
         {"endmill", program_version},
         {"unit", part.unit.empty() ? Json(nullptr) : Json(part.unit)},
         {"sewn", part.is_sewn},
@@ -226,7 +231,7 @@ ExitCode run_import(const ImportOptions& options)
             folder.write(surface_name(k),
                          surface_text(*face.surface, tool_side(part, face),
                                       mesh.name + ", face " + std::to_string(k + 1),
-                                      "imported from " + options.path));
+                                      "imported from " + file_name_of(options)));
     const Json summary = import_summary(options, part, mesh, faces);
     folder.write("summary.json", summary.dump(2) + "\n");
     folder.publish();

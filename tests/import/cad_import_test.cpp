@@ -123,7 +123,7 @@ TEST_F(CadImport, ReportsLimits)
     EXPECT_THAT(complaint("/bin/sleep 60", {.limit_seconds = 0.5}),
                 StartsWith("E_LIMIT"));
     EXPECT_THAT(complaint("echo 'endmill-cad: no memory' >&2; exit 6"),
-                HasSubstr("more memory than 4 GiB (--limit-gib)"));
+                HasSubstr("more memory than 4 GiB (--limit-gib"));
     EXPECT_THAT(complaint("echo 'endmill-cad: 9 faces' >&2; exit 6"),
                 testing::AllOf(StartsWith("E_LIMIT"), HasSubstr("9 faces")));
     EXPECT_THAT(complaint("kill -KILL $$"),

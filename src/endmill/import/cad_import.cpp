@@ -5,7 +5,6 @@
 #include <array>
 #include <cctype>
 #include <csignal>
-#include <cstring>
 #include <numbers>
 #include <string_view>
 #include <system_error>
@@ -66,8 +65,10 @@ struct CadAnswer {
 void require_answer(const ChildResult& result, const CadAnswer& answer,
                     const fs::path& file, const CadImportOptions& options)
 {
-    const std::string seconds = to_text(options.limit_seconds) + " s (--limit-seconds)";
-    const std::string memory = to_text(options.limit_gib) + " GiB (--limit-gib)";
+    const std::string seconds =
+        to_text(options.limit_seconds) + " s (--limit-seconds of import)";
+    const std::string memory =
+        to_text(options.limit_gib) + " GiB (--limit-gib of import)";
     switch (result.end) {
         case ChildEnd::NotStarted:
             throw OutputError{"cannot start endmill-cad to read " + shown_path(file)};
