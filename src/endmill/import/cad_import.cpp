@@ -71,7 +71,9 @@ void require_answer(const ChildResult& result, const CadAnswer& answer,
         to_text(options.limit_gib) + " GiB (--limit-gib of import)";
     switch (result.end) {
         case ChildEnd::NotStarted:
-            throw OutputError{"cannot start endmill-cad to read " + shown_path(file)};
+            // Its libraries need more address space than there is, or one is missing.
+            throw limit_of(file, "endmill-cad could not be loaded; its limit is " +
+                                     memory + ", and that of this process may be lower");
         case ChildEnd::OutOfTime:
             throw limit_of(file, "endmill-cad was not done within " + seconds);
         case ChildEnd::FileTooLong:
@@ -165,6 +167,9 @@ CadFormat known_format(const fs::path& file)
 
 void require_program(const fs::path& program, const fs::path& file, CadFormat format)
 {
+    std::error_code ignored;
+    if (!program.empty() && !fs::is_regular_file(program, ignored))
+        throw OutputError{"cannot find the program " + shown_path(program)};
     if (program.empty())
         throw DomainError{
             shown_path(file) + ": found " + std::string{format_name(format)} +
