@@ -14,6 +14,7 @@ apt-get only if something is missing. The other scripts call it with the groups 
   mpi          Open MPI and Boost.MPI: the program endmill-mpi
   python       pybind11 and NumPy: the Python package
   page         npm and esbuild: the page of endmill view, and Chromium, which tests it
+  cad          OpenCASCADE: the program endmill-cad, which reads STEP and IGES
   figures      draws the figures of results/report.html
   benchmarks   libraries that the benchmarks compare with
   tests        test framework, checks of format and style, interpreter of G-code

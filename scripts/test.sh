@@ -39,11 +39,11 @@ all=false
 fuzz_seconds=3
 tidy_options=()
 setup_options=()
-groups=(build mpi python page figures tests sanitizers)
+groups=(build mpi cad python page figures tests sanitizers)
 release_targets=(all endmill_tests)
 asan_targets=(endmill endmill_fuzzers)
 # The commands that read files; the others take minutes under sanitizers.
-asan_tests=(--tests-regex '^cli\.(bad_input|coefficients|eval|feed|info|mesh_part|post|sample|toollife)_test$')
+asan_tests=(--tests-regex '^cli\.(bad_input|coefficients|eval|feed|import|info|mesh_part|post|sample|toollife)_test$')
 for argument in "$@"; do
     case "$argument" in
         --all)

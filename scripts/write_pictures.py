@@ -38,6 +38,7 @@ class Picture:
 
 PICTURES = {
     "plan.svg": Picture("README.md", "saddle/toolpath.svg"),
+    "cad.svg": Picture("README.md", "mould/toolpath.svg"),
     "verify.svg": Picture("README.md", "checked/deviation.svg"),
     "trim.svg": Picture("README.md", "valley/methods-85.svg"),
     "feed.svg": Picture("README.md", "wavy-feed/feed.svg"),

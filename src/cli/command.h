@@ -47,6 +47,7 @@ void add_html_option(CLI::App& command, CommonOptions& options);
 
 /// Each function adds one command to `program`. The chosen command sets `action`.
 void add_info_command(CLI::App& program, Action& action);    ///< report on a part
+void add_import_command(CLI::App& program, Action& action);  ///< import a CAD file
 void add_sample_command(CLI::App& program, Action& action);  ///< sample as a mesh
 void add_plan_command(CLI::App& program, Action& action);    ///< plan a path
 void add_trim_command(CLI::App& program, Action& action);    ///< trim offset sections

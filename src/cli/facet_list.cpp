@@ -2,10 +2,12 @@
 #include "cli/facet_list.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <utility>
 #include <variant>
 
+#include "cli/surface_facts.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/files/setup_file.h"
@@ -52,6 +54,44 @@ std::vector<std::size_t> skipped_facets(const std::string& list, const PartFile&
     return read_facet_list(list,
                            mesh->triangles().size() + part.degenerate_triangles.size(),
                            options.limits);
+}
+
+std::vector<std::size_t> facets_of_other_faces(std::span<const int> chosen,
+                                               const PartFile& part,
+                                               const std::string& file)
+{
+    const std::vector<std::int32_t>& numbers = part.face_numbers;
+    if (numbers.empty())
+        throw DomainError{"--face: " + printable(file) +
+                          " has no face numbers; expected a STEP or IGES file of several "
+                          "faces, or the mesh.ply that endmill import made of one"};
+    for (const int number : chosen)
+        if (std::ranges::find(numbers, number) == numbers.end())
+            throw DomainError{"--face " + std::to_string(number) + ": " +
+                              printable(file) +
+                              " has no triangles of this face; its highest face is " +
+                              std::to_string(*std::ranges::max_element(numbers))};
+    std::vector<std::size_t> others;
+    std::size_t left_out = 0;  // degenerate facets so far
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        while (left_out < part.degenerate_triangles.size() &&
+               part.degenerate_triangles[left_out] == k + left_out)
+            ++left_out;
+        if (!std::ranges::binary_search(chosen, numbers[k]))
+            others.push_back(k + left_out);
+    }
+    return others;
+}
+
+void name_cut_facets(Json& summary, const std::string& list, std::span<const int> faces,
+                     std::size_t count, const std::filesystem::path& folder)
+{
+    if (!list.empty())
+        name_part(summary, {list}, folder, "skip_facets");
+    if (!faces.empty())
+        summary["cut_faces"] = std::vector<int>(faces.begin(), faces.end());
+    if (!list.empty() || !faces.empty())
+        summary["skipped"] = count;
 }
 
 std::vector<std::size_t> facets_in_mesh(std::span<const std::size_t> facets,

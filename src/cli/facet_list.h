@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,20 @@ TriangleMesh mesh_with_file_numbers(const PartFile& part);
 /// \throws DomainError if the part is a surface; FormatError, LimitError as read_facet_list.
 std::vector<std::size_t> skipped_facets(const std::string& list, const PartFile& part,
                                         const CommonOptions& options);
+
+/// The facets of faces other than the chosen ones, by their numbers in the file of the part;
+/// ascending.
+/// \param chosen numbers of faces, from 1. \param file name of the part for messages.
+/// \throws DomainError if the part has no face numbers or no face of a chosen number.
+std::vector<std::size_t> facets_of_other_faces(std::span<const int> chosen,
+                                               const PartFile& part,
+                                               const std::string& file);
+
+/// Adds the facets that a plan leaves uncut to its summary: skip_facets, cut_faces and skipped.
+/// \param list as in skipped_facets. \param faces the chosen faces; empty: all.
+/// \param count of uncut facets. \param folder of the summary.
+void name_cut_facets(Json& summary, const std::string& list, std::span<const int> faces,
+                     std::size_t count, const std::filesystem::path& folder);
 
 /// The numbers that these facets of the file have in the mesh of the part; degenerate ones
 /// are left out.

@@ -37,7 +37,7 @@ std::optional<double> top_by_summary(const FeedInput& input,
     if (!input.known.part)
         return std::nullopt;
     const auto& [file, units, up] = *input.known.part;
-    const Part part = read_part(file, {options.common.limits, units, up}).part;
+    const Part part = part_file({file.string(), units, up}, options.common).part;
     return default_block(&part, input.program.path, input.tool.cutter).high.z();
 }
 

@@ -53,7 +53,9 @@ ExitCode run_info(const InfoOptions& options)
         return report_path(path, options.common);
     }
     refuse_idle_options(options.common, path_option_names, "a part", "a tool path");
-    const PartFile file = read_part_for(options.part, options.common);
+    PartOptions part = options.part;
+    part.keeps_import = !options.common.output.empty();
+    const PartFile file = read_part_for(part, options.common);
     const auto* surfaces = std::get_if<std::vector<Surface>>(&file.part);
     if (!surfaces) {
         refuse_idle_options(options.common, std::array{"--require", "--axis"}, "a mesh",
@@ -93,6 +95,8 @@ void add_info_command(CLI::App& program, Action& action)
     command
         ->add_option("FILE", options->part.path,
                      "surface file (endmill-surface/1), mesh (.stl, .obj, .ply, .off), "
+                     "CAD file (.step, "
+                     ".stp, .iges, .igs), "
                      "or tool path (CSV, G-code, APT CL data, output of rs274 -g)")
         ->required();
     add_mesh_options(*command, options->part);

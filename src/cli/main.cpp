@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "build_facts.h"
+#include "cli/cad_files.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/help_formatter.h"
@@ -57,10 +58,12 @@ ExitCode run(int argc, char** argv, bool json_errors)
     program.set_version_flag(
         "--version",
         "endmill " + std::string{program_version} +
-            (mpi_program().empty() ? " (without endmill-mpi)" : " (with endmill-mpi)"));
+            (mpi_program().empty() ? " (without endmill-mpi" : " (with endmill-mpi") +
+            (cad_program().empty() ? ", without endmill-cad)" : ", with endmill-cad)"));
     program.require_subcommand(1);
     Action action;
     add_info_command(program, action);
+    add_import_command(program, action);
     add_sample_command(program, action);
     add_plan_command(program, action);
     add_trim_command(program, action);

@@ -2,6 +2,7 @@
 // endmill plan: from a surface to economic cutter locations.
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <span>
@@ -219,6 +220,21 @@ Eigen::Matrix3d frame_of(PlanOptions& options)
     return pose.part_to_machine;
 }
 
+// The facets that stay uncut: those of --skip-facets, and those of faces that --face does not
+// name. By their numbers in the file; ascending.
+std::vector<std::size_t> uncut_facets(const PartFile& file, const PlanOptions& options)
+{
+    std::vector<std::size_t> listed =
+        skipped_facets(options.skip_facets, file, options.common);
+    if (options.faces.empty())
+        return listed;
+    const std::vector<std::size_t> others =
+        facets_of_other_faces(options.faces, file, options.part.path);
+    std::vector<std::size_t> all;
+    std::ranges::set_union(listed, others, std::back_inserter(all));
+    return all;
+}
+
 // Checks that a list of facets leaves some to cut.
 void require_facets_to_cut(std::span<const std::size_t> skipped, const PartFile& file,
                            const std::string& list)
@@ -353,8 +369,7 @@ ExitCode run_plan(PlanOptions options)
     const auto [found, is_refused] = continuity_of(file, options);
     if (is_refused)
         return refuse_break(options.part.path, found, options.common);
-    std::vector<std::size_t> skipped =
-        skipped_facets(options.skip_facets, file, options.common);
+    std::vector<std::size_t> skipped = uncut_facets(file, options);
     require_facets_to_cut(skipped, file, options.skip_facets);
     require_setup_of(file, options);
     const std::optional<TriangleMesh> numbered = mesh_for_setups(file, options);

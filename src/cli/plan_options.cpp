@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.h"
+#include "cli/cad_files.h"
 #include "cli/facet_list.h"
 #include "cli/idle_options.h"
 #include "cli/named_texts.h"
@@ -327,8 +328,9 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
 {
     command
         .add_option("PART", options.part.path,
-                    "surface file (endmill-surface/1), or a mesh file (.stl, .obj, .ply, "
-                    ".off), but not with --strategy iso, iso-u or iso-v")
+                    "surface file (endmill-surface/1), or, but not with --strategy iso, "
+                    "iso-u or iso-v, a mesh file (.stl, .obj, .ply, .off) or a CAD file "
+                    "(.step, .stp, .iges, .igs)")
         ->required();
     command
         .add_option("--protect", options.guard.path,
@@ -337,6 +339,9 @@ void add_plan_options(CLI::App& command, PlanOptions& options)
                     "ball off PART nothing need be cut. For a ball along +z with a "
                     "--strategy other than iso")
         ->type_name("PART2");
+    add_face_option(command, options.faces,
+                    "cut only these faces of a STEP or IGES file, or of a mesh with face "
+                    "numbers; no move gouges the others");
     add_skip_facets_option(command, options.skip_facets,
                            "they are not cut, but no move gouges them");
     add_setup_files(command, options);
@@ -504,8 +509,8 @@ void refuse_cutter(const PlanOptions& options)
         return;
     const std::string chosen = "--cutter " + cutter_word(*options.cutter);
     refuse_idle_options(options.common,
-                        std::array{"--distance", "--protect", "--skip-facets"}, chosen,
-                        "a ball");
+                        std::array{"--distance", "--protect", "--skip-facets", "--face"},
+                        chosen, "a ball");
     if (options.bound != PlanBound::None)
         refuse_idle_options(options.common, std::array{"--bound"}, chosen, "a ball");
 }
@@ -561,7 +566,8 @@ void complete_strategy(PlanOptions& options)
 
 void complete_for_oriented_part(PlanOptions& options, bool is_mesh)
 {
-    constexpr std::array mesh_options{"--strategy", "--direction-deg", "--skip-facets"};
+    constexpr std::array mesh_options{"--strategy", "--direction-deg", "--skip-facets",
+                                      "--face"};
     if (!is_mesh)
         return refuse_idle_options(options.common, mesh_options,
                                    "--axis-mode on a surface", "a mesh");
@@ -586,8 +592,8 @@ void refuse_idle_plan_options(const PlanOptions& options)
     refuse_zero_tolerances(options);
     refuse_cutter(options);
     if (!options.guard.path.empty())
-        refuse_idle_options(common, std::array{"--skip-facets", "--setup"}, "--protect",
-                            "one of the two");
+        refuse_idle_options(common, std::array{"--skip-facets", "--face", "--setup"},
+                            "--protect", "one of the two");
     if (!options.guard.path.empty() && options.planning.link.axis != Vec3::UnitZ())
         throw DomainError{"--protect with --axis: expected the axis 0,0,1"};
     if (!options.setup.empty())

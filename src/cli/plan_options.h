@@ -43,6 +43,7 @@ struct PlanOptions {
     PartOptions part;
     PartOptions
         guard;  ///< a part that the path must not enter; none if its path is empty
+    std::vector<int> faces;        ///< the faces to cut, from 1, ascending; empty: all
     std::string skip_facets;       ///< list of facets that stay uncut; empty: none
     std::string setup;             ///< summary.json of a setup; empty: the part as it is
     std::string setups;            ///< the same for several directions; empty: one axis

@@ -11,6 +11,7 @@
 
 #include "build_facts.h"
 #include "cli/console.h"
+#include "cli/facet_list.h"
 #include "cli/path_facts.h"
 #include "cli/plan_strategy.h"
 #include "cli/progress.h"
@@ -250,10 +251,8 @@ PlanResult write_oriented_plan(const PlanTask& task, OutputFolder& folder)
     name_part(summary, task.options.part, folder.path());
     if (!task.options.setup.empty())
         name_part(summary, {task.options.setup}, folder.path(), "setup");
-    if (!task.options.skip_facets.empty()) {
-        name_part(summary, {task.options.skip_facets}, folder.path(), "skip_facets");
-        summary["skipped"] = task.skipped.size();
-    }
+    name_cut_facets(summary, task.options.skip_facets, task.options.faces,
+                    task.skipped.size(), folder.path());
     const std::string table = tool_path_csv(tool_path);
     identify_path(summary, tool_path.points.size(), content_sha256(table));
     folder.write("toolpath.csv", table);

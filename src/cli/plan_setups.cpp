@@ -9,6 +9,7 @@
 
 #include "build_facts.h"
 #include "cli/console.h"
+#include "cli/facet_list.h"
 #include "cli/path_facts.h"
 #include "cli/plan_strategy.h"
 #include "cli/progress.h"
@@ -160,8 +161,8 @@ PlanResult write_setups_plan(const PlanTask& task, const TriangleMesh& mesh,
     summary["path"]["points"] = plan.path.points.size();
     name_part(summary, options.part, folder.path());
     name_part(summary, {options.setups}, folder.path(), "setup_summary");
-    if (!options.skip_facets.empty())
-        name_part(summary, {options.skip_facets}, folder.path(), "skip_facets");
+    name_cut_facets(summary, options.skip_facets, options.faces, task.skipped.size(),
+                    folder.path());
     const std::string table = tool_path_csv(plan.path);
     identify_path(summary, plan.path.points.size(), content_sha256(table));
     folder.write("toolpath.csv", table);

@@ -11,6 +11,7 @@
 
 #include "build_facts.h"
 #include "cli/console.h"
+#include "cli/facet_list.h"
 #include "cli/path_facts.h"
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
@@ -461,10 +462,8 @@ void name_inputs(Json& summary, const PlanTask& task, const OutputFolder& folder
     const PlanOptions& options = task.options;
     if (!options.guard.path.empty())
         name_protected_part(summary, options.guard, folder.path(), options.common.limits);
-    if (!options.skip_facets.empty()) {
-        name_part(summary, {options.skip_facets}, folder.path(), "skip_facets");
-        summary["skipped"] = task.skipped.size();
-    }
+    name_cut_facets(summary, options.skip_facets, options.faces, task.skipped.size(),
+                    folder.path());
     if (!options.setup.empty())
         name_part(summary, {options.setup}, folder.path(), "setup");
 }

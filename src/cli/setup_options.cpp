@@ -33,7 +33,8 @@ void add_setup_part(CLI::App& command, SetupCommandOptions& options)
 {
     command.add_option(
         "PART", options.part.path,
-        "surface file (endmill-surface/1), or mesh (.stl, .obj, .ply, .off)");
+        "surface file (endmill-surface/1), mesh (.stl, .obj, .ply, .off), or CAD file "
+        "(.step, .stp, .iges, .igs)");
     add_mesh_options(command, options.part);
     add_skip_facets_option(command, options.skip_facets,
                            "they need not be accessible, but hide others. Facets of a "

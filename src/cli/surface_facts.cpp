@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "cli/arguments.h"
+#include "cli/cad_files.h"
 #include "cli/console.h"
 #include "cli/progress.h"
 #include "cli/shown_numbers.h"
@@ -34,12 +35,15 @@ void add_mesh_options(CLI::App& command, PartOptions& part)
     add_choice<LengthUnit>(command, "--units", part.units, units,
                            "unit of a mesh file (default mm)");
     add_choice<UpAxis>(command, "--up", part.up, axes,
-                       "axis of a mesh file that points upwards (default z)");
+                       "axis of a mesh or CAD file that points upwards (default z)");
 }
 
 void add_surface_argument(CLI::App& command, std::string& path)
 {
-    command.add_option("SURFACE", path, "surface file (endmill-surface/1)")->required();
+    command
+        .add_option("SURFACE", path,
+                    "surface file (endmill-surface/1), or CAD file of one face")
+        ->required();
 }
 
 namespace {
@@ -63,11 +67,22 @@ std::vector<std::string> shown_notes(std::span<const std::string> notes)
 
 }  // namespace
 
+PartFile part_file(const PartOptions& part, const CommonOptions& options)
+{
+    if (!cad_format(part.path))
+        return read_part(part.path, {options.limits, part.units, part.up});
+    if (part.units != LengthUnit::Mm)
+        throw DomainError{part.path +
+                          ": --units is for meshes; a CAD file states its own unit"};
+    return part_of_cad(cad_part_for(part.path, part.keeps_import, options), part.path,
+                       {options.limits, LengthUnit::Mm, part.up});
+}
+
 PartFile read_part_for(const PartOptions& part, const CommonOptions& options)
 {
     PartFile file = [&] {
         const ProgressLine progress{"reading " + printable(part.path), options};
-        return read_part(part.path, {options.limits, part.units, part.up});
+        return part_file(part, options);
     }();
     for (const std::string& note : shown_notes(file.notes))
         warn(options, fmt::format("{}: {}", part.path, note));
@@ -112,6 +127,8 @@ bool is_surface_name(const std::string& path)
 PartPair part_pair(const PartOptions& part, const std::string& file)
 {
     PartPair pair{part, {file, part.units, part.up}};
+    if (cad_format(part.path).has_value() != cad_format(file).has_value())
+        (cad_format(part.path) ? pair.part : pair.guard).units = LengthUnit::Mm;
     const bool is_surface = is_surface_name(part.path);
     if (is_surface == is_surface_name(file))
         return pair;

@@ -18,6 +18,7 @@ struct PartOptions {
     std::string path;
     LengthUnit units = LengthUnit::Mm;
     UpAxis up = UpAxis::Z;
+    bool keeps_import = true;  ///< whether an imported CAD file is kept beside the output
 };
 
 /// Adds the options --units and --up of meshes.
@@ -45,8 +46,13 @@ PartPair part_pair(const PartOptions& part, const std::string& file);
 /// Adds the argument SURFACE, for a command that does not accept a mesh.
 void add_surface_argument(CLI::App& command, std::string& path);
 
+/// Reads a part: a surface, mesh or CAD file.
+/// \throws FormatError, LimitError, DomainError as `read_part` and `import_cad_with_cache`;
+///         DomainError for --units with a CAD file, which states its own unit.
+PartFile part_file(const PartOptions& part, const CommonOptions& options);
+
 /// Reads the part of a command. Its notes become warnings.
-/// \throws FormatError, LimitError, DomainError as read_part.
+/// \throws as part_file.
 PartFile read_part_for(const PartOptions& part, const CommonOptions& options);
 
 /// Reads the part of a command that accepts surfaces only.

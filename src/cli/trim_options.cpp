@@ -227,7 +227,8 @@ void add_plane_options(CLI::App& command, TrimOptions& options)
 
 void add_trim_options(CLI::App& command, TrimOptions& options)
 {
-    command.add_option("PART", options.part.path, "surface or mesh file");
+    command.add_option("PART", options.part.path,
+                       "surface, mesh or CAD file (STEP, IGES)");
     add_polyline_options(command, options);
     add_comparison_options(command, options);
     add_mesh_options(command, options.part);

@@ -137,10 +137,12 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
         summary["protected_gouge_bound_mm"] =
             finite_or_null(of_protected->gouge_bound_mm);
     }
-    if (!input.skip_file.empty()) {
+    if (!input.skip_file.empty())
         summary["skip_facets"] = printable(input.skip_file);
+    if (!input.cut_faces.empty())
+        summary["cut_faces"] = input.cut_faces;
+    if (!input.skip_file.empty() || !input.cut_faces.empty())
         summary["skipped"] = input.skipped.size();
-    }
     folder.write("summary.json", summary.dump(2) + "\n");
     return summary;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
+#include <iterator>
 #include <memory>
 #include <utility>
 #include <variant>
@@ -299,7 +300,7 @@ void add_guard(VerifyInput& input, const VerifyOptions& options, const PathSumma
 }
 
 // Adds the facets whose remaining stock is not judged: those of --skip-facets, or else those
-// that the path was planned to leave.
+// that the path was planned to leave by a list or by its faces.
 void add_skipped(VerifyInput& input, const VerifyOptions& options,
                  const PathSummary& known)
 {
@@ -309,6 +310,16 @@ void add_skipped(VerifyInput& input, const VerifyOptions& options,
     if (input.skip_file.empty() && options.part.path.empty() && known.skipped_facets)
         input.skip_file = known.skipped_facets->lexically_normal().string();
     input.skipped = skipped_facets(input.skip_file, *input.part, options.common);
+    if (!options.skip_facets.empty() || !options.part.path.empty() ||
+        known.cut_faces.empty())
+        return;
+    input.cut_faces = known.cut_faces;
+    std::vector<std::size_t> all;
+    std::ranges::set_union(
+        input.skipped,
+        facets_of_other_faces(input.cut_faces, *input.part, input.part_path),
+        std::back_inserter(all));
+    input.skipped = std::move(all);
 }
 
 // Whether remaining stock is judged where the cutter cannot touch the part. A test of the

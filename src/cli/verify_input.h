@@ -30,6 +30,7 @@ struct VerifyInput {
     std::shared_ptr<const ProtectedPart> guard = {};  ///< the same, for the ball
     std::string guard_path = {};                      ///< empty without it
     std::string skip_file = {};                       ///< list of facets; may be empty
+    std::vector<int> cut_faces = {};                  ///< from 1; empty: all
     std::vector<std::size_t> skipped = {};            ///< facets by numbers in the file
     VerifyStock stock = {};
     std::vector<ToolChange> changes = {};  ///< to other tools, with --tools

@@ -63,9 +63,10 @@ void add_verify_options(CLI::App& command, VerifyOptions& options)
 {
     add_path_options(command, options.path);
     command
-        .add_option("--part", options.part.path,
-                    "surface or mesh to compare with, or the word none (default: the "
-                    "part that the path was planned for)")
+        .add_option(
+            "--part", options.part.path,
+            "surface, mesh or CAD file to compare with, or the word none (default: the "
+            "part that the path was planned for)")
         ->type_name("FILE");
     command
         .add_option("--protect", options.guard,

@@ -434,9 +434,12 @@ std::string skipped_text(const Json& s)
 {
     if (!s.contains("skipped"))
         return {};
+    std::string why =
+        s.contains("skip_facets") ? s["skip_facets"].get<std::string>() : "";
+    if (s.contains("cut_faces"))
+        why += (why.empty() ? "" : " and of ") + std::string{"faces that are not cut"};
     return fmt::format("  not judged  remaining stock on {} of {}\n",
-                       counted(s["skipped"].get<std::size_t>(), "facet"),
-                       s["skip_facets"].get<std::string>());
+                       counted(s["skipped"].get<std::size_t>(), "facet"), why);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from program import ENDMILL, ROOT, ProgramTest, endmill, plane
 
-COMMANDS = ("info", "sample", "plan", "trim", "verify", "post", "feed", "coefficients", "toollife", "setup", "machine",
+COMMANDS = ("info", "import", "sample", "plan", "trim", "verify", "post", "feed", "coefficients", "toollife", "setup", "machine",
             "eval", "cite", "run", "demo", "sweep")
 
 
@@ -105,10 +105,10 @@ class Program(ProgramTest):
                               "--machine-cost-per-min", "1"), ("phi_over_pi", "v_m_per_min"))):
             self.assert_refused(endmill(*call, cwd=self.folder), 3, "p.csv:1: unknown column", *names)
 
-    def test_version_is_printed_with_whether_mpi_is_there(self):
-        has_mpi = Path(ENDMILL).with_name("endmill-mpi").exists()
-        self.assertRegex(endmill("--version").stdout,
-                         rf"^endmill \d+\.\d+\.\d+ \({'with' if has_mpi else 'without'} endmill-mpi\)\n$")
+    def test_version_is_printed_with_the_programs_that_are_there(self):
+        others = ", ".join(f"{'with' if Path(ENDMILL).with_name(name).exists() else 'without'} {name}"
+                           for name in ("endmill-mpi", "endmill-cad"))
+        self.assertRegex(endmill("--version").stdout, rf"^endmill \d+\.\d+\.\d+ \({others}\)\n$")
 
     def test_unknown_command_gets_a_suggestion(self):
         self.assert_refused(endmill("plam"), 2, 'found "plam"', "did you mean plan?")

@@ -13,7 +13,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ.get("ENDMILL_BUILD", ROOT / "build/release"))
 # What jobs and commands find beside the installed program.
-DATA = ("controls", "jobs", "machines", "materials", "meshes", "surfaces", "sweeps", "tools")
+DATA = ("cad", "controls", "jobs", "machines", "materials", "meshes", "surfaces", "sweeps", "tools")
 SURFACE = ROOT / "datasets/surfaces/net_rot24_7D.json"
 
 
@@ -73,7 +73,7 @@ class WhatIsInstalled(InstalledTest):
         python = {path for path in files if path.startswith("lib/python")}  # if pybind11 is there
         data = {f"share/endmill/{kind}/{path.name}" for kind in DATA
                 for path in (ROOT / "datasets" / kind).iterdir()}
-        self.assertEqual(files - package - libraries - python - {"bin/endmill-mpi"},  # if MPI is there
+        self.assertEqual(files - package - libraries - python - {"bin/endmill-mpi", "bin/endmill-cad"},  # if their libraries are there
                          {"bin/endmill", "share/doc/endmill/LICENSE", "share/man/man1/endmill.1",
                           "share/bash-completion/completions/endmill"} | data)
 

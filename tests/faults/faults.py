@@ -32,6 +32,7 @@ STRING = re.compile(rb'"(?:[^"\\]|\\.)*"')
 # A time that a run took, as a member of a summary.
 TIME = re.compile(rb'("\w+_m?s": )[0-9.e+-]+')
 SURFACE = ROOT / "datasets/surfaces/saddle.json"
+CAD_PART = ROOT / "datasets/cad/bracket-inch.step"
 PLANE = ROOT / "datasets/surfaces/plane.json"
 MESH = ROOT / "datasets/meshes/prism.obj"
 STEEL = ROOT / "datasets/materials/steel.json"
@@ -56,6 +57,8 @@ COMMANDS = {
     "machine": ["machine", "W/caxyBz/T", "-o", "FOLDER"],
     "cite": ["cite", "-o", "FOLDER"],
 }
+if Path(ENDMILL).with_name("endmill-cad").exists():
+    COMMANDS["import"] = ["import", CAD_PART, "-o", "FOLDER"]
 
 EXTREMES = ("0", "-0", "-1", "1e-320", "1e-9", "0.5", "65536", "2147483648", "9223372036854775808", "1e19", "1e100",
             "1e308", "-1e308", "1e999", "nan", "inf", "1,2", "x", "")

@@ -238,6 +238,35 @@ TEST(PlyText, WritesNormalsThatReadersMaySkip)
               3U * 24 + 13);
 }
 
+TEST(PlyText, WritesFaceNumbersThatReadBack)
+{
+    const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}},
+                            {{0, 1, 2}, {1, 3, 2}}};
+    const std::string text = ply_text(mesh, {}, std::array{7, 2147483647});
+    const RawMesh back = read(text);
+    EXPECT_THAT(back.face_numbers, testing::ElementsAre(7, 2147483647));
+    EXPECT_TRUE(std::ranges::equal(back.mesh.triangles(), mesh.triangles()));
+    EXPECT_THAT(read(ply_text(mesh)).face_numbers, testing::IsEmpty());
+    EXPECT_THROW(ply_text(mesh, {}, std::array{7}), DomainError);
+}
+
+// A face of four corners becomes two triangles of one number.
+TEST(ParsePly, GivesTheFaceNumberToAllTrianglesOfAFace)
+{
+    const std::string text =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 2\nproperty uchar face_number\n"
+        "property list uchar int vertex_indices\nend_header\n"
+        "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 4 0 1 2 3\n9 3 0 1 2\n";
+    EXPECT_THAT(read(text).face_numbers, testing::ElementsAre(3, 3, 9));
+    std::string zero = text;
+    zero.replace(text.find("\n9 3") + 1, 1, "0");
+    EXPECT_THAT(complaint_of([&] { read(zero); }), testing::StartsWith("E_INDEX"));
+    std::string real = text;
+    real.replace(text.find("uchar face_number"), 5, "float");
+    EXPECT_THAT(complaint_of([&] { read(real); }), testing::StartsWith("E_PLY_SYNTAX"));
+}
+
 TEST(PlyText, RefusesNormalsOfNoPoint)
 {
     const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};

@@ -12,6 +12,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "endmill/core/error.h"
+
 namespace endmill {
 namespace {
 
@@ -77,6 +79,45 @@ TEST(ChildProcess, PassesOnMoreThanAPipeHolds)
     run_child(task);
     EXPECT_EQ(count, 20000);
     EXPECT_EQ(last, "line 19999");
+}
+
+TEST(ChildProcess, PassesOnTheStandardOutputUnchanged)
+{
+    std::string output;
+    ChildTask task =
+        shell("printf 'a\\0b\\n'; echo hidden >&2; head -c 300000 /dev/zero");
+    task.output = [&](std::string_view piece) { output += piece; };
+    EXPECT_EQ(run_child(task).code, 0);
+    EXPECT_EQ(output, std::string("a\0b\n", 4) + std::string(300000, '\0'));
+}
+
+TEST(ChildProcess, EndsTheChildIfTheReceiverOfItsOutputThrows)
+{
+    ChildTask task = shell("while :; do echo more; done");
+    task.output = [](std::string_view) { throw std::length_error{"enough"}; };
+    EXPECT_THROW(run_child(task), std::length_error);
+}
+
+TEST(ChildProcess, LimitsTheTimeOfAChildThatWritesWithoutEnd)
+{
+    ChildTask task = shell("while :; do echo more; done");
+    task.limits.wall_seconds = 0.3;
+    task.output = [](std::string_view) {};
+    EXPECT_EQ(run_child(task).end, ChildEnd::OutOfTime);
+}
+
+TEST(ChildProcess, HasAFileAsItsInputThatItCannotWrite)
+{
+    const PrivateFolder folder{"/tmp"};
+    folder.write("input", "content\n");
+    ChildTask task = shell("cat; echo x >&0 || echo refused");
+    task.input = folder.path() / "input";
+    std::string output;
+    task.output = [&](std::string_view piece) { output += piece; };
+    EXPECT_EQ(run_child(task).code, 0);
+    EXPECT_EQ(output, "content\nrefused\n");
+    task.input = folder.path() / "missing";
+    EXPECT_THROW(run_child(task), OutputError);
 }
 
 TEST(ChildProcess, CutsALineWithoutEnd)

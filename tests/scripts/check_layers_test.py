@@ -95,7 +95,7 @@ class Layers(FakeTree):
         code, printed = self.check(check_layers.main, self.root)
         self.assertEqual(code, 1)
         self.assertIn("surface uses files, which is not declared above it", printed)
-        self.assertIn("surface uses files; only job and cli may", printed)
+        self.assertIn("surface uses files; only job, import and cli may", printed)
 
     def test_folder_without_a_declaration_is_reported(self):
         self.write("src/endmill/utils/all.cpp", SPDX)

@@ -7,7 +7,7 @@ import unittest
 
 from fake_tree import ROOT, FakeTree
 
-GROUPS = ["build", "mpi", "python", "page", "figures", "benchmarks", "tests", "sanitizers", "docs", "paper", "packaging"]
+GROUPS = ["build", "mpi", "python", "page", "cad", "figures", "benchmarks", "tests", "sanitizers", "docs", "paper", "packaging"]
 
 
 class Setup(FakeTree):

@@ -73,8 +73,8 @@ std::string checked_extension(std::string_view content, const std::string& file,
         std::ranges::find(other_formats, extension, &OtherFormat::extension);
     if (other != other_formats.end())
         throw FormatError{"E_FORMAT",
-                          {file, "", std::string{other->name} + " is not read",
-                           "the part exported as a mesh: .stl, .obj, .ply or .off"}};
+                          {file, "", std::string{other->name} + " is not read here",
+                           "the part as a mesh: .stl, .obj, .ply or .off"}};
     if (std::ranges::find(extensions, extension) == extensions.end()) {
         const std::string guess =
             format ? ", content looks like " + std::string{*format} : "";
@@ -102,6 +102,7 @@ std::string_view was_or_were(std::size_t count)
 struct ReadAndWelded {
     WeldedMesh welded;
     std::vector<std::string> notes;
+    std::vector<std::int32_t> face_numbers;
 };
 
 // Checks that the mesh is not empty.
@@ -123,7 +124,7 @@ ReadAndWelded read_soup(std::string& content, const MeshSource& source)
         source.file,
         triangles * (sizeof soup[0] + sizeof(Triangle) + 3 * bytes_per_welded_point),
         source.limits);
-    return {weld(soup), {}};
+    return {weld(soup), {}, {}};
 }
 
 // Parses a mesh with indexed points.
@@ -134,12 +135,9 @@ RawMesh parse_indexed(const MeshSource& source, std::string_view extension)
     return extension == ".ply" ? parse_ply(source) : parse_off(source);
 }
 
-// Reads an OBJ, PLY or OFF file. `content` is released as in `read_soup`.
-ReadAndWelded read_indexed(std::string& content, const MeshSource& source,
-                           std::string_view extension)
+// Welds a mesh with indexed points.
+ReadAndWelded welded_with_notes(RawMesh raw, const MeshSource& source)
 {
-    const RawMesh raw = parse_indexed(source, extension);
-    std::string{}.swap(content);
     require_triangles(raw.mesh.triangles().size(), source);
     const auto points = static_cast<double>(raw.mesh.points().size());
     const auto triangles = static_cast<double>(raw.mesh.triangles().size());
@@ -148,7 +146,8 @@ ReadAndWelded read_indexed(std::string& content, const MeshSource& source,
         points * (sizeof(Vec3) + sizeof(std::int32_t) + bytes_per_welded_point) +
             triangles * 2 * sizeof(Triangle),
         source.limits);
-    ReadAndWelded result{weld(raw.mesh), raw.notes};
+    ReadAndWelded result{weld(raw.mesh), std::move(raw.notes),
+                         std::move(raw.face_numbers)};
     const std::size_t welded = result.welded.welded_points;
     if (welded > 0)
         result.notes.push_back(counted(welded, "point") + " at the place of another" +
@@ -159,6 +158,15 @@ ReadAndWelded read_indexed(std::string& content, const MeshSource& source,
             std::string{was_or_were(raw.split_faces)} + "split into triangles, corners " +
             to_text(raw.out_of_plane_mm) + " mm out of plane at most");
     return result;
+}
+
+// Reads an OBJ, PLY or OFF file. `content` is released as in `read_soup`.
+ReadAndWelded read_indexed(std::string& content, const MeshSource& source,
+                           std::string_view extension)
+{
+    RawMesh raw = parse_indexed(source, extension);
+    std::string{}.swap(content);
+    return welded_with_notes(std::move(raw), source);
 }
 
 // Turns the axis `up` to +z by a quarter or half turn about x or y, which is exact.
@@ -261,6 +269,62 @@ std::vector<std::string> option_notes(const MeshReadOptions& options)
     return notes;
 }
 
+// Removes the items with these indices, which rise; nothing if there are no items.
+void leave_out(std::vector<std::int32_t>& items, std::span<const std::size_t> indices)
+{
+    if (items.empty() || indices.empty())
+        return;
+    std::size_t next = 0;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (next < indices.size() && indices[next] == i)
+            ++next;
+        else
+            items[kept++] = items[i];
+    }
+    items.resize(kept);
+}
+
+// Whether every point of a mesh is a corner, as those of separate triangles are.
+enum class AreAllPointsUsed { No, Yes };
+
+// Leaves out what has no area or is not used, and turns the upward axis.
+MeshFile finished(ReadAndWelded read, const std::filesystem::path& path,
+                  const MeshReadOptions& options,
+                  AreAllPointsUsed used = AreAllPointsUsed::No)
+{
+    const std::string file = shown_path(path);
+    auto& [welded, notes, face_numbers] = read;
+    const TriangleMesh& all = welded.mesh;
+    auto [triangles, without_area] = sorted_triangles(all);
+    const std::size_t degenerate = without_area.size();
+    if (triangles.empty())
+        throw FormatError{
+            "E_DEGENERATE",
+            {file, "",
+             degenerate == 1
+                 ? "the only triangle has no area"
+                 : "none of the " + counted(degenerate, "triangle") + " has an area",
+             "triangles whose corners are not on one line"}};
+    const bool are_all_used = used == AreAllPointsUsed::Yes && degenerate == 0;
+    std::vector<Vec3> points = are_all_used
+                                   ? all_points(all.points(), options.up)
+                                   : used_points(all.points(), triangles, options.up);
+    const std::size_t unused = all.points().size() - points.size();
+    if (degenerate > 0)
+        notes.push_back(left_out(degenerate, "triangle", "without an area"));
+    if (unused > 0)
+        notes.push_back(left_out(unused, "point", "that no triangle uses"));
+    std::ranges::copy(option_notes(options), std::back_inserter(notes));
+    leave_out(face_numbers, without_area);
+    return {printable(path.stem().string()),
+            {std::move(points), std::move(triangles)},
+            welded.welded_points,
+            std::move(without_area),
+            std::move(notes),
+            std::move(face_numbers)};
+}
+
 }  // namespace
 
 MeshFile read_mesh(const std::filesystem::path& path, const MeshReadOptions& options)
@@ -275,38 +339,19 @@ MeshFile parse_mesh(std::string content, const std::filesystem::path& path,
     const std::string extension = checked_extension(content, file, path);
     const double unit = options.units == LengthUnit::Inch ? mm_per_inch : 1;
     const MeshSource source{content, file, options.limits, unit};
-    auto [welded, notes] = extension == ".stl" ? read_soup(content, source)
-                                               : read_indexed(content, source, extension);
-
-    const TriangleMesh& all = welded.mesh;
-    auto [triangles, without_area] = sorted_triangles(all);
-    const std::size_t degenerate = without_area.size();
-    if (triangles.empty())
-        throw FormatError{
-            "E_DEGENERATE",
-            {file, "",
-             degenerate == 1
-                 ? "the only triangle has no area"
-                 : "none of the " + counted(degenerate, "triangle") + " has an area",
-             "triangles whose corners are not on one line"}};
-    // Every point of a soup is a corner.
-    const bool are_all_used = extension == ".stl" && degenerate == 0;
-    std::vector<Vec3> points = are_all_used
-                                   ? all_points(all.points(), options.up)
-                                   : used_points(all.points(), triangles, options.up);
-    const std::size_t unused = all.points().size() - points.size();
-    if (degenerate > 0)
-        notes.push_back(left_out(degenerate, "triangle", "without an area"));
-    if (unused > 0)
-        notes.push_back(left_out(unused, "point", "that no triangle uses"));
-    std::ranges::copy(option_notes(options), std::back_inserter(notes));
-    return {printable(path.stem().string()),
-            {std::move(points), std::move(triangles)},
-            welded.welded_points,
-            std::move(without_area),
-            std::move(notes)};
+    if (extension == ".stl")
+        return finished(read_soup(content, source), path, options, AreAllPointsUsed::Yes);
+    return finished(read_indexed(content, source, extension), path, options);
 }
 
+MeshFile treated_mesh(TriangleMesh mesh, std::vector<std::int32_t> face_numbers,
+                      const std::filesystem::path& path, const MeshReadOptions& options)
+{
+    const MeshSource source{{}, shown_path(path), options.limits};
+    return finished(
+        welded_with_notes({std::move(mesh), 0, 0, {}, std::move(face_numbers)}, source),
+        path, options);
+}
 std::string_view mesh_extension(MeshFormat format)
 {
     switch (format) {
@@ -322,7 +367,8 @@ std::string_view mesh_extension(MeshFormat format)
 }
 
 std::string mesh_text(const TriangleMesh& mesh, MeshFormat format,
-                      std::span<const Vec3> normals)
+                      std::span<const Vec3> normals,
+                      std::span<const std::int32_t> face_numbers)
 {
     switch (format) {
         case MeshFormat::Stl:
@@ -332,7 +378,7 @@ std::string mesh_text(const TriangleMesh& mesh, MeshFormat format,
         case MeshFormat::Obj:
             return obj_text(mesh);
         case MeshFormat::Ply:
-            return ply_text(mesh, normals);
+            return ply_text(mesh, normals, face_numbers);
         default:
             return off_text(mesh);
     }

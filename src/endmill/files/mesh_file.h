@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -50,6 +51,9 @@ struct MeshFile {
     /// because their corners are collinear.
     std::vector<std::size_t> degenerate_triangles;
     std::vector<std::string> notes;  ///< one sentence for each kind of change
+    /// For each triangle the number of its face of a CAD model, from 1; empty if the file has
+    /// none. Only PLY files have them.
+    std::vector<std::int32_t> face_numbers = {};
 };
 
 /// Reads an STL, OBJ, PLY or OFF file. The extension, in either case, selects the format.
@@ -68,6 +72,16 @@ MeshFile read_mesh(const std::filesystem::path& path,
 MeshFile parse_mesh(std::string content, const std::filesystem::path& path,
                     const MeshReadOptions& options = {});
 
+/// A mesh that is in no mesh file, treated as one: equal points are welded, degenerate
+/// triangles and unused points left out.
+/// \param mesh         in mm. \param face_numbers as in `MeshFile`.
+/// \param path         used for messages and the name.
+/// \param options      its unit must be mm.
+/// \throws FormatError, LimitError as `parse_mesh`.
+MeshFile treated_mesh(TriangleMesh mesh, std::vector<std::int32_t> face_numbers,
+                      const std::filesystem::path& path,
+                      const MeshReadOptions& options = {});
+
 /// The format of a mesh file to be written.
 enum class MeshFormat { Stl, StlAscii, Obj, Ply, Off };
 
@@ -84,9 +98,13 @@ std::string_view mesh_extension(MeshFormat format);
 /// no two are equal and every triangle has an area. STL numbers points by first use.
 /// \param normals one unit normal for each point, or none. PLY stores them as nx, ny, nz;
 ///                the other formats store no normals of points and ignore them.
+/// \param face_numbers one for each triangle, from 1, or none. PLY stores them as
+///                face_number; the other formats ignore them.
 /// \throws DomainError if a coordinate is beyond the range of float (binary STL); if the
-///         number of normals is not that of the points, or a normal is not finite (PLY).
+///         number of normals is not that of the points, that of the face numbers not that of
+///         the triangles, or a normal is not finite (PLY).
 std::string mesh_text(const TriangleMesh& mesh, MeshFormat format,
-                      std::span<const Vec3> normals = {});
+                      std::span<const Vec3> normals = {},
+                      std::span<const std::int32_t> face_numbers = {});
 
 }  // namespace endmill

@@ -83,24 +83,6 @@ void orient(MeshFile& file, MeshReport& report)
                              "left as read, of one side only, like a Moebius strip");
 }
 
-// Reads a mesh file. The orientation is examined first, because most meshes need no
-// change and orienting takes much memory.
-PartFile mesh_part(std::string content, const std::filesystem::path& path,
-                   const MeshReadOptions& options)
-{
-    MeshFile file = parse_mesh(std::move(content), path, options);
-    MeshReport report = mesh_report(file.mesh);
-    if (may_be_turned(report)) {
-        require_memory(shown_path(path), bytes_to_orient(file.mesh, report),
-                       options.limits);
-        orient(file, report);
-    }
-    return {std::move(file.name), {},
-            std::move(file.mesh), std::move(file.degenerate_triangles),
-            file.welded_points,   std::move(report),
-            std::move(file.notes)};
-}
-
 // Whether two characters are equal without regard to case.
 bool is_letter_case_apart(unsigned char a, unsigned char b)
 {
@@ -119,11 +101,29 @@ bool is_surface(const std::string& content, const std::filesystem::path& path)
 
 }  // namespace
 
+// The orientation is examined first, because most meshes need no change and orienting takes
+// much memory.
+PartFile part_of_mesh(MeshFile mesh, const std::filesystem::path& path,
+                      const ReadLimits& limits)
+{
+    MeshReport report = mesh_report(mesh.mesh);
+    if (may_be_turned(report)) {
+        require_memory(shown_path(path), bytes_to_orient(mesh.mesh, report), limits);
+        orient(mesh, report);
+    }
+    return {std::move(mesh.name),  {},
+            std::move(mesh.mesh),  std::move(mesh.degenerate_triangles),
+            mesh.welded_points,    std::move(report),
+            std::move(mesh.notes), std::move(mesh.face_numbers)};
+}
+
 PartFile read_part(const std::filesystem::path& path, const MeshReadOptions& options)
 {
     std::string content = read_file(path, options.limits);
-    return is_surface(content, path) ? surface_part(content, path, options)
-                                     : mesh_part(std::move(content), path, options);
+    return is_surface(content, path)
+               ? surface_part(content, path, options)
+               : part_of_mesh(parse_mesh(std::move(content), path, options), path,
+                              options.limits);
 }
 
 }  // namespace endmill

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -29,6 +30,9 @@ struct PartFile {
     std::optional<MeshReport> mesh_report;
     /// One sentence for each change and each peculiarity.
     std::vector<std::string> notes;
+    /// For each triangle of a mesh the number of its face of a CAD model, from 1; empty if it
+    /// has none.
+    std::vector<std::int32_t> face_numbers = {};
 };
 
 /// Reads a surface file if the content is JSON or the extension is .json (in either
@@ -41,5 +45,11 @@ struct PartFile {
 ///         which states its own unit.
 PartFile read_part(const std::filesystem::path& path,
                    const MeshReadOptions& options = {});
+
+/// The part that a mesh is, oriented as by `read_part`.
+/// \param mesh   in mm. \param path of its file, for messages.
+/// \throws LimitError if the orientation needs more memory than the limit.
+PartFile part_of_mesh(MeshFile mesh, const std::filesystem::path& path,
+                      const ReadLimits& limits = {});
 
 }  // namespace endmill

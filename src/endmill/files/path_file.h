@@ -166,6 +166,8 @@ struct PathSummary {
     std::optional<MachineMotion> machine = {};
     /// List of facets of the part that the path leaves uncut.
     std::optional<std::filesystem::path> skipped_facets = {};
+    /// The faces that the path cuts, from 1; empty: all.
+    std::vector<int> cut_faces = {};
 
     /// The smallest of the three tolerances, without an outer one of 0: the scallop height then
     /// limits all remaining stock. Nothing if none is known.

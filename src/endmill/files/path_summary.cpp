@@ -125,6 +125,18 @@ std::optional<std::filesystem::path> file_beside(const JsonValue& root,
     return file ? std::optional{folder / *file} : std::nullopt;
 }
 
+// The numbers of the faces that are cut; none if the key is missing or null.
+std::vector<int> cut_faces(const JsonValue& root)
+{
+    constexpr std::int64_t most = std::numeric_limits<std::int32_t>::max();
+    const std::optional<JsonValue> value = known_member(root, "cut_faces");
+    std::vector<int> faces;
+    for (std::size_t k = 0; value && k < value->size(); ++k)
+        faces.push_back(static_cast<int>(value->item(k).whole_number(1, most)));
+    std::ranges::sort(faces);
+    return faces;
+}
+
 // Three numbers of an array.
 Vec3 vector_in(const JsonValue& value)
 {
@@ -247,7 +259,8 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
                        text(root, "program_sha256"),
                        part(root, "protected", tool_path.parent_path()),
                        machine(root),
-                       file_beside(root, "skip_facets", tool_path.parent_path())};
+                       file_beside(root, "skip_facets", tool_path.parent_path()),
+                       cut_faces(root)};
 }
 
 ClampedPart read_clamped_part(const std::filesystem::path& path, const ReadLimits& limits)

@@ -221,4 +221,71 @@ SurfaceFile parse_surface(std::string_view content, const std::filesystem::path&
             std::move(notes)};
 }
 
+namespace {
+
+// A text as a JSON string.
+std::string quoted(const std::string& text, std::size_t longest)
+{
+    std::string result = "\"";
+    for (const char letter : printable(text, longest)) {
+        if (letter == '"' || letter == '\\')
+            result += '\\';
+        result += letter;
+    }
+    return result + '"';
+}
+
+// Numbers as a JSON array.
+std::string array_text(std::span<const double> numbers)
+{
+    std::string text = "[";
+    for (const double number : numbers) {
+        text += text.size() == 1 ? "" : ", ";
+        append_text(text, number);
+    }
+    return text + ']';
+}
+
+// Rows of `columns` items each as a JSON array of arrays.
+template <typename Item, typename Text>
+std::string rows_text(std::span<const Item> items, std::size_t columns, Text item_text)
+{
+    std::string text = "[";
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const bool is_first = i % columns == 0;
+        text += is_first ? (i == 0 ? "\n  [" : ",\n  [") : ", ";
+        text += item_text(items[i]);
+        text += (i + 1) % columns == 0 ? "]" : "";
+    }
+    return text + ']';
+}
+
+}  // namespace
+
+std::string surface_text(const Nurbs& nurbs, ToolSide tool_side, const std::string& name,
+                         const std::string& source)
+{
+    const auto columns = static_cast<std::size_t>(nurbs.u.points());
+    std::string text =
+        "{\"format\": \"endmill-surface/1\", \"name\": " + quoted(name, longest_name) +
+        ", \"source\": " + quoted(source, longest_source) + ", \"type\": \"nurbs\",\n";
+    if (tool_side != ToolSide::Up)
+        text += " \"tool_side\": \"" +
+                std::string{tool_side == ToolSide::DuCrossDv ? "du_cross_dv"
+                                                             : "dv_cross_du"} +
+                "\",\n";
+    text += " \"degree_u\": " + std::to_string(nurbs.u.degree) +
+            ", \"degree_v\": " + std::to_string(nurbs.v.degree) +
+            ",\n \"knots_u\": " + array_text(nurbs.u.knots) +
+            ",\n \"knots_v\": " + array_text(nurbs.v.knots) + ",\n \"control_points\": " +
+            rows_text(std::span{nurbs.control_points}, columns, [](const Vec3& point) {
+                return array_text({point.data(), 3});
+            });
+    if (!nurbs.weights.empty())
+        text += ",\n \"weights\": " +
+                rows_text(std::span{nurbs.weights}, columns,
+                          [](double weight) { return to_text(weight); });
+    return text + "}\n";
+}
+
 }  // namespace endmill

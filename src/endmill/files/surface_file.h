@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "endmill/files/read_file.h"
+#include "endmill/surface/nurbs.h"
 #include "endmill/surface/surface.h"
 
 /// \file
@@ -38,5 +39,11 @@ SurfaceFile read_surface(const std::filesystem::path& path,
 /// \param path used in messages and for the default name.
 SurfaceFile parse_surface(std::string_view content, const std::filesystem::path& path,
                           const ReadLimits& limits = {});
+
+/// The content of a surface file of type "nurbs".
+/// \param nurbs  with valid parameters and as many points as they require.
+/// \param name   of the surface. \param source origin of the numbers.
+std::string surface_text(const Nurbs& nurbs, ToolSide tool_side, const std::string& name,
+                         const std::string& source);
 
 }  // namespace endmill

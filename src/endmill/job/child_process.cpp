@@ -210,7 +210,7 @@ void set_signals()
     ::_exit(exit_code_without_exec);
 }
 
-// A child that was started, and what it writes to its standard error.
+// A child that was started, and what it writes to its standard output and error.
 class StartedChild {
 public:
     explicit StartedChild(const ChildTask& task);
@@ -220,8 +220,8 @@ public:
 
     // Waits for its end or its output, but no longer than `most_ms`.
     void wait(int most_ms) const;
-    // Passes on the lines that have come; at the `end` of the child also the last one.
-    void pass_lines(bool at_end);
+    // Passes on what has come; at the `end` of the child all that is left.
+    void pass_on(bool at_end);
     // The status if the child has ended. It is then waited for.
     std::optional<int> ended();
     // Ends the group of the child and waits for the child.
@@ -229,10 +229,13 @@ public:
 
 private:
     void pass_line(std::string_view line) const;
+    void pass_lines(bool at_end);
+    void pass_output(bool at_end);
 
     const ChildTask& task_;
-    std::optional<Pipe> pipe_;
-    std::string rest_;  // of a line that is not complete
+    std::optional<Pipe> pipe_;         // of the standard error
+    std::optional<Pipe> output_pipe_;  // of the standard output
+    std::string rest_;                 // of a line that is not complete
     pid_t process_ = 0;
     int process_file_ = -1;  // becomes readable at the end of the process
 };
@@ -245,20 +248,24 @@ StartedChild::StartedChild(const ChildTask& task) : task_{task}
     const std::vector<char*> arguments = pointers(words);
     const std::vector<char*> variables = pointers(environment);
     const std::vector<ResourceLimit> limits = resource_limits(task.limits);
-    const OpenFile input{"/dev/null", O_RDONLY};
+    const OpenFile input{task.input.empty() ? fs::path{"/dev/null"} : task.input,
+                         O_RDONLY};
     const OpenFile output{task.log.empty() ? fs::path{"/dev/null"} : task.log,
                           task.log.empty() ? O_WRONLY : O_WRONLY | O_CREAT | O_EXCL};
     if (task.log.empty())
         pipe_.emplace(new_pipe());
-    const Prepared prepared{task.program.c_str(),
-                            arguments.data(),
-                            variables.data(),
-                            task.folder.c_str(),
-                            input.descriptor(),
-                            output.descriptor(),
-                            pipe_ ? pipe_->writing.descriptor() : output.descriptor(),
-                            limits,
-                            ::getpid()};
+    if (task.log.empty() && task.output)
+        output_pipe_.emplace(new_pipe());
+    const Prepared prepared{
+        task.program.c_str(),
+        arguments.data(),
+        variables.data(),
+        task.folder.c_str(),
+        input.descriptor(),
+        output_pipe_ ? output_pipe_->writing.descriptor() : output.descriptor(),
+        pipe_ ? pipe_->writing.descriptor() : output.descriptor(),
+        limits,
+        ::getpid()};
     const std::lock_guard lock{registry().mutex};
     process_ = ::fork();
     if (process_ == 0)
@@ -270,6 +277,8 @@ StartedChild::StartedChild(const ChildTask& task) : task_{task}
     process_file_ = static_cast<int>(::syscall(SYS_pidfd_open, process_, 0));
     if (pipe_)
         pipe_->writing.close();
+    if (output_pipe_)
+        output_pipe_->writing.close();
 }
 
 StartedChild::~StartedChild()
@@ -283,9 +292,10 @@ StartedChild::~StartedChild()
 void StartedChild::wait(int most_ms) const
 {
     constexpr int poll_interval_ms = 5;  // without a file for the process
-    std::array<pollfd, 2> files{
+    std::array<pollfd, 3> files{
         pollfd{process_file_, POLLIN, 0},
-        pollfd{pipe_ ? pipe_->reading.descriptor() : -1, POLLIN, 0}};
+        pollfd{pipe_ ? pipe_->reading.descriptor() : -1, POLLIN, 0},
+        pollfd{output_pipe_ ? output_pipe_->reading.descriptor() : -1, POLLIN, 0}};
     ::poll(files.data(), files.size(),
            process_file_ < 0 ? std::min(most_ms, poll_interval_ms) : most_ms);
 }
@@ -318,6 +328,33 @@ void StartedChild::pass_lines(bool at_end)
     }
     if (at_end && !rest_.empty())
         pass_line(std::exchange(rest_, {}));
+}
+
+// A child that writes without end is looked at in between, for its limits.
+void StartedChild::pass_output(bool at_end)
+{
+    constexpr int most_pieces = 64;
+    std::array<char, 65536> piece;
+    for (int count_of_pieces = 0;
+         output_pipe_ && output_pipe_->reading.descriptor() >= 0 &&
+         (at_end || count_of_pieces < most_pieces);
+         ++count_of_pieces) {
+        const ssize_t count =
+            ::read(output_pipe_->reading.descriptor(), piece.data(), piece.size());
+        if (count == 0)
+            output_pipe_->reading.close();
+        if (count < 0 && errno != EAGAIN && errno != EINTR)
+            fail_to("read the output of " + shown_path(task_.program), errno);
+        if (count <= 0)
+            break;
+        task_.output({piece.data(), static_cast<std::size_t>(count)});
+    }
+}
+
+void StartedChild::pass_on(bool at_end)
+{
+    pass_output(at_end);
+    pass_lines(at_end);
 }
 
 std::optional<int> StartedChild::ended()
@@ -418,14 +455,14 @@ ChildResult run_child(const ChildTask& task)
     while (true) {
         const auto status = child.ended();
         const bool is_too_long = has_full_file(task);
-        child.pass_lines(status.has_value());
+        child.pass_on(status.has_value());
         if (status)
             return is_too_long ? ChildResult{ChildEnd::FileTooLong, SIGXFSZ}
                                : result_of(*status);
         const double left = seconds_left();
         if (is_too_long || left <= 0) {
             child.end_group();
-            child.pass_lines(true);
+            child.pass_on(true);
             return is_too_long ? ChildResult{ChildEnd::FileTooLong, SIGXFSZ}
                                : ChildResult{ChildEnd::OutOfTime, SIGKILL};
         }

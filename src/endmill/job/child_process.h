@@ -49,11 +49,15 @@ struct ChildTask {
     std::filesystem::path program;       ///< absolute path
     std::vector<std::string> arguments;  ///< without the name of the program
     std::filesystem::path folder = ".";  ///< working folder
-    /// New file for both outputs. If it is empty, the standard output is discarded and
-    /// `error_line` receives the standard error.
+    /// File that is its standard input, open for reading only; if empty, there is no input.
+    std::filesystem::path input = {};
+    /// New file for both outputs. If it is empty, `output` receives the standard output and
+    /// `error_line` the standard error.
     std::filesystem::path log = {};
     std::vector<std::string> environment = {};  ///< NAME=VALUE, all that the child sees
     ChildLimits limits = {};                    ///< of the child
+    /// Receives the standard output in pieces, as it comes; if empty, it is discarded.
+    std::function<void(std::string_view piece)> output = {};
     /// Receives each line of the standard error without its end, as it comes. A line is cut
     /// at 64 KiB.
     std::function<void(std::string_view line)> error_line = {};
@@ -74,12 +78,12 @@ struct ChildResult {
     int code;  ///< number of the signal if one ended it, else the exit code
 };
 
-/// Runs a program without a shell and with an empty standard input, and waits for its end.
+/// Runs a program without a shell, and waits for its end.
 /// Several threads may do so at the same time. The child runs in a process group of its own,
 /// which is ended at the limit of time and when this program is interrupted. If this program
 /// is killed, only the child itself is ended, and private folders remain.
-/// \throws OutputError if the process cannot be started, and whatever `error_line` throws,
-///         after the child was ended.
+/// \throws OutputError if the process cannot be started, and whatever `output` and
+///         `error_line` throw, after the child was ended.
 ChildResult run_child(const ChildTask& task);
 
 /// Interrupts the running child processes, ends those that do not end within a second, and

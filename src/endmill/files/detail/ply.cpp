@@ -6,6 +6,8 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include "endmill/core/error.h"
@@ -16,7 +18,7 @@
 //
 // 1. The header declares elements and their properties (ply_header.h).
 // 2. LayoutCheck finds the used properties: x, y, z of "vertex", the list of corners of
-//    "face".
+//    "face", and its number in a CAD model if there is one.
 // 3. BodyReader reads all items in order and skips unused properties. AsciiItems and
 //    BinaryItems give it the numbers, so the reading is the same for all encodings.
 //
@@ -151,7 +153,7 @@ private:
 };
 
 // The use of a property.
-enum class Role { X, Y, Z, Corners, Skipped };
+enum class Role { X, Y, Z, Corners, FaceNumber, Skipped };
 
 // The role of a property by the names of its element and its own.
 Role role_of(const PlyElement& element, const PlyProperty& property)
@@ -165,6 +167,8 @@ Role role_of(const PlyElement& element, const PlyProperty& property)
     if (element.name == "face" &&
         (property.name == "vertex_indices" || property.name == "vertex_index"))
         return Role::Corners;
+    if (element.name == "face" && property.name == "face_number")
+        return Role::FaceNumber;
     return Role::Skipped;
 }
 
@@ -192,6 +196,12 @@ public:
         if (!corners.count_type || !is_whole(corners.type))
             throw complaint_about(faces, "the corners are not a list of whole numbers",
                                   "such as property list uchar int vertex_indices");
+        if (std::ranges::any_of(faces.properties, [&](const PlyProperty& property) {
+                return role_of(faces, property) == Role::FaceNumber &&
+                       (property.count_type || !is_whole(property.type));
+            }))
+            throw complaint_about(faces, "face_number is not a whole number",
+                                  "such as property int face_number");
     }
 
     // The element of this name, which must exist.
@@ -254,7 +264,9 @@ public:
         if (!items_.at_end())
             throw complaint(source_, "E_COUNT", items_.place(),
                             "file goes on after all items that the header claims", "");
-        return mesh_.take();
+        RawMesh mesh = mesh_.take();
+        mesh.face_numbers = std::move(face_numbers_);
+        return mesh;
     }
 
 private:
@@ -298,6 +310,8 @@ private:
             const PlyProperty& property = element.properties[i];
             if (roles[i] == Role::Corners)
                 read_corners(property);
+            else if (roles[i] == Role::FaceNumber)
+                face_number_ = read_face_number(property);
             else if (roles[i] == Role::Skipped)
                 items_.skip(property.type,
                             property.count_type ? list_length(property) : 1);
@@ -307,7 +321,25 @@ private:
         if (element.name == "vertex")
             mesh_.add_point(point_mm(source_, coordinates, place));
         if (element.name == "face")
-            mesh_.add_face(corners_, place);
+            add_face(place);
+    }
+
+    // Adds a face with its number, if faces have one.
+    void add_face(FilePlace place)
+    {
+        mesh_.add_face(corners_, place);
+        if (face_number_ > 0)
+            face_numbers_.resize(mesh_.triangles(), face_number_);
+    }
+
+    std::int32_t read_face_number(const PlyProperty& property)
+    {
+        const FilePlace place = items_.place();
+        const std::int64_t number = items_.whole_number(property.type);
+        if (number < 1 || number > std::numeric_limits<std::int32_t>::max())
+            throw complaint(source_, "E_INDEX", place,
+                            "face number " + std::to_string(number), "1 or more");
+        return static_cast<std::int32_t>(number);
     }
 
     // Reads the indices of a face. The memory for a single face is checked too: one face
@@ -354,6 +386,8 @@ private:
     Items items_;
     RawMeshBuilder mesh_;
     std::vector<std::int32_t> corners_;
+    std::int32_t face_number_ = 0;  // of the face that was read last; 0: faces have none
+    std::vector<std::int32_t> face_numbers_;
 };
 
 template <class Number>
@@ -382,13 +416,16 @@ RawMesh parse_ply(const MeshSource& source)
     return BodyReader<BinaryItems>{source, header}.read();
 }
 
-std::string ply_text(const TriangleMesh& mesh, std::span<const Vec3> normals)
+std::string ply_text(const TriangleMesh& mesh, std::span<const Vec3> normals,
+                     std::span<const std::int32_t> face_numbers)
 {
     const auto points = mesh.points();
     require(normals.empty() || normals.size() == points.size(),
             "ply_text: need one normal per point, or none");
     require(std::ranges::all_of(normals, [](const Vec3& n) { return n.allFinite(); }),
             "ply_text: normals must be finite");
+    require(face_numbers.empty() || face_numbers.size() == mesh.triangles().size(),
+            "ply_text: need one face number per triangle, or none");
     std::string text =
         "ply\nformat binary_little_endian 1.0\ncomment mesh in mm, written by endmill\n";
     text += "element vertex " + std::to_string(points.size()) +
@@ -396,16 +433,21 @@ std::string ply_text(const TriangleMesh& mesh, std::span<const Vec3> normals)
     if (!normals.empty())
         text += "property double nx\nproperty double ny\nproperty double nz\n";
     text += "element face " + std::to_string(mesh.triangles().size()) +
-            "\nproperty list uchar int vertex_indices\nend_header\n";
+            "\nproperty list uchar int vertex_indices\n";
+    if (!face_numbers.empty())
+        text += "property int face_number\n";
+    text += "end_header\n";
     for (std::size_t i = 0; i < points.size(); ++i) {
         append_doubles(text, points[i]);
         if (!normals.empty())
             append_doubles(text, normals[i]);
     }
-    for (const Triangle& triangle : mesh.triangles()) {
+    for (std::size_t i = 0; i < mesh.triangles().size(); ++i) {
         text += '\x03';
-        for (const std::int32_t corner : triangle)
+        for (const std::int32_t corner : mesh.triangles()[i])
             append_bytes(text, corner);
+        if (!face_numbers.empty())
+            append_bytes(text, face_numbers[i]);
     }
     return text;
 }

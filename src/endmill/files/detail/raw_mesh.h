@@ -23,6 +23,9 @@ struct RawMesh {
     double out_of_plane_mm;
     /// Notes about what the reader skipped.
     std::vector<std::string> notes = {};
+    /// For each triangle the number of its face of a CAD model, from 1; empty if the file has
+    /// none.
+    std::vector<std::int32_t> face_numbers = {};
 };
 
 /// Collects a RawMesh while a file with indexed points is read.
@@ -37,6 +40,8 @@ public:
     std::size_t points() const { return points_.size(); }  ///< number of points so far
 
     void add_point(const Vec3& point) { points_.push_back(point); }  ///< in mm
+
+    std::size_t triangles() const { return triangles_.size(); }  ///< number so far
 
     /// Adds a face. A face of more than three corners becomes a fan of triangles.
     /// \param corners indices of existing points.
