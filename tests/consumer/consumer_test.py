@@ -70,10 +70,12 @@ class WhatIsInstalled(InstalledTest):
         self.assertEqual({Path(path).name for path in package},
                          {"endmillConfig.cmake", "endmillConfigVersion.cmake",
                           "endmillTargets.cmake", "endmillTargets-release.cmake"})
-        python = {path for path in files if path.startswith("lib/python")}  # if pybind11 is there
+        # What is there only with pybind11, npm, MPI or OpenCASCADE.
+        optional = {path for path in files if path.startswith(("lib/python", "share/endmill/page/"))}
+        optional |= {"bin/endmill-mpi", "bin/endmill-cad"}
         data = {f"share/endmill/{kind}/{path.name}" for kind in DATA
                 for path in (ROOT / "datasets" / kind).iterdir()}
-        self.assertEqual(files - package - libraries - python - {"bin/endmill-mpi", "bin/endmill-cad"},  # if their libraries are there
+        self.assertEqual(files - package - libraries - optional,
                          {"bin/endmill", "share/doc/endmill/LICENSE", "share/man/man1/endmill.1",
                           "share/bash-completion/completions/endmill"} | data)
 

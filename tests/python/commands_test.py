@@ -87,6 +87,26 @@ def test_other_commands_answer(datasets, tmp_path):
     assert job.summary
 
 
+def test_view_writes_a_page(datasets, tmp_path):
+    path = endmill.plan(datasets / "surfaces/plane.json", cutter="ball:10", scallop=1, strategy="iso-u")
+    try:
+        page = endmill.view(path, output=tmp_path / "page.html")
+    except endmill.DomainError as error:
+        assert "built without npm" in str(error)
+        return
+    assert "default-src 'none'" in page.read_text()
+
+
+def test_a_cad_file_is_read_as_its_mesh(datasets):
+    if "without endmill-cad" in subprocess.run([PROGRAM, "--version"], capture_output=True, text=True,
+                                               check=True).stdout:
+        pytest.skip("endmill was built without OpenCASCADE")
+    imported = endmill.import_cad(datasets / "cad/primitives.step")
+    mesh = endmill.read_part(datasets / "cad/primitives.step").mesh
+    assert mesh.report()["is_closed"]
+    assert len(mesh.triangles) == imported["triangles"]
+
+
 def test_a_part_of_several_surfaces_goes_by_its_file(datasets):
     part = endmill.read_part(datasets / "surfaces/teapot.json")
     assert endmill.info(part)["patches"] == len(part.surfaces)

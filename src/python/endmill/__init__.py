@@ -5,7 +5,8 @@ Values and functions with NumPy arrays: Surface, Mesh, Cutter, DropCutter, ToolP
 DirectionGrid, trim_curves, compare_trimming, cutting_coefficients, visibility.
 
 The commands of the program, with the same results bit by bit: plan, trim, verify, post, feed,
-setup, info, sample, machine, evaluate, tool_life, run_job, run_sweep, and command for all.
+setup, info, sample, machine, evaluate, tool_life, import_cad, run_job, run_sweep, view, and command
+for all.
 
 Lengths are in mm, angles in degrees where a name ends in _deg. Arrays of points have the shape
 (n, 3). Long calls release Python's lock, end at Ctrl-C, and take progress, a function of the
@@ -21,8 +22,8 @@ from endmill._native import (Cutter, DirectionGrid, DropCutter, Machine, Mesh, P
                              ToolPath, Trimmed, VisibilityMap, _compare_trimming, _read_part,
                              _read_path, cutting_coefficients, move_names, read_visibility,
                              set_thread_count, trim_curves, trimming_methods, visibility)
-from endmill.commands import (Result, command, evaluate, feed, info, machine, plan, post, run_job,
-                              run_sweep, sample, setup, tool_life, trim, verify)
+from endmill.commands import (Result, command, evaluate, feed, import_cad, info, machine, plan,
+                              post, run_job, run_sweep, sample, setup, tool_life, trim, verify, view)
 from endmill.errors import (DomainError, Error, FormatError, GeometryError, LimitError,
                             OutputError)
 
@@ -37,20 +38,26 @@ __all__ = [
     "Cutter", "DirectionGrid", "DomainError", "DropCutter", "Error", "FormatError",
     "GeometryError", "LimitError", "Machine", "Mesh", "OutputError", "Part", "Result", "Surface",
     "ToolPath", "Trimmed", "VisibilityMap", "command", "compare_trimming", "cutting_coefficients",
-    "errors", "evaluate", "feed", "info", "machine", "move_names", "plan", "post",
+    "errors", "evaluate", "feed", "import_cad", "info", "machine", "move_names", "plan", "post",
     "read_part", "read_path", "read_visibility", "run_job", "run_sweep", "sample",
     "set_thread_count", "setup", "tool_life", "trim", "trim_curves", "trimming_methods", "verify",
-    "visibility"
+    "view", "visibility"
 ]
 
 
 def read_part(path: str | PathLike[str], units: str = "mm", up: str = "z") -> Part:
-    """Read a surface file (endmill-surface/1) or a mesh file (.stl, .obj, .ply, .off).
+    """Read a surface file (endmill-surface/1), a mesh file (.stl, .obj, .ply, .off), or a STEP or
+    IGES file (as a mesh; see import_cad for its surfaces).
 
     units ("mm" or "inch") and up ("x", "-x", ... "z": the axis that points upwards) are for mesh
-    files. Raises FormatError with the place of a fault.
+    files; up also for CAD files, which state their unit. Raises FormatError with the place of a
+    fault.
     """
-    part = _read_part(path, units, up)
+    if str(path).lower().endswith((".step", ".stp", ".iges", ".igs")):
+        imported = import_cad(path)
+        part = _read_part(imported.folder / "mesh.ply", units, up)
+    else:
+        part = _read_part(path, units, up)
     part._file = path
     return part
 

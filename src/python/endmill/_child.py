@@ -55,9 +55,7 @@ def run(arguments: list[str], folder: Path,
 
     folder: for its answer. progress: receives the finished share of the current work.
     """
-    words = [str(program()), *arguments, "--json", "--json-errors"]
-    if progress is not None:
-        words.append("--json-progress")
+    words = [str(program()), *arguments, "--json", "--json-errors", "--json-progress"]
     remarks: list[str] = []
     error: dict[str, Any] = {}
     answer = folder / "answer"

@@ -199,6 +199,25 @@ def machine(word: str, **options: Any) -> Result:
     return command("machine", word, **options)
 
 
+def view(*sources: Input | Result, output: str | PathLike[str] = "page.html", **options: Any) -> Path:
+    """Write a page that shows results, parts and paths in a browser; return its file.
+
+    sources: results of commands, names of folders and files, a ToolPath, a Surface or a Mesh.
+    """
+    from endmill import _child
+
+    own = _child.new_folder()
+    try:
+        words = [str(source.folder) if isinstance(source, Result) else _file_of(source, own, f"input{k}")
+                 for k, source in enumerate(sources)]
+        for option, value in options.items():
+            words += _words_of(option, value, own)
+        _child.run(["view", *words, "--output", str(output)], own, None)
+    finally:
+        _child.remove(own)
+    return Path(output)
+
+
 def evaluate(formula: str, **numbers: Any) -> dict[str, Any]:
     """Evaluate a formula by name, as in evaluate("path-interval", radius=5, curvature=0.01,
     scallop=0.1)."""
@@ -208,6 +227,11 @@ def evaluate(formula: str, **numbers: Any) -> dict[str, Any]:
 def tool_life(table: str | PathLike[str], **options: Any) -> Result:
     """Fit the tool life to a CSV file of cutting data, and find the economic speed."""
     return command("toollife", table, **options)
+
+
+def import_cad(file: str | PathLike[str], **options: Any) -> Result:
+    """Import a STEP or IGES file: mesh.ply with face numbers, faces.csv, surfaces of whole faces."""
+    return command("import", file, **options)
 
 
 def run_job(job: str | PathLike[str], **options: Any) -> Result:
