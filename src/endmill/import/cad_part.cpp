@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <Eigen/Geometry>
+
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 
