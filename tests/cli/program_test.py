@@ -7,7 +7,7 @@ from pathlib import Path
 from program import ENDMILL, ROOT, ProgramTest, endmill, plane
 
 COMMANDS = ("info", "import", "sample", "plan", "trim", "verify", "post", "feed", "coefficients", "toollife", "setup", "machine",
-            "eval", "cite", "run", "demo", "sweep")
+            "eval", "cite", "run", "demo", "sweep", "view")
 
 
 class Program(ProgramTest):
