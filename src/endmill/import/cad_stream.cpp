@@ -251,7 +251,7 @@ void StreamReader::read_mesh()
 std::string fault_of(const Nurbs& spline)
 {
     for (const SplineParameter* parameter : {&spline.u, &spline.v})
-        if (const std::string fault = flaw(*parameter); !fault.empty())
+        if (std::string fault = flaw(*parameter); !fault.empty())
             return fault;
     if (!std::ranges::all_of(spline.weights,
                              [](double w) { return std::isfinite(w) && w > 0; }))
