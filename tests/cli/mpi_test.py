@@ -77,7 +77,7 @@ class WithoutMpi(ProgramTest):
             else:
                 self.assertEqual((done.returncode, done.stdout, done.stderr), (2, "", ""))
         said = subprocess.run([alone, "--version"], capture_output=True, text=True, check=True).stdout
-        self.assertRegex(said, r"^endmill \S+ \(without endmill-mpi\)\n$")
+        self.assertRegex(said, r"^endmill \S+ \(without endmill-mpi, with(out)? endmill-cad\)\n$")
 
     def test_other_commands_and_single_processes_stay_endmill(self):
         alone = shutil.copy(ENDMILL, self.folder / "endmill")
