@@ -103,11 +103,82 @@ def test_arrays_of_any_layout_are_taken(drop):
     (lambda: endmill.read_part("missing.stl", units="feet"), endmill.DomainError),
     (lambda: endmill.read_path("missing.csv"), endmill.FormatError),
     (lambda: endmill.plan(5), TypeError),
+    (lambda: endmill.ToolPath(np.zeros((3, 3)), feeds=np.empty((3, 0))), ValueError),
+    (lambda: endmill.ToolPath(np.zeros((3, 3)), feeds=np.ones((3, 2))), ValueError),
+    (lambda: endmill.ToolPath(np.zeros((3, 3)), passes=np.empty((3, 0))), ValueError),
+    (lambda: endmill.ToolPath(np.zeros((1, 3)), feeds=[np.inf]), endmill.DomainError),
+    (lambda: endmill.ToolPath([[1e200, 0, 0]]), endmill.DomainError),
+    (lambda: endmill.Mesh(np.full((3, 3), 1e308), [[0, 1, 2]]), endmill.DomainError),
+    (lambda: endmill.Mesh(np.ma.masked_array(np.eye(3), mask=True), [[0, 1, 2]]), TypeError),
+    (lambda: endmill.Surface.nurbs(1, 1, [0, 0, 1, 1], [0, 0, .5, 1, 1], np.zeros((3, 2, 3)),
+                                   weights=np.ones((2, 3))), ValueError),
+    (lambda: endmill.trim_curves([np.array([[-6, 6], [2, -2], [0, -1], [-2, -2], [6, 6]]) * 1e160],
+                                 "winding"), endmill.DomainError),
+    (lambda: endmill.Machine("W/caxyBz/T").positions([[0, 0, 0]], [[0, 0, 1]], tool_length=np.nan),
+     endmill.DomainError),
+    (lambda: endmill.Machine("W/caxyBz/T").positions([[0, 0, 0]], [[0, 0, 1]], clamp=[np.nan, 0, 0]),
+     endmill.DomainError),
+    (lambda: endmill.Machine("W/caxyBz/T").positions([[0, 0, 0]], [[0, 0, 2]]), endmill.DomainError),
+    (lambda: endmill.Machine("W/caxyBz/T").poses([[0] * 5], tool_length=np.inf), endmill.DomainError),
+    (lambda: endmill.Machine("W/" + "a" * 10**6), endmill.DomainError),
+    (lambda: endmill.DropCutter(PLATE, "ball"), endmill.DomainError),
+    (lambda: endmill.DropCutter(PLATE, 5), (TypeError, RuntimeError)),
+    (lambda: endmill.DropCutter(PLATE, "ball:6").heights([[0, 0]], progress=3), TypeError),
+    (lambda: endmill.visibility(PLATE, [[0, 0, 1]], progress=3), TypeError),
+    (lambda: endmill.info("part.stl", progress=3), TypeError),
+    (lambda: endmill.compare_trimming([[[[0, 0], [1, 1]]]], ["3", "4"]), endmill.DomainError),
+    (lambda: endmill.info("part.stl", units=[]), endmill.DomainError),
+    (lambda: endmill.info("part.stl", help=True), endmill.Error),
+    (lambda: endmill.info("-d.stl"), endmill.FormatError),
 ])
 def test_wrong_arguments(call, kind):
     with pytest.raises(kind) as raised:
         call()
     assert str(raised.value)
+
+
+@pytest.mark.parametrize("kind", [
+    endmill.Mesh, endmill.Surface, endmill.Part, endmill.Cutter, endmill.DropCutter, endmill.ToolPath,
+    endmill.Trimmed, endmill.DirectionGrid, endmill.VisibilityMap, endmill.Machine
+])
+def test_an_object_without_a_value_cannot_be_made(kind):
+    with pytest.raises(TypeError):
+        kind.__new__(kind)
+    with pytest.raises(TypeError):
+        kind()
+
+
+def test_arrays_at_odd_addresses(drop):
+    flat = np.full(2001, 5.0)
+    for places in (flat[1:].reshape(1000, 2), flat[:-1].reshape(1000, 2)):
+        assert drop.heights(places).tolist() == [0] * 1000
+    shifted = np.frombuffer(bytes(1) + np.full((10, 2), 5.0).tobytes(), dtype=float, offset=1)
+    assert not shifted.flags.aligned
+    assert drop.heights(shifted.reshape(10, 2)).tolist() == [0] * 10
+
+
+def test_an_array_cannot_be_resized_during_a_call(drop):
+    places = np.zeros((2_000_000, 2))
+    seen = []
+
+    def resize(share):
+        try:
+            places.resize((1, 2), refcheck=False)
+        except ValueError as error:
+            seen.append(str(error))
+
+    drop.heights(places, progress=resize)
+    assert seen and len(places) == 2_000_000
+
+
+def test_values_are_compared_with_anything():
+    assert endmill.Cutter("ball:3") != 3
+    assert endmill.Cutter("ball:3") == endmill.Cutter("ball:3")
+
+
+def test_large_finite_numbers_are_named_as_they_are():
+    with pytest.raises(endmill.DomainError, match=r"tips: found 1e\+308"):
+        endmill.ToolPath([[1e308, 1e308, 0]])
 
 
 def test_an_array_that_changes_during_a_call_is_harmless(drop):
@@ -194,6 +265,9 @@ def test_an_exception_of_progress_ends_the_call(datasets):
 
 
 @pytest.mark.parametrize("work", [
+    "import numpy; n = 10**8; endmill.Surface.bezier(numpy.arange(48.).reshape(4, 4, 3)).curvature("
+    "numpy.full(n, .5), .5)",
+    "endmill.cutting_coefficients([0] * 10**7, 0, .5, .5)",
     "endmill.visibility(endmill.read_part(part).mesh, endmill.DirectionGrid('hex:200').centres)",
     "endmill.setup(part, machine='W/caxyBz/T', sphere='hex:100')",
 ])

@@ -87,6 +87,55 @@ def test_other_commands_answer(datasets, tmp_path):
     assert job.summary
 
 
+def test_a_part_is_what_was_read(datasets, tmp_path):
+    file = tmp_path / "part.json"
+    file.write_bytes((datasets / "surfaces/saddle.json").read_bytes())
+    part = endmill.read_part(file)
+    file.write_bytes((datasets / "surfaces/plane.json").read_bytes())
+    assert endmill.info(part)["name"] == "saddle"
+    file.unlink()
+    assert endmill.info(part)["name"] == "saddle"
+
+
+def test_a_forked_process_does_not_remove_the_folder(datasets):
+    result = endmill.info(datasets / "surfaces/plane.json")
+    child = os.fork()
+    if child == 0:
+        try:
+            del result
+        finally:
+            os._exit(0)
+    os.waitpid(child, 0)
+    assert result.folder.exists()
+
+
+def test_a_relative_output_stays_where_it_was_written(datasets, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    result = endmill.info(datasets / "surfaces/plane.json", output="here")
+    monkeypatch.chdir("/")
+    assert result.files == ["summary.json"]
+
+
+@pytest.mark.parametrize("text", ["", "a,b\n1\n2,3\n", "a,a\n1,2\n"])
+def test_a_damaged_table_is_refused(datasets, tmp_path, text):
+    result = endmill.info(datasets / "surfaces/plane.json", output=tmp_path / "out")
+    (tmp_path / "out/table.csv").write_text(text)
+    with pytest.raises(endmill.FormatError, match="table.csv"):
+        result.table("table.csv")
+
+
+def test_curves_may_be_a_tuple_or_a_single_array(folded_curve):
+    expected = endmill.trim(polyline=[folded_curve]).text("trimmed.csv")
+    assert endmill.trim(polyline=(folded_curve,)).text("trimmed.csv") == expected
+    assert endmill.trim(polyline=folded_curve).text("trimmed.csv") == expected
+
+
+def test_remarks_are_those_of_the_program_and_no_progress(datasets):
+    with pytest.warns(UserWarning) as seen:
+        result = endmill.info(datasets / "surfaces/teapot.json")
+    assert result.remarks == [str(one.message) for one in seen] and "pole" in result.remarks[0]
+
+
 def test_view_writes_a_page(datasets, tmp_path):
     path = endmill.plan(datasets / "surfaces/plane.json", cutter="ball:10", scallop=1, strategy="iso-u")
     try:

@@ -160,6 +160,9 @@ class TestTrimming:
             return curves
 
         rows = endmill.compare_trimming([[folded_curve]] * 3, ["envelope", "3r", no_method])
+        import functools
+        (named,) = endmill.compare_trimming([[folded_curve]], [functools.partial(no_method)], repeat=1)
+        assert "no_method" in named["method"]
         assert [row["method"] for row in rows] == ["envelope", "3r", "no_method"]
         assert [row["wrong"] for row in rows] == [0, 0, 3]
         assert rows[2]["max_gouge_mm"] > 0.1 and len(rows[0]["times_ms"]) == 3

@@ -226,5 +226,73 @@ TEST(Nurbs, FlawsAreNamed)
                  DomainError);
 }
 
+// The control points of all patches of both surfaces, and their parameters, are equal.
+void expect_same(const Surface& one, const Surface& two, double error)
+{
+    for (const Parameter along : {Parameter::U, Parameter::V}) {
+        ASSERT_EQ(one.patches(along), two.patches(along));
+        const auto breaks = one.breaks(along);
+        const auto others = two.breaks(along);
+        EXPECT_EQ(std::vector(breaks.begin(), breaks.end()),
+                  std::vector(others.begin(), others.end()));
+    }
+    for (int j = 0; j < one.patches(Parameter::V); ++j)
+        for (int i = 0; i < one.patches(Parameter::U); ++i)
+            for (int b = 0; b <= one.patch(i, j).degree(Parameter::V); ++b)
+                for (int a = 0; a <= one.patch(i, j).degree(Parameter::U); ++a)
+                    EXPECT_LE((one.patch(i, j).control_point(a, b) -
+                               two.patch(i, j).control_point(a, b))
+                                  .norm(),
+                              error);
+}
+
+TEST(NurbsOf, GivesBackThePatchesOfANet)
+{
+    std::vector<Vec3> net;
+    for (int j = 0; j < 7; ++j)
+        for (int i = 0; i < 10; ++i)
+            net.emplace_back(i, j / 3.0, std::sin(7.0 * i + 3.0 * j));
+    const Surface surface = composite_bezier(3, 2, net, ToolSide::DvCrossDu);
+    const Nurbs nurbs = nurbs_of(surface);
+    EXPECT_EQ(nurbs.control_points.size(), 70U);  // shared ones stand once
+    EXPECT_TRUE(nurbs.weights.empty());
+    expect_same(nurbs_surface(nurbs, surface.tool_side()), surface, 0);
+}
+
+TEST(NurbsOf, KeepsAGapAndRationalPatches)
+{
+    const BezierPatch low{1, 1,
+                          std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}};
+    const BezierPatch high{1, 1,
+                           std::vector<Vec3>{{1, 0, 2}, {2, 0, 2}, {1, 1, 2}, {2, 1, 2}}};
+    const Surface apart{{0, 1, 3}, {0, 1}, {low, high}};
+    expect_same(nurbs_surface(nurbs_of(apart)), apart, 0);
+
+    const double w = std::sqrt(0.5);
+    const Surface quarter = nurbs_surface({{2, {0, 0, 0, 0.3, 1, 1, 1}},
+                                           {1, {0, 0, 1, 1}},
+                                           {{20, 0, 0},
+                                            {20, 0, 9},
+                                            {9, 0, 20},
+                                            {0, 0, 20},
+                                            {20, 5, 0},
+                                            {20, 5, 9},
+                                            {9, 5, 20},
+                                            {0, 5, 20}},
+                                           {1, w, 0.8, 1, 1, w, 0.8, 1}});
+    expect_same(nurbs_surface(nurbs_of(quarter)), quarter, 1e-14 * 20);
+}
+
+TEST(NurbsOf, RefusesPatchesOfDifferentDegrees)
+{
+    const BezierPatch line{1, 1,
+                           std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}};
+    const BezierPatch arc{
+        2, 1,
+        std::vector<Vec3>{
+            {1, 0, 0}, {2, 0, 1}, {3, 0, 0}, {1, 1, 0}, {2, 1, 1}, {3, 1, 0}}};
+    EXPECT_THROW(nurbs_of(Surface{{0, 1, 2}, {0, 1}, {line, arc}}), DomainError);
+}
+
 }  // namespace
 }  // namespace endmill

@@ -2,10 +2,12 @@
 #include "endmill/surface/nurbs.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "endmill/core/error.h"
 #include "endmill/surface/detail/bernstein_basis.h"
@@ -166,6 +168,99 @@ Surface nurbs_surface(const Nurbs& nurbs, ToolSide tool_side)
         for (const Span& u : along_u)
             patches.push_back(patch_on(nurbs, u, v));
     return Surface{breaks_of(along_u), breaks_of(along_v), std::move(patches), tool_side};
+}
+
+namespace {
+
+// The patches of a surface along both parameters, and where neighbours share their control points.
+class PatchGrid {
+public:
+    explicit PatchGrid(const Surface& surface)
+        : surface_{surface},
+          degrees_{surface.patch(0, 0).degree(Parameter::U),
+                   surface.patch(0, 0).degree(Parameter::V)}
+    {
+        for (int j = 0; j < surface.patches(Parameter::V); ++j)
+            for (int i = 0; i < surface.patches(Parameter::U); ++i)
+                look_at(i, j);
+    }
+
+    Nurbs nurbs() const
+    {
+        Nurbs nurbs{parameter(Parameter::U), parameter(Parameter::V), {}, {}};
+        for (const auto& [j, b] : places(Parameter::V))
+            for (const auto& [i, a] : places(Parameter::U)) {
+                const BezierPatch& patch = surface_.patch(i, j);
+                nurbs.control_points.push_back(patch.control_point(a, b));
+                if (is_rational_)
+                    nurbs.weights.push_back(patch.homogeneous_point(a, b)[3]);
+            }
+        return nurbs;
+    }
+
+private:
+    int degree(Parameter along) const
+    {
+        return along == Parameter::U ? degrees_[0] : degrees_[1];
+    }
+    bool is_joined(Parameter along) const
+    {
+        return along == Parameter::U ? is_joined_[0] : is_joined_[1];
+    }
+
+    void look_at(int i, int j)
+    {
+        const BezierPatch& patch = surface_.patch(i, j);
+        require(patch.degree(Parameter::U) == degrees_[0] &&
+                    patch.degree(Parameter::V) == degrees_[1],
+                "nurbs_of: patches of different degrees are no single NURBS");
+        is_rational_ = is_rational_ || patch.is_rational();
+        for (int k = 0; i > 0 && k <= degrees_[1]; ++k)
+            is_joined_[0] =
+                is_joined_[0] &&
+                patch.homogeneous_point(0, k) ==
+                    surface_.patch(i - 1, j).homogeneous_point(degrees_[0], k);
+        for (int k = 0; j > 0 && k <= degrees_[0]; ++k)
+            is_joined_[1] =
+                is_joined_[1] &&
+                patch.homogeneous_point(k, 0) ==
+                    surface_.patch(i, j - 1).homogeneous_point(k, degrees_[1]);
+    }
+
+    // Numbers of a patch and of a control point in it, for all control points along a parameter.
+    std::vector<std::pair<int, int>> places(Parameter along) const
+    {
+        std::vector<std::pair<int, int>> places;
+        for (int i = 0; i < surface_.patches(along); ++i)
+            for (int k = i > 0 && is_joined(along) ? 1 : 0; k <= degree(along); ++k)
+                places.emplace_back(i, k);
+        return places;
+    }
+
+    SplineParameter parameter(Parameter along) const
+    {
+        SplineParameter parameter{degree(along), {}};
+        const std::span<const double> breaks = surface_.breaks(along);
+        for (std::size_t i = 0; i < breaks.size(); ++i) {
+            const bool is_inner = i > 0 && i + 1 < breaks.size();
+            const int times = degree(along) + (is_inner && is_joined(along) ? 0 : 1);
+            parameter.knots.insert(parameter.knots.end(), static_cast<std::size_t>(times),
+                                   breaks[i]);
+        }
+        return parameter;
+    }
+
+    const Surface& surface_;
+    std::array<int, 2> degrees_;
+    bool is_rational_ = false;
+    std::array<bool, 2> is_joined_{true, true};
+};
+
+}  // namespace
+
+Nurbs nurbs_of(const Surface& surface)
+{
+    return PatchGrid{surface}.nurbs();
 }
 
 }  // namespace endmill

@@ -49,6 +49,12 @@ std::string flaw(const SplineParameter& parameter);
 ///         not match, or a point or weight is not valid for BezierPatch.
 Surface nurbs_surface(const Nurbs& nurbs, ToolSide tool_side = ToolSide::Up);
 
+/// A surface as one NURBS with the same parameters: each Bezier patch between full knots. Control
+/// points that neighbours share stand once. `nurbs_surface` gives the same patches, those of
+/// rational ones to a few roundings.
+/// \throws DomainError for patches of different degrees.
+Nurbs nurbs_of(const Surface& surface);
+
 /// The surface (u, v, z(u, v)) of the C2 bicubic spline that interpolates the heights of
 /// a grid, where u is x and v is y, in mm.
 ///

@@ -15,6 +15,7 @@ finished share from 0 to 1.
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any
 
 from endmill import errors
@@ -58,7 +59,9 @@ def read_part(path: str | PathLike[str], units: str = "mm", up: str = "z") -> Pa
         part = _read_part(imported.folder / "mesh.ply", units, up)
     else:
         part = _read_part(path, units, up)
-    part._file = path
+        if part.mesh is None:  # commands get what was read, whatever becomes of the file
+            with open(path, "rb") as file:
+                part._name, part._content = os.path.basename(path), file.read()
     return part
 
 

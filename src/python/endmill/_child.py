@@ -13,7 +13,7 @@ from typing import Any, BinaryIO
 
 from endmill import errors
 
-_raised_by_exit_code = {
+_exception_of_exit_code = {
     2: errors.DomainError,
     3: errors.FormatError,
     4: errors.GeometryError,
@@ -44,9 +44,10 @@ def new_folder() -> Path:
     return Path(tempfile.mkdtemp(prefix="endmill-"))
 
 
-def remove(folder: Path) -> None:
-    """Remove a temporary folder with its content."""
-    shutil.rmtree(folder, ignore_errors=True)
+def remove(folder: Path, process: int | None = None) -> None:
+    """Remove a temporary folder with its content; in another process than the given one, keep it."""
+    if process is None or process == os.getpid():
+        shutil.rmtree(folder, ignore_errors=True)
 
 
 def run(arguments: list[str], folder: Path,
@@ -63,11 +64,11 @@ def run(arguments: list[str], folder: Path,
         assert child.stderr is not None
         try:
             for line in child.stderr:
-                said = _object_of(line)
-                if "error" in said:
-                    error = said["error"]
-                elif "progress" in said:
-                    share = said["progress"].get("share")
+                message = _object_of(line)
+                if "error" in message:
+                    error = message["error"]
+                elif "progress" in message:
+                    share = message["progress"].get("share")
                     if progress is not None and share is not None:
                         progress(share)
                 elif line.strip():
@@ -93,16 +94,19 @@ def _answered(code: int, answer: Path, error: dict[str, Any],
         if text.strip():
             if error:
                 remarks.append(error["message"])
-            return json.loads(text), code == 0, remarks
+            summary = _object_of(text)
+            if not summary:
+                raise errors.Error("the program printed no summary: " + text[:200])
+            return summary, code == 0, remarks
     if code == 128 + signal.SIGINT:
         raise KeyboardInterrupt
-    raised = _raised_by_exit_code.get(code, errors.Error)
-    message = error.get("message") or "; ".join(remarks) or f"endmill ended with {code}"
-    raise raised(message, error.get("code", ""), error.get("file", ""), error.get("place", ""))
+    exception = _exception_of_exit_code.get(code, errors.Error)
+    text = error.get("message") or "; ".join(remarks) or f"endmill ended with {code}"
+    raise exception(text, error.get("code", ""), error.get("file", ""), error.get("place", ""))
 
 
 def _object_of(line: str) -> dict[str, Any]:
-    if not line.startswith("{"):
+    if not line.lstrip().startswith("{"):
         return {}
     try:
         found = json.loads(line)

@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from endmill import errors
 from endmill._native import Mesh, Part, Surface, ToolPath, _read_path
 
 if TYPE_CHECKING:  # annotations alone need these, and importing them takes long
@@ -80,10 +81,13 @@ class Result:
         """
         import csv  # here and below: what not every script needs is imported where it is used
 
-        with open(self.folder / name, newline="", encoding="utf-8") as file:
-            lines = csv.reader(file)
-            names = next(lines)
-            columns = list(zip(*lines)) or [()] * len(names)
+        path = self.folder / name
+        with open(path, newline="", encoding="utf-8") as file:
+            names, *lines = list(csv.reader(file)) or [[]]
+        if not names or len(set(names)) < len(names) or any(len(line) != len(names) for line in lines):
+            raise errors.FormatError(f"{path}: found no table; expected a header of different names, "
+                                     "and rows with as many cells", "E_CSV", str(path))
+        columns = list(zip(*lines)) or [()] * len(names)
         return {column: _numbers_or_texts(cells) for column, cells in zip(names, columns)}
 
     def svg(self) -> str:
@@ -122,6 +126,8 @@ def command(name: str,
     """
     from endmill import _child
 
+    if progress is not None and not callable(progress):
+        raise TypeError("progress: expected a function of the finished share")
     own = _child.new_folder()
     try:
         arguments = [name]
@@ -129,7 +135,7 @@ def command(name: str,
             arguments.append(_file_of(input_, own, "input"))
         for option, value in options.items():
             arguments += _words_of(option, value, own)
-        folder = Path(output) if output is not None else own / "results"
+        folder = Path(output).absolute() if output is not None else own / "results"
         if name not in ("cite", "eval"):
             arguments += ["--output", str(folder)]
         summary, is_yes, remarks = _child.run(arguments, own, progress)
@@ -137,7 +143,7 @@ def command(name: str,
         _child.remove(own)
         raise
     result = Result(name, summary, folder, is_yes, remarks)
-    weakref.finalize(result, _child.remove, own)
+    weakref.finalize(result, _child.remove, own, os.getpid())
     for remark in remarks:
         warnings.warn(remark, stacklevel=3)
     return result
@@ -258,12 +264,13 @@ def _shown(value: Any) -> str:
 # The file of an input: its own, or one that is written to `folder`.
 def _file_of(value: Any, folder: Path, stem: str) -> str:
     if isinstance(value, (str, PathLike)):
-        return os.fspath(value)
+        name = os.fspath(value)
+        return os.path.join(".", name) if name.startswith("-") else name
     if isinstance(value, Result):
         return str(value.folder / "toolpath.csv")
     if isinstance(value, Part):
         if value.mesh is None:
-            return os.fspath(value._file)
+            return _written(folder / value._name, value._content)
         value = value.mesh
     if isinstance(value, Surface):
         return _written(folder / f"{stem}.json", value._text(stem))
@@ -271,19 +278,23 @@ def _file_of(value: Any, folder: Path, stem: str) -> str:
         return _written(folder / f"{stem}.off", value._text())
     if isinstance(value, ToolPath):
         return _written(folder / f"{stem}.csv", value.csv())
-    if _is_list_of_curves(value):
+    if _are_curves(value):
         return _written(folder / f"{stem}.csv", _curves_text(value))
     raise TypeError(f"found a {type(value).__name__}; expected the name of a file, a Surface, a "
                     "Mesh, a Part, a ToolPath, a Result or arrays of curves")
 
 
-def _is_list_of_curves(value: Any) -> bool:
-    return isinstance(value, list) and bool(value) and all(np.ndim(curve) == 2 for curve in value)
+# Whether a value is a curve (n, 2), or a list or tuple of them.
+def _are_curves(value: Any) -> bool:
+    if isinstance(value, np.ndarray):
+        return value.ndim == 2
+    return isinstance(value, (list, tuple)) and bool(value) and all(
+        isinstance(curve, (np.ndarray, list, tuple)) and np.ndim(curve) == 2 for curve in value)
 
 
-def _curves_text(curves: Sequence[npt.ArrayLike]) -> str:
+def _curves_text(curves: Any) -> str:
     lines = ["curve,s_mm,z_mm"]
-    for number, curve in enumerate(curves):
+    for number, curve in enumerate([curves] if isinstance(curves, np.ndarray) else curves):
         lines += [f"{number},{float(s)!r},{float(z)!r}" for s, z in np.asarray(curve)]
     return "\n".join(lines) + "\n"
 
@@ -300,8 +311,12 @@ def _words_of(name: str, value: Any, folder: Path) -> list[str]:
         return []
     if value is True:
         return [option]
-    if isinstance(value, (Part, Surface, Mesh, ToolPath, Result)) or _is_list_of_curves(value):
+    if isinstance(value, (Part, Surface, Mesh, ToolPath, Result)) or _are_curves(value):
         return [option, _file_of(value, folder, name)]
+    if isinstance(value, (list, tuple, np.ndarray)) and np.size(value) == 0:
+        raise errors.DomainError(f"{name}: found no value; expected one or more")
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value.item()
     if isinstance(value, list):
         return [word for one in value for word in _words_of(name, one, folder)]
     if isinstance(value, (tuple, np.ndarray)):

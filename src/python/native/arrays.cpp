@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "arrays.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "endmill/core/error.h"
@@ -16,8 +17,12 @@ std::string shape_text(const py::array& array)
 
 py::array any_array(const py::handle& values, const std::string& name)
 {
+    const py::module_ numpy = py::module_::import("numpy");
+    if (py::isinstance(values, numpy.attr("ma").attr("MaskedArray")))
+        throw py::type_error(name +
+                             ": found a masked array; expected numbers, all of them");
     try {
-        return py::module_::import("numpy").attr("asarray")(values).cast<py::array>();
+        return numpy.attr("asarray")(values).cast<py::array>();
     } catch (py::error_already_set& error) {
         if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError))
             throw;
@@ -27,34 +32,40 @@ py::array any_array(const py::handle& values, const std::string& name)
 
 }  // namespace
 
-DoubleArray double_array(const py::handle& values, const std::string& name)
+HeldDoubles double_array(const py::handle& values, const std::string& name)
 {
     const py::array array = any_array(values, name);
     if (const char kind = array.dtype().kind(); kind != 'f' && kind != 'i' && kind != 'u')
         throw py::type_error(name + ": found values of the type " +
                              std::string{py::str(array.dtype())} + "; expected numbers");
-    auto doubles = DoubleArray::ensure(array);
-    if (!doubles)
-        throw py::error_already_set();
-    return doubles;
+    return HeldDoubles{DoubleArray{static_cast<const py::object&>(array)}};
 }
 
-DoubleArray rows(const py::handle& values, const std::string& name, py::ssize_t width)
+HeldDoubles numbers(const py::handle& values, const std::string& name)
 {
-    DoubleArray array = double_array(values, name);
+    HeldDoubles array = double_array(values, name);
+    if (array.ndim() != 1)
+        throw py::value_error(name + ": found the shape " + shape_text(array) +
+                              "; expected (n,)");
+    return array;
+}
+
+HeldDoubles rows(const py::handle& values, const std::string& name, py::ssize_t width)
+{
+    HeldDoubles array = double_array(values, name);
     if (array.ndim() != 2 || array.shape(1) != width)
         throw py::value_error(name + ": found the shape " + shape_text(array) +
                               "; expected (n, " + std::to_string(width) + ")");
     return array;
 }
 
-std::pair<DoubleArray, DoubleArray> same_shape(const py::handle& first,
+std::pair<HeldDoubles, HeldDoubles> same_shape(const py::handle& first,
                                                const std::string& first_name,
                                                const py::handle& second,
                                                const std::string& second_name)
 {
-    DoubleArray a = double_array(first, first_name);
-    DoubleArray b = double_array(second, second_name);
+    HeldDoubles a = double_array(first, first_name);
+    HeldDoubles b = double_array(second, second_name);
     const bool is_same =
         a.ndim() == b.ndim() && std::equal(a.shape(), a.shape() + a.ndim(), b.shape());
     if (is_same)
@@ -72,11 +83,19 @@ std::pair<DoubleArray, DoubleArray> same_shape(const py::handle& first,
     }
 }
 
-void require_finite(double value, const char* name)
+double checked_length(double value, const char* name)
 {
-    if (!std::isfinite(value))
+    if (!(std::abs(value) <= most_length))
         throw DomainError{std::string{name} + ": found " + to_text(value) +
-                          "; expected finite numbers"};
+                          "; expected finite numbers up to " + to_text(most_length) +
+                          " mm"};
+    return value;
+}
+
+void require_follower(const py::object& follower)
+{
+    if (!follower.is_none() && PyCallable_Check(follower.ptr()) == 0)
+        throw py::type_error("progress: expected a function of the finished share");
 }
 
 std::vector<py::ssize_t> shape_with(const py::array& array, py::ssize_t width)
@@ -84,6 +103,29 @@ std::vector<py::ssize_t> shape_with(const py::array& array, py::ssize_t width)
     std::vector<py::ssize_t> shape{array.shape(), array.shape() + array.ndim()};
     shape.push_back(width);
     return shape;
+}
+
+py::custom_type_setup only_constructed(bool has_constructor)
+{
+    // The functions of CPython's interface carry no data, so there is one for each case.
+    static newfunc make = nullptr;
+    const newfunc never = [](PyTypeObject* type, PyObject*, PyObject*) -> PyObject* {
+        PyErr_Format(PyExc_TypeError, "%s: no constructor defined", type->tp_name);
+        return nullptr;
+    };
+    const newfunc with_arguments = [](PyTypeObject* type, PyObject* arguments,
+                                      PyObject* keywords) -> PyObject* {
+        if (PyTuple_GET_SIZE(arguments) > 0 || (keywords && PyDict_Size(keywords) > 0))
+            return make(type, arguments, keywords);
+        PyErr_Format(PyExc_TypeError, "%s: expected the arguments of its constructor",
+                     type->tp_name);
+        return nullptr;
+    };
+    return py::custom_type_setup{[=](PyHeapTypeObject* heap_type) {
+        PyTypeObject& type = heap_type->ht_type;
+        make = type.tp_base->tp_new;
+        type.tp_new = has_constructor ? with_arguments : never;
+    }};
 }
 
 }  // namespace endmill::python

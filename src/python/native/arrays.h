@@ -17,28 +17,51 @@ namespace endmill::python {
 
 namespace py = pybind11;
 
-/// Doubles in the order of C, so that rows are contiguous.
-using DoubleArray = py::array_t<double, py::array::c_style>;
+/// Aligned doubles in the order of C, so that rows are contiguous.
+using DoubleArray = py::array_t<double, int{py::array::c_style} |
+                                            int{py::detail::npy_api::NPY_ARRAY_ALIGNED_}>;
 
-/// Values as doubles. An array of doubles in the order of C is used as it is, anything else is
-/// copied.
+/// An array that another thread may change but not resize while this object exists.
+class HeldDoubles : public DoubleArray {
+public:
+    explicit HeldDoubles(DoubleArray doubles)
+        : DoubleArray{std::move(doubles)},
+          hold_{*this}
+    {
+    }
+
+private:
+    py::weakref hold_;  // NumPy resizes no array that has one
+};
+
+/// Values as doubles. An array of aligned doubles in the order of C is used as it is, anything
+/// else is copied.
 /// \param name of the argument, for messages.
-/// \throws TypeError unless the values are numbers.
-DoubleArray double_array(const py::handle& values, const std::string& name);
+/// \throws TypeError unless the values are numbers, none of them masked.
+HeldDoubles double_array(const py::handle& values, const std::string& name);
 
-/// The same with `width` numbers in each row.
-/// \throws ValueError for another shape.
-DoubleArray rows(const py::handle& values, const std::string& name, py::ssize_t width);
+/// The same in one dimension. \throws ValueError for another shape.
+HeldDoubles numbers(const py::handle& values, const std::string& name);
+
+/// The same with `width` numbers in each row. \throws ValueError for another shape.
+HeldDoubles rows(const py::handle& values, const std::string& name, py::ssize_t width);
 
 /// Two arguments of the same shape, after NumPy's rules of broadcasting.
 /// \throws ValueError if the shapes do not fit.
-std::pair<DoubleArray, DoubleArray> same_shape(const py::handle& first,
+std::pair<HeldDoubles, HeldDoubles> same_shape(const py::handle& first,
                                                const std::string& first_name,
                                                const py::handle& second,
                                                const std::string& second_name);
 
-/// Throws DomainError unless a value of an argument is finite.
-void require_finite(double value, const char* name);
+/// Largest magnitude of a coordinate in mm.
+inline constexpr double most_length = 1e9;
+
+/// Returns a coordinate or length in mm.
+/// \throws DomainError unless it is finite and within `most_length`.
+double checked_length(double value, const char* name);
+
+/// Throws TypeError unless a function that follows progress can be called or is None.
+void require_follower(const py::object& follower);
 
 /// The shape of `array` with one more dimension of `width`.
 std::vector<py::ssize_t> shape_with(const py::array& array, py::ssize_t width);
@@ -71,5 +94,10 @@ py::array_t<Number> view(const Number* data, std::vector<py::ssize_t> shape,
     return read_only(
         py::array_t<Number>(std::move(shape), std::move(strides), data, owner));
 }
+
+/// Refuses an object that is made without its constructor, as by `Type.__new__(Type)` or a
+/// copy: it would hold no value.
+/// \param has_constructor whether Python may make objects, from one argument or more.
+py::custom_type_setup only_constructed(bool has_constructor);
 
 }  // namespace endmill::python

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <pybind11/operators.h>
 #include <pybind11/pybind11.h>
 
 #include "arrays.h"
@@ -38,10 +39,10 @@ void lower(const DropCutter& drop, const double* xy, std::size_t count, double* 
     std::vector<Eigen::Vector2d> places;
     for (std::size_t begin = 0; begin < count; begin += block) {
         const std::size_t size = std::min(block, count - begin);
-        places.assign(reinterpret_cast<const Eigen::Vector2d*>(xy) + begin,
-                      reinterpret_cast<const Eigen::Vector2d*>(xy) + begin + size);
-        for (const Eigen::Vector2d& place : places)
-            require_finite(place.x() + place.y(), "places");
+        places.clear();
+        for (std::size_t k = begin; k < begin + size; ++k)
+            places.emplace_back(checked_length(xy[2 * k], "places"),
+                                checked_length(xy[2 * k + 1], "places"));
         std::ranges::copy(drop.tip_heights(places), heights + begin);
         if (progress)
             progress->report(static_cast<double>(begin + size) /
@@ -52,7 +53,8 @@ void lower(const DropCutter& drop, const double* xy, std::size_t count, double* 
 py::array_t<double> heights(const DropCutter& drop, const py::object& places,
                             const py::object& progress)
 {
-    const DoubleArray xy = rows(places, "places", 2);
+    require_follower(progress);
+    const HeldDoubles xy = rows(places, "places", 2);
     const auto count = static_cast<std::size_t>(xy.shape(0));
     py::array_t<double> result{xy.shape(0)};
     const double* from = xy.data();
@@ -71,7 +73,8 @@ py::array_t<double> heights(const DropCutter& drop, const py::object& places,
 
 void add_cutters(py::module_& module)
 {
-    py::class_<Cutter>(module, "Cutter", R"(An end mill. Lengths in mm.
+    py::class_<Cutter>(module, "Cutter", only_constructed(true),
+                       R"(An end mill. Lengths in mm.
 
 Cutter("ball:10"), Cutter("flat:8") or Cutter("bull:10:2") (diameter, corner radius); the same
 as on the command line.)")
@@ -79,25 +82,27 @@ as on the command line.)")
         .def_property_readonly("radius", &Cutter::radius, "Radius, mm.")
         .def_property_readonly("corner_radius", &Cutter::corner_radius,
                                "Radius of the corner circle, mm.")
-        .def(
-            "profile", &Cutter::profile, py::arg("distance"),
-            "Height in mm of the cutter above its tip at a distance in mm from its axis.")
-        .def("__eq__", [](const Cutter& a, const Cutter& b) { return a == b; })
+        .def("profile", &Cutter::profile, py::arg("distance"),
+             "Height in mm of the cutter above its tip at a distance in mm from its "
+             "axis; inf beyond its "
+             "radius.")
+        .def(py::self == py::self)
         .def("__hash__",
              [](const Cutter& cutter) { return py::hash(py::str(cutter_word(cutter))); })
         .def("__str__", &cutter_word)
         .def("__repr__", [](const Cutter& cutter) {
             return "Cutter('" + cutter_word(cutter) + "')";
         });
-    py::implicitly_convertible<py::str, Cutter>();
-
-    py::class_<DropCutter>(module, "DropCutter",
+    py::class_<DropCutter>(module, "DropCutter", only_constructed(true),
                            R"(A cutter that is lowered along -z onto a mesh.
 
 DropCutter(mesh, cutter). It is prepared once and then answers for any number of positions.)")
-        .def(py::init([](const TriangleMesh& mesh, const Cutter& cutter) {
+        .def(py::init([](const TriangleMesh& mesh, const py::object& cutter) {
+                 const Cutter shape = py::isinstance<py::str>(cutter)
+                                          ? cutter_of(cutter.cast<std::string>())
+                                          : cutter.cast<Cutter>();
                  const py::gil_scoped_release release;
-                 return std::make_unique<DropCutter>(mesh, cutter);
+                 return std::make_unique<DropCutter>(mesh, shape);
              }),
              py::arg("mesh"), py::arg("cutter"), py::keep_alive<1, 2>())
         .def("heights", &heights, py::arg("places"), py::arg("progress") = py::none(),

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <pybind11/pybind11.h>
@@ -25,9 +26,11 @@ namespace {
 
 constexpr int axis_words = 5;  // x, y, z, r1, r2
 
-Machine machine_of(const std::string& text)
+Machine machine_of(const py::object& source)
 {
-    if (text.ends_with(".json") || std::filesystem::exists(text))
+    const std::string text = py::str(py::module_::import("os").attr("fspath")(source));
+    std::error_code ignored;
+    if (text.ends_with(".json") || std::filesystem::exists(text, ignored))
         return moving_machine(read_machine(text));
     if (const auto fault = configuration_fault(text))
         throw DomainError{"Machine: " + text +
@@ -42,13 +45,15 @@ Vec3 vector_of(const py::handle& values, const std::string& name)
     const DoubleArray array = double_array(values, name);
     if (array.size() != 3)
         throw py::value_error(name + ": expected three numbers");
-    return {array.data()[0], array.data()[1], array.data()[2]};
+    return {checked_length(array.data()[0], name.c_str()),
+            checked_length(array.data()[1], name.c_str()),
+            checked_length(array.data()[2], name.c_str())};
 }
 
 PartOnMachine setup_of(const Machine& machine, double tool_length,
                        const py::object& clamp, const py::object& part_to_machine)
 {
-    PartOnMachine setup{machine, tool_length};
+    PartOnMachine setup{machine, checked_length(tool_length, "tool_length")};
     if (!clamp.is_none())
         setup.clamp = vector_of(clamp, "clamp");
     if (!part_to_machine.is_none()) {
@@ -86,12 +91,16 @@ void find_positions(const PartOnMachine& setup, const Poses& poses, double* out,
     for (py::ssize_t k = 0; k < poses.count; ++k) {
         const double* tip = poses.tips + 3 * k;
         const double* axis = poses.axes + 3 * k;
-        const Vec3 at{tip[0], tip[1], tip[2]};
-        require_finite(at.sum(), "tips");
+        const Vec3 at{checked_length(tip[0], "tips"), checked_length(tip[1], "tips"),
+                      checked_length(tip[2], "tips")};
+        const Vec3 direction{axis[0], axis[1], axis[2]};
+        constexpr double unit_tolerance = 1e-6;  // of ToolPath too
+        if (!(std::abs(direction.norm() - 1) <= unit_tolerance))
+            throw DomainError{"axes: row " + std::to_string(k) +
+                              " is no unit vector; expected the length 1 to 1e-6"};
         double* row = out + 2 * k * axis_words;
         bool* within = is_within + 2 * k;
-        for (const RotarySolution& solution :
-             rotary_solutions(setup, {axis[0], axis[1], axis[2]})) {
+        for (const RotarySolution& solution : rotary_solutions(setup, direction)) {
             const AxisPositions reached = axis_positions(setup, solution.positions, at);
             std::copy_n(reached.xyz.data(), 3, row);
             row[3] = Angle::radians(reached.rotary[0]).degrees();
@@ -109,7 +118,7 @@ void find_poses(const PartOnMachine& setup, const double* row, py::ssize_t count
     const py::gil_scoped_release release;
     for (py::ssize_t k = 0; k < count; ++k, row += axis_words) {
         for (int i = 0; i < axis_words; ++i)
-            require_finite(row[i], "positions");
+            checked_length(row[i], "positions");
         const CutterLocation at = tool_location(
             setup, {{Angle::degrees(row[3]).radians(), Angle::degrees(row[4]).radians()},
                     {row[0], row[1], row[2]}});
@@ -122,8 +131,8 @@ py::tuple positions(const Machine& machine, const py::object& tips,
                     const py::object& axes, double tool_length, const py::object& clamp,
                     const py::object& part_to_machine)
 {
-    const DoubleArray places = rows(tips, "tips", 3);
-    const DoubleArray directions = rows(axes, "axes", 3);
+    const HeldDoubles places = rows(tips, "tips", 3);
+    const HeldDoubles directions = rows(axes, "axes", 3);
     if (places.shape(0) != directions.shape(0))
         throw py::value_error("tips, axes: expected as many axes as tips");
     const PartOnMachine setup = setup_of(machine, tool_length, clamp, part_to_machine);
@@ -138,7 +147,7 @@ py::tuple positions(const Machine& machine, const py::object& tips,
 py::tuple poses(const Machine& machine, const py::object& positions, double tool_length,
                 const py::object& clamp, const py::object& part_to_machine)
 {
-    const DoubleArray array = rows(positions, "positions", axis_words);
+    const HeldDoubles array = rows(positions, "positions", axis_words);
     const PartOnMachine setup = setup_of(machine, tool_length, clamp, part_to_machine);
     const py::ssize_t count = array.shape(0);
     py::array_t<double> tips{std::vector<py::ssize_t>{count, 3}};
@@ -154,7 +163,8 @@ void add_machines(py::module_& module)
     const py::arg_v tool_length{"tool_length", 0.0};
     const py::arg_v clamp{"clamp", py::none()};
     const py::arg_v turn{"part_to_machine", py::none()};
-    py::class_<Machine>(module, "Machine", R"(The axes of a machine of three to five axes.
+    py::class_<Machine>(module, "Machine", only_constructed(true),
+                        R"(The axes of a machine of three to five axes.
 
 Machine(text): a file endmill-machine/1, or a word such as "W/caxyBz/T" without offsets and
 limits. The part's origin is clamped at ``clamp`` in mm, and the rows of ``part_to_machine`` are
@@ -177,7 +187,7 @@ first.)")
             turn,
             R"(Inverse kinematics: positions (n, 2, 5) and whether they are within limits (n, 2).
 
-tips: (n, 3) in mm, axes: (n, 3), both in the part. A pose has up to two solutions; the rows of
+tips: (n, 3) in mm, axes: (n, 3), unit to 1e-6, both in the part. A pose has up to two solutions; the rows of
 a missing one are NaN. Raises DomainError for a machine that is not valid.)")
         .def("poses", &poses, py::arg("positions"), tool_length, clamp, turn,
              R"(Forward kinematics: tips (n, 3) in mm and unit axes (n, 3) in the part.

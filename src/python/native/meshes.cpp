@@ -24,7 +24,11 @@ std::vector<Vec3> points_of(const py::handle& values)
 {
     const DoubleArray array = rows(values, "points", 3);
     const auto* data = reinterpret_cast<const Vec3*>(array.data());
-    return {data, data + array.shape(0)};
+    std::vector<Vec3> points{data, data + array.shape(0)};
+    for (const Vec3& point : points)
+        for (const double coordinate : point)
+            checked_length(coordinate, "points");
+    return points;
 }
 
 std::vector<Triangle> triangles_of(const py::handle& values)
@@ -81,7 +85,8 @@ py::dict report(const TriangleMesh& mesh)
 void add_meshes(py::module_& module)
 {
     py::class_<TriangleMesh>(
-        module, "Mesh", R"(Triangles over shared points. A value that does not change.
+        module, "Mesh", only_constructed(true),
+        R"(Triangles over shared points. A value that does not change.
 
 Mesh(points, triangles)
     points: numbers (n, 3), mm. triangles: whole numbers (m, 3) of points, from 0,

@@ -14,8 +14,8 @@ namespace {
 namespace py = pybind11;
 
 // Raises the Python exception `name` of endmill.errors.
-void raise(const char* name, const Error& error, const char* file = "",
-           const char* place = "")
+void raise_python_error(const char* name, const Error& error, const char* file = "",
+                        const char* place = "")
 {
     const py::object type = py::module_::import("endmill.errors").attr(name);
     const py::object raised = type(error.what(), error.code(), file, place);
@@ -28,17 +28,18 @@ void translate(std::exception_ptr thrown)
         if (thrown)
             std::rethrow_exception(thrown);
     } catch (const DomainError& error) {
-        raise("DomainError", error);
+        raise_python_error("DomainError", error);
     } catch (const FormatError& error) {
-        raise("FormatError", error, error.file().c_str(), error.place().c_str());
+        raise_python_error("FormatError", error, error.file().c_str(),
+                           error.place().c_str());
     } catch (const GeometryError& error) {
-        raise("GeometryError", error);
+        raise_python_error("GeometryError", error);
     } catch (const OutputError& error) {
-        raise("OutputError", error);
+        raise_python_error("OutputError", error);
     } catch (const LimitError& error) {
-        raise("LimitError", error);
+        raise_python_error("LimitError", error);
     } catch (const Error& error) {
-        raise("Error", error);
+        raise_python_error("Error", error);
     }
 }
 

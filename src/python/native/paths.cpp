@@ -98,17 +98,22 @@ Move move_of(const std::string& word)
                       "; expected cut, link, rapid, plunge or retract"};
 }
 
+py::value_error wrong_count(const std::string& name, py::ssize_t found, py::ssize_t count)
+{
+    return py::value_error(name + ": found " + std::to_string(found) +
+                           " values; expected " + std::to_string(count) +
+                           ", one for each tip");
+}
+
 // Rows of a vector for each of `count` points, or nothing.
-std::optional<DoubleArray> vectors_for(const py::object& values, const char* name,
+std::optional<HeldDoubles> vectors_for(const py::object& values, const char* name,
                                        py::ssize_t count)
 {
     if (values.is_none())
         return std::nullopt;
-    DoubleArray array = rows(values, name, 3);
+    HeldDoubles array = rows(values, name, 3);
     if (array.shape(0) != count)
-        throw py::value_error(std::string{name} + ": found " +
-                              std::to_string(array.shape(0)) + " rows; expected " +
-                              std::to_string(count) + ", one for each tip");
+        throw wrong_count(name, array.shape(0), count);
     return array;
 }
 
@@ -127,45 +132,50 @@ ToolPath path_of(const py::object& tips, const py::object& axes, const py::objec
     const py::ssize_t count = places.shape(0);
     const auto directions = vectors_for(axes, "axes", count);
     const auto listed = [&](const py::object& values, const char* name) {
-        if (!values.is_none() && py::len(values) != static_cast<std::size_t>(count))
-            throw py::value_error(std::string{name} + ": found " +
-                                  std::to_string(py::len(values)) + " values; expected " +
-                                  std::to_string(count) + ", one for each tip");
-        return !values.is_none();
+        std::optional<HeldDoubles> array;
+        if (values.is_none())
+            return array;
+        array = numbers(values, name);
+        if (array->shape(0) != count)
+            throw wrong_count(name, array->shape(0), count);
+        return array;
     };
-    const bool has_moves = listed(moves, "moves");
-    const bool has_passes = listed(passes, "passes");
-    const bool has_feeds = listed(feeds, "feeds");
-    const DoubleArray numbers =
-        has_passes ? double_array(passes, "passes") : DoubleArray{};
-    const DoubleArray speeds = has_feeds ? double_array(feeds, "feeds") : DoubleArray{};
-    const py::list words = has_moves ? py::list(moves) : py::list();
+    const std::optional<HeldDoubles> pass_numbers = listed(passes, "passes");
+    const std::optional<HeldDoubles> speeds = listed(feeds, "feeds");
+    py::list words;
+    if (!moves.is_none()) {
+        words = py::list(moves);
+        if (static_cast<py::ssize_t>(words.size()) != count)
+            throw wrong_count("moves", static_cast<py::ssize_t>(words.size()), count);
+    }
+    const bool has_moves = !moves.is_none();
     ToolPath path;
     path.points.reserve(static_cast<std::size_t>(count));
     int number = 0;
     for (py::ssize_t k = 0; k < count; ++k) {
         const auto row = [k](const DoubleArray& array, const char* name) {
             const double* at = array.data() + 3 * k;
-            const Vec3 vector{at[0], at[1], at[2]};
-            require_finite(vector.sum(), name);
-            return vector;
+            return Vec3{checked_length(at[0], name), checked_length(at[1], name),
+                        checked_length(at[2], name)};
         };
         const Vec3 axis = directions ? row(*directions, "axes") : Vec3{Vec3::UnitZ()};
         constexpr double unit_tolerance = 1e-6;  // of files too
         if (std::abs(axis.norm() - 1) > unit_tolerance)
             throw DomainError{"axes: row " + std::to_string(k) +
                               " is no unit vector; expected the length 1 to 1e-6"};
-        const int pass = has_passes ? pass_number(numbers.data()[k]) : 0;
+        const int pass = pass_numbers ? pass_number(pass_numbers->data()[k]) : 0;
         number = k > 0 && path.points.back().pass == pass ? number + 1 : 0;
         PathPoint point{pass,
                         number,
                         has_moves ? move_of(py::str(words[k])) : Move::Cut,
                         0,
                         {row(places, "tips"), axis}};
-        if (has_feeds && std::isfinite(speeds.data()[k])) {
-            if (!(speeds.data()[k] > 0))
-                throw DomainError{"feeds: expected numbers above 0 in mm/min"};
-            point.conditions.feed_mm_per_min = speeds.data()[k];
+        if (speeds && !std::isnan(speeds->data()[k])) {
+            const double speed = speeds->data()[k];
+            if (!(speed > 0 && std::isfinite(speed)))
+                throw DomainError{
+                    "feeds: expected finite numbers above 0 in mm/min, or NaN"};
+            point.conditions.feed_mm_per_min = speed;
         }
         path.points.push_back(point);
     }
@@ -189,7 +199,7 @@ py::dict totals(const ToolPath& path)
 void add_paths(py::module_& module)
 {
     py::class_<ToolPath>(
-        module, "ToolPath",
+        module, "ToolPath", only_constructed(true),
         R"(A tool path: points in the order in which the cutter reaches them.
 
 ToolPath(tips, axes=None, moves=None, passes=None, feeds=None)

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // endmill.cutting_coefficients.
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
-#include <numbers>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <pybind11/pybind11.h>
@@ -13,6 +16,7 @@
 #include "endmill/core/error.h"
 #include "endmill/process/ball_engagement.h"
 #include "endmill/process/cutting_coefficients.h"
+#include "long_call.h"
 #include "module.h"
 
 namespace endmill::python {
@@ -38,16 +42,25 @@ ChipModel chip_of(const std::string& word)
     throw DomainError{"chip: found " + word + "; expected paper or exact"};
 }
 
+// Between blocks of this many cuts an interrupt ends the call.
+constexpr std::size_t block = 1000;
+
 py::array_t<double> coefficients(const py::object& mu_deg, const py::object& lambda_deg,
                                  const py::object& pick_feed_ratio,
                                  const py::object& depth_ratio,
                                  const std::string& previous, const std::string& chip,
                                  double accuracy)
 {
-    const py::sequence all = py::module_::import("numpy").attr("broadcast_arrays")(
-        double_array(mu_deg, "mu_deg"), double_array(lambda_deg, "lambda_deg"),
-        double_array(pick_feed_ratio, "pick_feed_ratio"),
-        double_array(depth_ratio, "depth_ratio"));
+    const std::array<std::pair<const py::object&, const char*>, 4> given{
+        {{mu_deg, "mu_deg"},
+         {lambda_deg, "lambda_deg"},
+         {pick_feed_ratio, "pick_feed_ratio"},
+         {depth_ratio, "depth_ratio"}}};
+    py::list arrays;
+    for (const auto& [values, name] : given)
+        arrays.append(double_array(values, name));
+    const py::sequence all =
+        py::module_::import("numpy").attr("broadcast_arrays")(*arrays);
     const DoubleArray mu = double_array(all[0], "mu_deg");
     const DoubleArray lambda = double_array(all[1], "lambda_deg");
     const DoubleArray pick = double_array(all[2], "pick_feed_ratio");
@@ -57,11 +70,26 @@ py::array_t<double> coefficients(const py::object& mu_deg, const py::object& lam
         cuts[k] = {Angle::degrees(mu.data()[k]).radians(),
                    Angle::degrees(lambda.data()[k]).radians(), pick.data()[k],
                    depth.data()[k], previous_of(previous)};
+    const ChipModel model = chip_of(chip);
     std::vector<CuttingCoefficients> found;
-    {
-        const ChipModel model = chip_of(chip);
+    found.reserve(cuts.size());
+    const std::span<const BallEngagement> all_cuts{cuts};
+    const auto add = [&](std::size_t begin) {
+        const auto part = cutting_coefficients(
+            all_cuts.subspan(begin, std::min(block, cuts.size() - begin)), model,
+            accuracy);
+        found.insert(found.end(), part.begin(), part.end());
+    };
+    if (cuts.size() > block) {
+        long_call(py::none(), [&](Progress& progress) {
+            for (std::size_t begin = 0; begin < cuts.size(); begin += block) {
+                add(begin);
+                progress.report(0);
+            }
+        });
+    } else if (!cuts.empty()) {
         const py::gil_scoped_release release;
-        found = cutting_coefficients(cuts, model, accuracy);
+        add(0);
     }
     return moved<double>(std::move(found), shape_with(mu, 8));
 }

@@ -20,12 +20,14 @@
 #include "endmill/core/parallel.h"
 #include "endmill/core/text.h"
 #include "endmill/files/part_file.h"
+#include "endmill/files/surface_file.h"
 #include "endmill/surface/curvature.h"
 #include "endmill/surface/largest_cutter.h"
 #include "endmill/surface/nurbs.h"
 #include "endmill/surface/sampling.h"
 #include "endmill/surface/surface.h"
 #include "endmill/surface/tool_side.h"
+#include "long_call.h"
 #include "module.h"
 
 namespace endmill::python {
@@ -60,16 +62,18 @@ Net net_of(const py::handle& values)
                               std::string{py::str(array.attr("shape"))} +
                               "; expected (rows along v, points along u, 3)");
     const auto* data = reinterpret_cast<const Vec3*>(array.data());
-    return {{data, data + array.shape(0) * array.shape(1)},
+    Net net{{data, data + array.shape(0) * array.shape(1)},
             static_cast<int>(array.shape(1)),
             static_cast<int>(array.shape(0))};
+    for (const Vec3& point : net.points)
+        for (const double coordinate : point)
+            checked_length(coordinate, "control_points");
+    return net;
 }
 
 std::vector<double> numbers_of(const py::handle& values, const std::string& name)
 {
-    const DoubleArray array = double_array(values, name);
-    if (array.ndim() != 1)
-        throw py::value_error(name + ": expected a row of numbers");
+    const DoubleArray array = numbers(values, name);
     return {array.data(), array.data() + array.size()};
 }
 
@@ -100,6 +104,11 @@ Surface nurbs(int degree_u, int degree_v, const py::object& knots_u,
                           " by " + std::to_string(net.columns)};
     if (!weights.is_none()) {
         const DoubleArray array = double_array(weights, "weights");
+        if (array.ndim() != 2 || array.shape(0) != net.rows ||
+            array.shape(1) != net.columns)
+            throw py::value_error("weights: found the shape " +
+                                  std::string{py::str(array.attr("shape"))} +
+                                  "; expected (points along v, points along u)");
         given.weights.assign(array.data(), array.data() + array.size());
     }
     return nurbs_surface(given, side_of(tool_side));
@@ -137,7 +146,6 @@ void for_each_place(const Surface& surface, const DoubleArray& u, const DoubleAr
                               to_text(range.high)};
         return value;
     };
-    const py::gil_scoped_release release;
     const Interval range_u = surface.range(Parameter::U);
     const Interval range_v = surface.range(Parameter::V);
     const auto part = [&](std::size_t begin, std::size_t end) {
@@ -145,6 +153,21 @@ void for_each_place(const Surface& surface, const DoubleArray& u, const DoubleAr
             work(k, checked(us[k], range_u, "u"), checked(vs[k], range_v, "v"));
     };
     constexpr std::size_t worth_threads = 2000;
+    constexpr std::size_t long_count = 200'000;  // takes some hundredths of a second
+    if (count > long_count) {
+        long_call(py::none(), [&](Progress& progress) {
+            for (std::size_t begin = 0; begin < count; begin += long_count) {
+                const std::size_t size = std::min(long_count, count - begin);
+                parallel_for(size, [&](std::size_t from, std::size_t to) {
+                    part(begin + from, begin + to);
+                });
+                progress.report(static_cast<double>(begin + size) /
+                                static_cast<double>(count));
+            }
+        });
+        return;
+    }
+    const py::gil_scoped_release release;
     if (count < worth_threads)
         part(0, count);
     else
@@ -232,105 +255,6 @@ py::tuple range(const Surface& surface, Parameter along)
     return py::make_tuple(range.low, range.high);
 }
 
-// The surface as one NURBS: the same Bezier patches over the same parameters. Control points
-// that neighbours share stand once.
-struct SplineText {
-    const Surface& surface;
-    int degree_u = surface.patch(0, 0).degree(Parameter::U);
-    int degree_v = surface.patch(0, 0).degree(Parameter::V);
-    bool is_rational = false;
-
-    std::string text(const std::string& name)
-    {
-        bool is_joined_u = true;
-        bool is_joined_v = true;
-        for (int j = 0; j < surface.patches(Parameter::V); ++j) {
-            for (int i = 0; i < surface.patches(Parameter::U); ++i) {
-                const BezierPatch& patch = surface.patch(i, j);
-                if (patch.degree(Parameter::U) != degree_u ||
-                    patch.degree(Parameter::V) != degree_v)
-                    throw DomainError{
-                        "Surface: patches of different degrees cannot be "
-                        "written as one surface file"};
-                is_rational = is_rational || patch.is_rational();
-                for (int k = 0; i > 0 && k <= degree_v; ++k)
-                    is_joined_u =
-                        is_joined_u &&
-                        patch.homogeneous_point(0, k) ==
-                            surface.patch(i - 1, j).homogeneous_point(degree_u, k);
-                for (int k = 0; j > 0 && k <= degree_u; ++k)
-                    is_joined_v =
-                        is_joined_v &&
-                        patch.homogeneous_point(k, 0) ==
-                            surface.patch(i, j - 1).homogeneous_point(k, degree_v);
-            }
-        }
-        std::string points;
-        std::string weights;
-        for (const auto& [j, b] : places(Parameter::V, degree_v, is_joined_v)) {
-            points += points.empty() ? "[" : ",\n[";
-            weights += weights.empty() ? "[" : ",\n[";
-            bool is_first = true;
-            for (const auto& [i, a] : places(Parameter::U, degree_u, is_joined_u)) {
-                const Vec3 p = surface.patch(i, j).control_point(a, b);
-                points += (is_first ? "[" : ", [") + to_text(p.x()) + ", " +
-                          to_text(p.y()) + ", " + to_text(p.z()) + "]";
-                weights += (is_first ? "" : ", ") +
-                           to_text(surface.patch(i, j).homogeneous_point(a, b)[3]);
-                is_first = false;
-            }
-            points += "]";
-            weights += "]";
-        }
-        return "{\"format\": \"endmill-surface/1\", \"name\": \"" + name +
-               "\", \"type\": \"nurbs\", \"tool_side\": \"" + side_word() +
-               "\",\n\"degree_u\": " + std::to_string(degree_u) +
-               ", \"degree_v\": " + std::to_string(degree_v) +
-               ",\n\"knots_u\": " + knots(Parameter::U, degree_u, is_joined_u) +
-               ",\n\"knots_v\": " + knots(Parameter::V, degree_v, is_joined_v) +
-               ",\n\"control_points\": [" + points + "]" +
-               (is_rational ? ",\n\"weights\": [" + weights + "]" : "") + "}\n";
-    }
-
-private:
-    // Numbers of a patch and of a control point in it, for all control points of the surface.
-    std::vector<std::pair<int, int>> places(Parameter along, int degree,
-                                            bool is_joined) const
-    {
-        std::vector<std::pair<int, int>> places;
-        for (int i = 0; i < surface.patches(along); ++i)
-            for (int k = i > 0 && is_joined ? 1 : 0; k <= degree; ++k)
-                places.emplace_back(i, k);
-        return places;
-    }
-
-    std::string knots(Parameter along, int degree, bool is_joined) const
-    {
-        const std::span<const double> breaks = surface.breaks(along);
-        std::string text;
-        for (std::size_t i = 0; i < breaks.size(); ++i) {
-            const bool is_inner = i > 0 && i + 1 < breaks.size();
-            const int times = is_inner && is_joined ? degree : degree + 1;
-            for (int k = 0; k < times; ++k)
-                text += (text.empty() ? "[" : ", ") + to_text(breaks[i]);
-        }
-        return text + "]";
-    }
-
-    std::string side_word() const
-    {
-        switch (surface.tool_side()) {
-            case ToolSide::Up:
-                return "up";
-            case ToolSide::DuCrossDv:
-                return "du_cross_dv";
-            case ToolSide::DvCrossDu:
-                return "dv_cross_du";
-        }
-        return {};
-    }
-};
-
 PartFile part_from_file(const std::filesystem::path& path, const std::string& units,
                         const std::string& axis)
 {
@@ -366,7 +290,7 @@ void add_surfaces(py::module_& module)
 {
     const py::arg_v side{"tool_side", "up"};
     py::class_<Surface>(
-        module, "Surface",
+        module, "Surface", only_constructed(false),
         R"(A surface in mm, as Bezier patches. A value that does not change.
 
 Make one with Surface.bezier, Surface.nurbs or Surface.height_grid, or read a file with
@@ -420,14 +344,14 @@ Default: a thousandth of the longest side of its box, rounded down to one digit.
             "Numbers of patches along u and along v.")
         .def("_text",
              [](const Surface& surface, const std::string& name) {
-                 return SplineText{surface}.text(name);
+                 return surface_text(nurbs_of(surface), surface.tool_side(), name, "");
              })
         .def("__repr__", [](const Surface& surface) {
             return "<Surface of " + std::to_string(surface.patches(Parameter::U)) +
                    " by " + std::to_string(surface.patches(Parameter::V)) + " patches>";
         });
 
-    py::class_<PartFile>(module, "Part", py::dynamic_attr(),
+    py::class_<PartFile>(module, "Part", py::dynamic_attr(), only_constructed(false),
                          R"(A part that read_part has read: surfaces, or a mesh.)")
         .def_readonly("name", &PartFile::name,
                       "Name in the file, or the file's own name.")

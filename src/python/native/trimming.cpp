@@ -23,7 +23,6 @@
 #include "endmill/trimming/trimming.h"
 #include "endmill/trimming/trimming_methods.h"
 #include "endmill/trimming/trimming_quality.h"
-#include "long_call.h"
 #include "module.h"
 
 namespace endmill::python {
@@ -41,8 +40,8 @@ SectionCurve curve_of(const py::handle& values, const std::string& name)
     const double* data = array.data();
     SectionCurve curve;
     for (py::ssize_t k = 0; k < array.shape(0); ++k) {
-        const SectionPoint point{data[2 * k], data[2 * k + 1]};
-        require_finite(point.sum(), name.c_str());
+        const SectionPoint point{checked_length(data[2 * k], name.c_str()),
+                                 checked_length(data[2 * k + 1], name.c_str())};
         if (curve.points.empty() || curve.points.back() != point)
             curve.points.push_back(point);
     }
@@ -140,23 +139,18 @@ py::list rules_of(const Trimmed& trimmed)
 
 Trimmed trim(const py::object& curves, const std::string& method,
              const std::string& detection, std::optional<double> scan_step,
-             std::optional<double> scan_threshold, const py::object& progress)
+             std::optional<double> scan_threshold)
 {
     const PlaneSection section = section_of(curves, "curves");
     const TrimmingMethod& known = method_of(method);
     const TrimmingOptions options =
         options_for({&section, 1}, detection, scan_step, scan_threshold);
-    const auto work = [&] {
-        return trim_planes({&section, 1}, {}, known, options).front();
-    };
-    if (!progress.is_none())
-        return long_call(progress, [&](Progress&) { return work(); });
     const py::gil_scoped_release release;
-    return work();
+    return trim_planes({&section, 1}, {}, known, options).front();
 }
 
 // The result of a Python function that trims the curves of a plane.
-Trimmed trimmed_by(const py::function& method, const PlaneSection& section)
+Trimmed trimmed_by(const py::object& method, const PlaneSection& section)
 {
     const py::object result = method(arrays_of(section.curves));
     Trimmed trimmed{};
@@ -191,7 +185,7 @@ Comparison compared(const py::object& method, std::span<const PlaneSection> sect
         } else {
             results.clear();
             for (const PlaneSection& section : sections)
-                results.push_back(trimmed_by(method.cast<py::function>(), section));
+                results.push_back(trimmed_by(method, section));
         }
         found.times_ms.push_back(
             std::chrono::duration<double, std::milli>(Clock::now() - start).count());
@@ -226,15 +220,20 @@ py::list compare(const py::object& planes, const py::object& methods, int repeat
         sections.push_back(
             section_of(curves, "planes[" + std::to_string(sections.size()) + "]"));
     const TrimmingOptions options = options_for(sections, detection, {}, {});
-    py::list rows;
-    for (const py::handle entry : methods.cast<py::sequence>()) {
-        const auto method = py::reinterpret_borrow<py::object>(entry);
-        const bool is_name = py::isinstance<py::str>(method);
-        if (!is_name && !py::isinstance<py::function>(method))
+    const auto chosen = methods.cast<std::vector<py::object>>();
+    for (const py::object& method : chosen) {
+        if (py::isinstance<py::str>(method))
+            method_of(py::str(method));  // refuses an unknown one before any work
+        else if (PyCallable_Check(method.ptr()) == 0)
             throw py::type_error("methods: expected names of methods and functions");
+    }
+    py::list rows;
+    for (const py::object& method : chosen) {
         const Comparison found = compared(method, sections, options, repeat, tolerance);
         py::dict row;
-        row["method"] = is_name ? method : py::object{method.attr("__name__")};
+        row["method"] = py::isinstance<py::str>(method)
+                            ? method
+                            : py::getattr(method, "__name__", py::str(method));
         row["planes"] = sections.size();
         row["wrong"] = found.wrong;
         row["max_gouge_mm"] = found.worst.gouge_mm;
@@ -250,7 +249,7 @@ py::list compare(const py::object& planes, const py::object& methods, int repeat
 
 void add_trimming(py::module_& module)
 {
-    py::class_<Trimmed>(module, "Trimmed",
+    py::class_<Trimmed>(module, "Trimmed", only_constructed(false),
                         R"(The curves of a drive plane without their loops.)")
         .def_property_readonly(
             "curves", [](const Trimmed& trimmed) { return arrays_of(trimmed); },
@@ -273,8 +272,8 @@ vertex: of the curve; crossing: of two segments; link: above or below a vertex; 
     module.attr("trimming_methods") = py::cast(names);
     module.def("trim_curves", &trim, py::arg("curves"), py::arg("method") = "envelope",
                py::arg("detection") = "guarded", py::arg("scan_step") = py::none(),
-               py::arg("scan_threshold") = py::none(), py::arg("progress") = py::none(),
-               R"(Remove the loops from the curves of one drive plane.
+               py::arg("scan_threshold") =
+                   py::none(), R"(Remove the loops from the curves of one drive plane.
 
 curves: arrays (n, 2) of s along the feed and z in mm, of the cutter's reference point; a curve
 is closed if its last point equals its first. method: one of trimming_methods. detection:

@@ -45,6 +45,7 @@ VisibilityMap visibility(const TriangleMesh& mesh, const py::object& directions,
                          double incidence_deg, const std::string& kind,
                          const py::object& progress)
 {
+    require_follower(progress);
     const std::vector<Vec3> copied = directions_of(directions);
     VisibilityOptions options;
     options.incidence = Angle::degrees(incidence_deg);
@@ -94,7 +95,7 @@ py::array_t<double> numbers(const py::object& self, const std::vector<Vec3>& vec
 
 void add_visibility(py::module_& module)
 {
-    py::class_<SphereGrid>(module, "DirectionGrid",
+    py::class_<SphereGrid>(module, "DirectionGrid", only_constructed(true),
                            R"(The sphere of directions, divided into cells.
 
 DirectionGrid("hex:10"): 12 F^2 cells of "hex:F" or "cube:F", 2 N (M - 1) of "latlong:NxM",
@@ -120,7 +121,7 @@ DirectionGrid("hex:10"): 12 F^2 cells of "hex:F" or "cube:F", 2 N (M - 1) of "la
         .def("__repr__",
              [](const SphereGrid& grid) { return "DirectionGrid('" + grid.name + "')"; });
 
-    py::class_<VisibilityMap>(module, "VisibilityMap",
+    py::class_<VisibilityMap>(module, "VisibilityMap", only_constructed(false),
                               R"(The visibility cones of the facets of a part, as bits.)")
         .def_property_readonly("facets", &VisibilityMap::facets, "Number of facets.")
         .def_property_readonly("cells", &VisibilityMap::cells, "Number of directions.")
