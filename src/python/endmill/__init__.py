@@ -61,7 +61,8 @@ def read_part(path: str | PathLike[str], units: str = "mm", up: str = "z") -> Pa
         part = _read_part(path, units, up)
         if part.mesh is None:  # commands get what was read, whatever becomes of the file
             with open(path, "rb") as file:
-                part._name, part._content = os.path.basename(path), file.read()
+                part._name = os.path.basename(os.fsdecode(path))
+                part._content = file.read()
     return part
 
 

@@ -47,7 +47,7 @@ class Surface:
     def _text(self, name: str) -> str: ...
 
 class Part:
-    _name: str | bytes
+    _name: str
     _content: bytes
     @property
     def name(self) -> str: ...
