@@ -91,6 +91,14 @@ bool is_step(const fs::path& entry)
            fs::symlink_status(entry, ignored).type() == fs::file_type::directory;
 }
 
+// Where a file may be that a summary names. Some commands name it from the folder of the summary,
+// others from the folder in which they ran, which often holds the folder of the summary.
+std::vector<fs::path> places_of(const ViewSummary& summary, const fs::path& name)
+{
+    const fs::path folder = summary.file.parent_path();
+    return {folder / name, folder / ".." / name, name};
+}
+
 // The part that a summary names; an empty path if it names none.
 PartOptions part_in(const ViewSummary& summary)
 {
@@ -98,7 +106,10 @@ PartOptions part_in(const ViewSummary& summary)
     const std::string name = text_in(summary.content, "part");
     if (name.empty())
         return part;
-    part.path = (summary.file.parent_path() / name).lexically_normal().string();
+    const std::vector<fs::path> places = places_of(summary, name);
+    const auto found = std::ranges::find_if(places, is_file);
+    part.path =
+        (found == places.end() ? places.front() : *found).lexically_normal().string();
     const auto* const axis =
         std::ranges::find(up_axis_names, text_in(summary.content, "part_up"));
     if (axis != up_axis_names.end())
@@ -214,10 +225,9 @@ private:
             return;
         for (const ViewSummary& summary : std::views::reverse(input_.summaries)) {
             const fs::path path = text_in(summary.content, "toolpath");
-            const fs::path folder = summary.file.parent_path();
             if (path.empty())
                 continue;
-            for (const fs::path& place : {folder / path, folder / ".." / path, path})
+            for (const fs::path& place : places_of(summary, path))
                 if (is_file(place) && is_recorded(place, summary)) {
                     input_.toolpath = place.lexically_normal().string();
                     return;

@@ -48,7 +48,7 @@ export class SectionsView {
     this.state.plane = plane;
     this.slider.value = plane;
     const { number, position_mm: position, before, after } = this.planes[plane];
-    const across = () => `, ${fixed(position, decimalsFor(Math.abs(position)))} mm across the feed`;
+    const across = () => `, ${fixed(position, decimalsFor(10 * Math.abs(position)))} mm across the feed`;
     const place = position === undefined ? "" : across();
     const words = `plane ${number}, ${plane + 1} of ${this.planes.length}${place}: ` +
       `${countOf(before)} before, ${countOf(after)} after trimming`;
