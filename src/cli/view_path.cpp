@@ -48,9 +48,9 @@ float feed_at(const PathPoint& point)
     return feed ? static_cast<float>(*feed) : unknown;
 }
 
-class PathView {
+class PathArrays {
 public:
-    PathView(const ToolPath& path, ViewFrame& frame)
+    PathArrays(const ToolPath& path, ViewFrame& frame)
         : path_{path},
           frame_{frame},
           lengths_{path_lengths(path)},
@@ -328,17 +328,17 @@ void add_path_view(Json& head, const ViewPath& path, const ViewInput& input,
                    const ReadLimits& limits, ViewFrame& frame)
 {
     const ToolPath& whole = path.program.path;
-    PathView view{whole, frame};
-    head["path"] = view.json(path.cutter);
+    PathArrays arrays{whole, frame};
+    head["path"] = arrays.json(path.cutter);
     if (!input.engagement.empty()) {
         const Engagement engagement{input.engagement, limits};
-        view.add_limits(head["path"], [&](std::size_t point) {
+        arrays.add_limits(head["path"], [&](std::size_t point) {
             return engagement.limit(whole.points[point]);
         });
-        head["plots"] = plots_json(whole, engagement, view.lengths(), frame);
+        head["plots"] = plots_json(whole, engagement, arrays.lengths(), frame);
     }
     if (whole.machine && whole.machine->positions.size() == whole.points.size()) {
-        view.add_positions(head["path"], whole.machine->positions);
+        arrays.add_positions(head["path"], whole.machine->positions);
         head["machine"] = machine_json(whole.machine->setup, frame.origin);
     }
 }

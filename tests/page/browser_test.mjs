@@ -83,6 +83,8 @@ before(async () => {
   endmill("view", "saddle", "checked", "-o", "saddle.html");
   endmill("trim", join(datasets, "surfaces/valley.json"), "--cutter", "ball:20", "--planes", "5", "-o", "trimmed");
   endmill("view", "trimmed", "-o", "trimmed.html");
+  const limited = ["--machine", join(datasets, "machines/ca-table-table.json"), "--sphere", "hex:4"];
+  endmill("setup", join(datasets, "meshes/teapot-288.off"), ...limited, "-o", "limited", "--html");
   endmill("setup", join(datasets, "meshes/teapot-288.off"), "--machine", "W/caxyBz/T", "--sphere", "hex:4", "-o", "setup", "--html");
   fiveAxes();
   browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: flags });
@@ -268,6 +270,26 @@ describe("directions", () => {
     assert.equal((await state()).cone, numbers(cells).filter((one) => reaches(17, one)).length);
     assert.deepEqual(page.faults, []);
   });
+});
+
+test("directions beyond the reach of the machine are grey and unlit", async () => {
+  const page = await open("limited/page.html");
+  await page.click("#tab-sphere");
+  const cells = await page.evaluate(() => {
+    const { sphere, reachable } = window.endmill.views.sphere;
+    const colours = sphere.geometry.getAttribute("color");
+    const materialOf = (corner) => sphere.geometry.groups.find(({ start, count }) => start <= corner && corner < start + count).materialIndex;
+    return Array.from(reachable, (isReachable, cell) => ({
+      isReachable,
+      isLit: sphere.material[materialOf(3 * cell)].type === "MeshLambertMaterial",
+      isGrey: colours.getX(3 * cell) === colours.getY(3 * cell) && colours.getX(3 * cell) === colours.getZ(3 * cell),
+    }));
+  });
+  const beyond = cells.filter(({ isReachable }) => !isReachable);
+  assert.ok(beyond.length > 10 && beyond.length < cells.length);
+  for (const { isReachable, isLit, isGrey } of cells) assert.deepEqual([isLit, isGrey], [isReachable === 1, isReachable === 0]);
+  assert.match(await page.locator("main").textContent(), /beyond the rotary limits of the machine/);
+  assert.deepEqual(page.faults, []);
 });
 
 describe("texts", () => {
