@@ -2,6 +2,7 @@
 #include "cli/arguments.h"
 #include "cli/command.h"
 #include "cli/memory_limit.h"
+#include "cli/view.h"
 #include "endmill/core/parallel.h"
 
 namespace endmill {
@@ -54,9 +55,12 @@ void add_common_options(CLI::App& command, CommonOptions& options)
 
 void add_html_option(CLI::App& command, CommonOptions& options)
 {
-    command.add_flag("--html", options.html,
-                     "also write page.html, which shows the results in a browser, as "
-                     "endmill view does");
+    // A build without the page is refused before the work begins.
+    command
+        .add_flag("--html", options.html,
+                  "also write page.html, which shows the results in a browser, as "
+                  "endmill view does")
+        ->each([](const std::string&) { require_page(); });
 }
 
 }  // namespace endmill

@@ -69,13 +69,29 @@ PageShell page_shell()
     return shell;
 }
 
-// The page of --output: a file .html, or page.html in a folder.
+// The page of --output: a file .html or .htm, or page.html in a folder.
 fs::path page_file(const ViewOptions& options)
 {
     const fs::path output = options.common.output;
     if (output.empty())
         return "page.html";
-    return output.extension() == ".html" ? output : output / "page.html";
+    const bool is_page = output.extension() == ".html" || output.extension() == ".htm";
+    return is_page ? output : output / "page.html";
+}
+
+// "part, path and remaining stock"
+std::string views_text(const Json& views)
+{
+    if (views.empty())
+        return "the summaries";
+    std::string text;
+    for (std::size_t k = 0; k < views.size(); ++k) {
+        if (k > 0)
+            text += k + 1 == views.size() ? " and " : ", ";
+        const auto name = views[k].get<std::string>();
+        text += name == "deviation" ? "remaining stock" : name;
+    }
+    return text;
 }
 
 ExitCode run_view(const ViewOptions& options)
@@ -90,11 +106,16 @@ ExitCode run_view(const ViewOptions& options)
                  fmt::format("{}: {:.1f} MB, {}\nwritten to {}\n",
                              summary["name"].get<std::string>(),
                              summary["bytes"].get<double>() / bytes_per_mb,
-                             summary["views"].dump(), shown_path(page)));
+                             views_text(summary["views"]), shown_path(page)));
     return ExitCode::Yes;
 }
 
 }  // namespace
+
+void require_page()
+{
+    page_folder();
+}
 
 Json write_view(const ViewOptions& options, const fs::path& page)
 {
@@ -142,7 +163,8 @@ void write_html(const fs::path& folder, const CommonOptions& options)
 void add_view_command(CLI::App& program, Action& action)
 {
     CLI::App* command = program.add_subcommand(
-        "view", "write a page that shows part, path and proof in a browser");
+        "view",
+        "write a page that shows part, path and result of the simulation in a browser");
     const auto options = std::make_shared<ViewOptions>();
     command
         ->add_option(
@@ -158,17 +180,16 @@ void add_view_command(CLI::App& program, Action& action)
     add_common_options(*command, options->common);
     command->footer(
         "Writes one file, --output PAGE.html (default ./page.html), which opens from "
-        "disk "
-        "and\n"
-        "requests nothing: the part, the path with the tool on a slider, the remaining "
-        "stock,\n"
-        "sections before and after trimming, the directions that reach each facet, plots "
-        "along\n"
-        "the path, and the summaries. Large parts and paths are drawn with fewer "
-        "triangles and\n"
-        "points; the page states what was left out. Without --force a file that exists "
-        "is\n"
-        "refused.\n\n"
+        "disk\n"
+        "and requests nothing: the part, the path with the tool on a slider, the "
+        "remaining\n"
+        "stock, sections before and after trimming, the directions that reach each "
+        "facet,\n"
+        "plots along the path, and the summaries. Large parts and paths are drawn with "
+        "fewer\n"
+        "triangles and points; the page states what was left out. Without --force a file "
+        "that\n"
+        "exists is refused.\n\n"
         "Example:\n"
         "  endmill plan datasets/surfaces/saddle.json --cutter ball:15 --scallop 0.5 -o "
         "saddle\n"

@@ -7,6 +7,10 @@
 
 namespace endmill {
 
+/// Refuses a page where the build left out its script.
+/// \throws DomainError
+void require_page();
+
 /// Writes the page of `options` to a file.
 /// \return its summary.
 /// \throws DomainError if the page was left out of the build; as find_view_input,

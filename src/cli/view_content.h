@@ -13,7 +13,7 @@ struct ViewContent {
     PageNumbers numbers;
 };
 
-/// Reads the files of a page, and reduces what is too large to be drawn fluently. What was left
+/// Reads the files of a page, and reduces what is too large to be drawn smoothly. What was left
 /// out stands in the notes of the content.
 /// \throws FormatError, LimitError, DomainError as the readers of the files.
 ViewContent view_content(const ViewInput& input, const ViewOptions& options,

@@ -2,7 +2,13 @@
 #include "cli/view_input.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <ranges>
 #include <system_error>
+
+#include <fmt/format.h>
 
 #include "cli/console.h"
 #include "endmill/core/error.h"
@@ -13,6 +19,12 @@ namespace endmill {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int deepest_nesting = 64;  // of JSON, as docs/file-formats.md states
+
+// Files that are shown only together with the others of their folder.
+constexpr std::array result_names{"summary.json", "deviation.vtp",  "sections.csv",
+                                  "trimmed.csv",  "visibility.bsm", "engagement.csv"};
 
 bool is_file(const fs::path& path)
 {
@@ -34,12 +46,23 @@ std::vector<fs::path> entries_of(const fs::path& folder)
     return entries;
 }
 
+// The parser of nlohmann does not limit the depth, and its values are written recursively.
 Json json_of(const fs::path& file, const ReadLimits& limits)
 {
-    Json content = Json::parse(read_file(file, limits), nullptr, false);
+    const auto fault = [&](const std::string& found) {
+        return FormatError{"E_JSON",
+                           {shown_path(file), "", found, "a summary of endmill"}};
+    };
+    const auto check_depth = [&](int outer, Json::parse_event_t event, const Json&) {
+        const bool opens = event == Json::parse_event_t::object_start ||
+                           event == Json::parse_event_t::array_start;
+        if (opens && outer >= deepest_nesting)
+            throw fault(fmt::format("nested more than {} deep", deepest_nesting));
+        return true;
+    };
+    Json content = Json::parse(read_file(file, limits), check_depth, false);
     if (!content.is_object())
-        throw FormatError{
-            "E_JSON", {shown_path(file), "", "no JSON object", "a summary of endmill"}};
+        throw fault("no JSON object");
     return content;
 }
 
@@ -47,6 +70,53 @@ std::string text_in(const Json& summary, const char* key)
 {
     const auto found = summary.find(key);
     return found != summary.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+// Whether engagement.csv is that of `verify`, which has intervals of rings and no loads.
+bool is_of_simulation(const fs::path& file)
+{
+    std::ifstream stream{file};
+    std::string header;
+    std::getline(stream, header);
+    return header.starts_with("point,latitude_deg");
+}
+
+// 01-setup, 02-plan, ... of a job. A link might lead back to the folder itself.
+bool is_step(const fs::path& entry)
+{
+    std::error_code ignored;
+    const std::string name = entry.filename().string();
+    const auto is_digit = [](char letter) { return '0' <= letter && letter <= '9'; };
+    return name.size() > 3 && name[2] == '-' && is_digit(name[0]) && is_digit(name[1]) &&
+           fs::symlink_status(entry, ignored).type() == fs::file_type::directory;
+}
+
+// Where a file may be that a summary names. Some commands name it from the folder of the summary,
+// others from the folder in which they ran, which often holds the folder of the summary.
+std::vector<fs::path> places_of(const ViewSummary& summary, const fs::path& name)
+{
+    const fs::path folder = summary.file.parent_path();
+    return {folder / name, folder / ".." / name, name};
+}
+
+// The part that a summary names; an empty path if it names none.
+PartOptions part_in(const ViewSummary& summary)
+{
+    PartOptions part;
+    const std::string name = text_in(summary.content, "part");
+    if (name.empty())
+        return part;
+    const std::vector<fs::path> places = places_of(summary, name);
+    const auto found = std::ranges::find_if(places, is_file);
+    part.path =
+        (found == places.end() ? places.front() : *found).lexically_normal().string();
+    const auto* const axis =
+        std::ranges::find(up_axis_names, text_in(summary.content, "part_up"));
+    if (axis != up_axis_names.end())
+        part.up = static_cast<UpAxis>(axis - up_axis_names.begin());
+    if (text_in(summary.content, "part_units") == "inch")
+        part.units = LengthUnit::Inch;
+    return part;
 }
 
 class Finder {
@@ -57,7 +127,8 @@ public:
     {
         for (const std::string& source : options_.sources)
             add(source);
-        add_named_files();
+        add_named_path();
+        add_named_part();
         if (input_.title.empty())
             input_.title =
                 printable(fs::path{options_.sources.front()}.filename().string());
@@ -68,46 +139,49 @@ private:
     void add(const fs::path& source)
     {
         std::error_code ignored;
-        if (fs::is_directory(source, ignored)) {
-            if (!add_folder(source))
-                throw FormatError{"E_FORMAT",
-                                  {shown_path(source), "", "a folder without results",
-                                   "a folder that a command of endmill wrote"}};
-        } else {
+        if (!fs::is_directory(source, ignored)) {
             add_file(source);
+            return;
         }
+        bool is_something = add_folder(source);
+        for (const fs::path& entry : entries_of(source))
+            if (is_step(entry))
+                is_something = add_folder(entry) || is_something;
+        if (!is_something)
+            throw FormatError{"E_FORMAT",
+                              {shown_path(source), "", "a folder without results",
+                               "a folder that a command of endmill wrote"}};
     }
 
-    // Returns whether the folder, or a folder of a step in it, holds results.
+    // Returns whether the folder itself holds results.
     bool add_folder(const fs::path& folder)
     {
         bool is_something = false;
-        const auto take = [&](const char* name, std::string& to) {
-            if (!is_file(folder / name))
-                return;
-            to = (folder / name).string();
+        const auto take = [&](const fs::path& file, std::string& to) {
+            if (!is_file(file))
+                return false;
+            to = file.string();
             is_something = true;
+            return true;
         };
-        take("toolpath.csv", input_.toolpath);
-        take("deviation.vtp", input_.deviation);
-        take("sections.csv", input_.sections);
-        take("trimmed.csv", input_.trimmed);
-        take("visibility.bsm", input_.visibility);
-        take("engagement.csv", input_.engagement);
+        const std::vector<fs::path> entries = entries_of(folder);
+        if (!take(folder / "toolpath.csv", input_.toolpath))
+            for (const fs::path& entry : entries)
+                if (has_path_extension(entry) && take(entry, input_.toolpath))
+                    break;
+        take(folder / "deviation.vtp", input_.deviation);
+        take(folder / "sections.csv", input_.sections);
+        take(folder / "trimmed.csv", input_.trimmed);
+        take(folder / "visibility.bsm", input_.visibility);
+        if (!is_of_simulation(folder / "engagement.csv"))
+            take(folder / "engagement.csv", input_.engagement);
         if (is_file(folder / "summary.json")) {
             is_something = true;
             add_summary(folder / "summary.json");
         }
-        for (const fs::path& entry : entries_of(folder)) {
-            std::error_code ignored;
+        for (const fs::path& entry : entries)
             if (entry.extension() == ".svg" && is_something)
                 input_.pictures.push_back(entry);
-            // 01-setup, 02-plan, ... of a job
-            const std::string name = entry.filename().string();
-            if (fs::is_directory(entry, ignored) && name.size() > 3 && name[2] == '-' &&
-                '0' <= name[0] && name[0] <= '9' && '0' <= name[1] && name[1] <= '9')
-                is_something = add_folder(entry) || is_something;
-        }
         return is_something;
     }
 
@@ -122,54 +196,105 @@ private:
     // A part or a path.
     void add_file(const fs::path& file)
     {
+        if (!is_file(file))
+            throw FormatError{
+                "E_OPEN", {shown_path(file), "", "cannot open", "a folder or a file"}};
+        if (std::ranges::find(result_names, file.filename()) != result_names.end()) {
+            const fs::path folder = file.parent_path();
+            throw FormatError{
+                "E_FORMAT",
+                {shown_path(file), "", "a single file of results",
+                 "its folder, " + (folder.empty() ? "." : shown_path(folder))}};
+        }
         std::string extension = file.extension().string();
         std::ranges::transform(extension, extension.begin(), [](unsigned char letter) {
             return static_cast<char>(std::tolower(letter));
         });
-        if (extension == ".csv" || has_path_extension(file))
+        if (extension == ".csv" || has_path_extension(file)) {
             input_.toolpath = file.string();
-        else
+        } else {
+            input_.part = options_.part;
             input_.part.path = file.string();
-        if (!is_file(file))
-            throw FormatError{
-                "E_OPEN", {shown_path(file), "", "cannot open", "a folder or a file"}};
+        }
     }
 
-    // The part and the path that the summaries name, unless they are given.
-    void add_named_files()
+    // The path that the last summary names, unless a source holds one.
+    void add_named_path()
     {
-        for (const ViewSummary& summary : input_.summaries) {
-            const fs::path folder = summary.file.parent_path();
-            const std::string path = text_in(summary.content, "toolpath");
-            if (input_.toolpath.empty() && !path.empty())
-                for (const fs::path& place : {fs::path{path}, folder / path})
-                    if (is_file(place)) {
-                        input_.toolpath = place.string();
-                        break;
-                    }
-            const std::string part = text_in(summary.content, "part");
-            if (input_.part.path.empty() && !part.empty()) {
-                if (is_file(folder / part))
-                    name_part(folder / part, summary.content);
-                else
-                    warn(options_.common, shown_path(summary.file) + ": the part " +
-                                              printable(part) +
-                                              " is not there; the page shows none");
-            }
+        if (!input_.toolpath.empty())
+            return;
+        for (const ViewSummary& summary : std::views::reverse(input_.summaries)) {
+            const fs::path path = text_in(summary.content, "toolpath");
+            if (path.empty())
+                continue;
+            for (const fs::path& place : places_of(summary, path))
+                if (is_file(place) && is_recorded(place, summary)) {
+                    input_.toolpath = place.lexically_normal().string();
+                    return;
+                }
         }
+    }
+
+    // Whether a file has the checksum of the path in a summary, if that has one.
+    bool is_recorded(const fs::path& place, const ViewSummary& summary) const
+    {
+        const std::string recorded = text_in(summary.content, "toolpath_sha256");
+        if (recorded.empty() ||
+            recorded == content_sha256(read_file(place, options_.common.limits)))
+            return true;
+        warn(options_.common, shown_path(place) + ": not the path of " +
+                                  shown_path(summary.file) +
+                                  " (toolpath_sha256); it is not shown");
+        return false;
+    }
+
+    // The summaries that may name the part: first that of the path, then those of the other
+    // results, then all from the last.
+    std::vector<const ViewSummary*> summaries_by_rank() const
+    {
+        std::vector<const ViewSummary*> ranked;
+        const auto add = [&](const ViewSummary* summary) {
+            if (summary && std::ranges::find(ranked, summary) == ranked.end())
+                ranked.push_back(summary);
+        };
+        for (const std::string& file :
+             {input_.toolpath, input_.deviation, input_.visibility})
+            add(summary_beside(input_, file));
+        for (const ViewSummary& summary : std::views::reverse(input_.summaries))
+            add(&summary);
+        return ranked;
+    }
+
+    void add_named_part()
+    {
         if (!options_.part.path.empty())
             input_.part = options_.part;
+        const ViewSummary* source = nullptr;
+        for (const ViewSummary* const summary : summaries_by_rank()) {
+            PartOptions part = part_in(*summary);
+            if (part.path.empty())
+                continue;
+            if (input_.part.path.empty() && is_file(part.path)) {
+                input_.part = std::move(part);
+                source = summary;
+            } else if (input_.part.path.empty()) {
+                warn(options_.common, shown_path(summary->file) + ": the part " +
+                                          shown_path(part.path) +
+                                          " is not there; the page does not show it");
+            } else if (source && !is_same(part.path, input_.part.path)) {
+                warn(options_.common, shown_path(summary->file) + ": names the part " +
+                                          shown_path(part.path) + "; the page shows " +
+                                          shown_path(input_.part.path) + ", that of " +
+                                          shown_path(source->file));
+                return;
+            }
+        }
     }
 
-    void name_part(const fs::path& file, const Json& summary)
+    static bool is_same(const fs::path& first, const fs::path& second)
     {
-        input_.part.path = file.lexically_normal().string();
-        const auto* const axis =
-            std::ranges::find(up_axis_names, text_in(summary, "part_up"));
-        if (axis != up_axis_names.end())
-            input_.part.up = static_cast<UpAxis>(axis - up_axis_names.begin());
-        if (text_in(summary, "part_units") == "inch")
-            input_.part.units = LengthUnit::Inch;
+        std::error_code ignored;
+        return first == second || fs::equivalent(first, second, ignored);
     }
 
     const ViewOptions& options_;
@@ -181,6 +306,17 @@ private:
 ViewInput find_view_input(const ViewOptions& options)
 {
     return Finder{options}.run();
+}
+
+const ViewSummary* summary_beside(const ViewInput& input, const std::string& file)
+{
+    const auto folder_of = [](const fs::path& path) {
+        return fs::absolute(path).lexically_normal().parent_path();
+    };
+    for (const ViewSummary& summary : input.summaries)
+        if (!file.empty() && folder_of(summary.file) == folder_of(file))
+            return &summary;
+    return nullptr;
 }
 
 }  // namespace endmill

@@ -37,10 +37,14 @@ struct ViewInput {
     std::vector<std::filesystem::path> pictures = {};  ///< SVG files
 };
 
-/// Finds what the sources of a page hold. Of two files of one kind the later one counts. A
-/// folder of a job stands for the folders of its steps.
+/// Finds what the sources of a page hold. Of two files of one kind the later one counts. For the
+/// folder of a job the folders of its steps are read. The part is that of the path that is shown,
+/// or else that of the remaining stock; a warning states if other summaries name another part.
 /// \throws FormatError for a source that does not exist or holds nothing to show, and for a
-///         damaged summary.json.
+///         summary.json that is damaged or nested more than 64 deep.
 ViewInput find_view_input(const ViewOptions& options);
+
+/// The summary in the folder of a file of the page; null if there is none.
+const ViewSummary* summary_beside(const ViewInput& input, const std::string& file);
 
 }  // namespace endmill

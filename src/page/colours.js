@@ -30,4 +30,4 @@ function css(stops) {
     .join(", ")})`;
 }
 export const rampCss = css(ramp);
-export const signedRampCss = css(signedRamp);
+export const signedRampHalvesCss = [css(signedRamp.slice(0, 3)), css(signedRamp.slice(2))];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The content of the page: an object, and arrays of numbers that it refers to.
 
-const kinds = { float32: Float32Array, uint32: Uint32Array, uint8: Uint8Array };
+const kinds = { float64: Float64Array, float32: Float32Array, uint32: Uint32Array, uint8: Uint8Array };
 
 function bytesOf(text) {
   const binary = atob(text);

@@ -30,6 +30,27 @@ export function button(text, onClick, attributes = {}) {
   return node;
 }
 
+// Calls `then` with the width of an element in pixels when it is placed or its width changes.
+export function onWidth(node, then) {
+  let last = 0;
+  new ResizeObserver(() => {
+    const width = Math.round(node.getBoundingClientRect().width);
+    if (width === 0 || width === last) return;
+    last = width;
+    then(width);
+  }).observe(node);
+}
+
+// A number with a fixed number of digits after the point, never "-0.000".
+export function fixed(value, decimals) {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? text.replace("-", "") : text;
+}
+
+// Digits after the point for lengths in a part of this extent, mm: a micrometre, or less in a small part.
+export const decimalsFor = (extent) =>
+  extent > 0 ? Math.min(Math.max(5 - Math.floor(Math.log10(extent)), 3), 12) : 3;
+
 // A number as people read it.
 export function shown(value, digits = 4) {
   if (value === null || value === undefined || Number.isNaN(value)) return "not known";

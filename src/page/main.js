@@ -12,8 +12,11 @@ import { pictureOf, SummaryView } from "./summary.js";
 // Pictures in place of a 3D view where the browser has no WebGL.
 class Pictures {
   constructor(pictures) {
-    const words = "This browser has no WebGL; these pictures stand in for the 3D view.";
-    this.node = element("section", { class: "view" }, element("p", { class: "note" }, words), ...pictures.map(pictureOf));
+    const words = pictures.length > 0
+      ? "This browser has no WebGL; these pictures replace the 3D view."
+      : "This browser has no WebGL, and the results have no pictures that could replace the 3D view.";
+    const note = element("p", { class: "note" }, words);
+    this.node = element("section", { class: "view" }, note, ...pictures.map(pictureOf));
   }
 }
 
@@ -47,8 +50,10 @@ function start() {
       tab.tabIndex = isChosen ? 0 : -1;
     }
     for (const [other, view] of made) view.node.hidden = other !== name;
-    if (made.has(name)) return;
-    const view = make();
+    if (!made.has(name)) add(name, make());
+  };
+
+  const add = (name, view) => {
     view.node.setAttribute("role", "tabpanel");
     view.node.setAttribute("aria-labelledby", `tab-${name}`);
     made.set(name, view);
@@ -65,6 +70,15 @@ function start() {
     choose(views[next][0]);
     tabs.children[next].focus();
   });
+  // In print all tabs follow each other.
+  window.addEventListener("beforeprint", () => {
+    const shownTab = state.tab;
+    for (const [name] of views) if (!made.has(name)) choose(name);
+    choose(shownTab);
+    for (const view of made.values()) view.node.hidden = false;
+    for (const view of made.values()) for (const stage of view.stages ?? []) stage.resizeNow();
+  });
+  window.addEventListener("afterprint", () => choose(state.tab));
   choose(views[0][0]);
   state.isReady = true;
 }

@@ -3,9 +3,11 @@
 
 import {
   AmbientLight, Box3, BufferAttribute, BufferGeometry, Color, ColorManagement, DirectionalLight, DoubleSide, Group,
-  LinearSRGBColorSpace, Mesh, MeshLambertMaterial, OrthographicCamera, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+  LinearSRGBColorSpace, Mesh, MeshBasicMaterial, MeshLambertMaterial, OrthographicCamera, Raycaster, Scene, Vector2,
+  Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { Axes } from "./axes.js";
 import { element } from "./elements.js";
 
 // Colours are those of the screen throughout.
@@ -27,17 +29,19 @@ function isSoftware() {
 }
 
 export class View3d {
-  // description: the text alternative of the view.
-  constructor(description) {
+  // description: the text alternative of the view. hasScale: whether lengths are mm, for a scale bar.
+  constructor(description, { hasScale = false } = {}) {
     this.node = element("div", { class: "stage" });
-    this.renderer = new WebGLRenderer({ antialias: !isSoftware() });
+    // The browser prints a canvas only if its picture is kept.
+    this.renderer = new WebGLRenderer({ antialias: !isSoftware(), preserveDrawingBuffer: true });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     const canvas = this.renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", description);
-    this.node.append(canvas);
+    this.axes = new Axes({ hasScale });
+    this.node.append(canvas, this.axes.node);
     this.scene = new Scene();
     this.content = new Group();
     this.scene.add(this.content, new AmbientLight(0xffffff, 1.6));
@@ -58,11 +62,22 @@ export class View3d {
   }
 
   takeColours() {
-    this.scene.background = new Color(getComputedStyle(document.documentElement).getPropertyValue("--panel").trim());
+    const panel = getComputedStyle(document.documentElement).getPropertyValue("--panel").trim();
+    this.scene.background = new Color(panel);
     this.draw();
   }
 
   resize() {
+    this.fitCamera();
+    this.draw();
+  }
+
+  resizeNow() {
+    this.fitCamera();
+    this.drawNow();
+  }
+
+  fitCamera() {
     const { clientWidth: width, clientHeight: height } = this.node;
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
@@ -70,7 +85,6 @@ export class View3d {
     const half = 1.05 * Math.max(this.halfHeight ?? 1, (this.halfWidth ?? 1) / aspect);
     Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
     this.camera.updateProjectionMatrix();
-    this.draw();
   }
 
   // Looks at the whole content from above the front.
@@ -103,10 +117,16 @@ export class View3d {
     this.isWanted = true;
     requestAnimationFrame(() => {
       this.isWanted = false;
-      if (this.node.clientWidth === 0) return;
-      this.renderer.render(this.scene, this.camera);
-      ++this.frames;
+      this.drawNow();
     });
+  }
+
+  drawNow() {
+    const { clientWidth: width, clientHeight: height } = this.node;
+    if (width === 0) return;
+    this.renderer.render(this.scene, this.camera);
+    this.axes.draw(this.camera, width, height);
+    ++this.frames;
   }
 
   // The first triangle of `object` at a place of the canvas, given by an event; or null.
@@ -131,16 +151,23 @@ export class View3d {
   }
 }
 
-// A mesh with flat facets. colours: three numbers for each triangle, or none.
-export function facetMesh({ points, triangles }, colour, colours = null) {
+// A mesh with flat facets. colours: three numbers for each triangle, or none. isLit: whether a triangle is shaded.
+export function facetMesh({ points, triangles }, colour, colours = null, isLit = null) {
   const corners = new Float32Array(3 * triangles.length);
-  for (let k = 0; k < triangles.length; ++k) corners.set(points.subarray(3 * triangles[k], 3 * triangles[k] + 3), 3 * k);
+  triangles.forEach((corner, k) => corners.set(points.subarray(3 * corner, 3 * corner + 3), 3 * k));
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(corners, 3));
   geometry.computeVertexNormals();
   if (colours) geometry.setAttribute("color", new BufferAttribute(new Float32Array(corners.length), 3));
-  const material = new MeshLambertMaterial({ side: DoubleSide, vertexColors: Boolean(colours), color: colours ? 0xffffff : colour });
-  const mesh = new Mesh(geometry, material);
+  const look = { side: DoubleSide, vertexColors: Boolean(colours), color: colours ? 0xffffff : colour };
+  const materials = [new MeshLambertMaterial(look), new MeshBasicMaterial(look)];
+  const count = triangles.length / 3;
+  if (isLit)
+    for (let first = 0, next = 0; first < count; first = next) {
+      while (next < count && isLit(next) === isLit(first)) ++next;
+      geometry.addGroup(3 * first, 3 * (next - first), isLit(first) ? 0 : 1);
+    }
+  const mesh = new Mesh(geometry, isLit ? materials : materials[0]);
   if (colours) colourFacets(mesh, colours);
   return mesh;
 }

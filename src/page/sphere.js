@@ -3,11 +3,17 @@
 
 import { rampCss, rgbOfShare } from "./colours.js";
 import { button, element } from "./elements.js";
+import { scale, swatch } from "./legend.js";
 import { colourFacets, facetMesh, View3d } from "./scene.js";
 
 const seen = [0.9, 0.62, 0.1];
+const chosen = [0.85, 0.1, 0.38];
 const unseen = [0.62, 0.68, 0.76];
-const beyondReach = 0.45; // brightness of directions that the machine cannot take
+// Grey, unlit: directions that the machine cannot take, and those of them that reach the chosen facet.
+const beyondReach = [0.4, 0.4, 0.4];
+const seenBeyondReach = [0.6, 0.6, 0.6];
+
+const css = (colour) => `rgb(${colour.map((part) => Math.round(255 * part)).join(" ")})`;
 
 export class SphereView {
   constructor(content) {
@@ -18,19 +24,18 @@ export class SphereView {
     this.words = words;
     this.reachable = reachable;
     this.state = { facet: null, cell: null, cone: 0, facetsSeen: 0 };
-    this.partView = new View3d("the part: click a facet for the directions that reach it");
+    this.partView = new View3d("the part: click a facet for the directions that reach it", { hasScale: true });
     this.sphereView = new View3d("the sphere of directions: click a direction for the facets that it reaches");
     this.part = facetMesh(part, 0, (facet) => this.facetColour(facet));
-    this.sphere = facetMesh(cells, 0, (cell) => this.cellColour(cell));
+    this.sphere = facetMesh(cells, 0, (cell) => this.cellColour(cell), (cell) => this.isReachable(cell));
     this.partView.content.add(this.part);
     this.sphereView.content.add(this.sphere);
     this.partView.onClick((event) => this.choose(this.partView.triangleAt(event, this.part), null));
     this.sphereView.onClick((event) => this.choose(null, this.sphereView.triangleAt(event, this.sphere)));
     this.readout = element("div", { class: "readout", role: "status" });
-    const box = element("div", { class: "scale" });
-    box.style.background = rampCss;
     const number = (label, most, then) => {
-      const input = element("input", { type: "number", min: 0, max: most - 1, placeholder: `0 to ${most - 1}`, id: `number-of-${label}` });
+      const placeholder = `0 to ${most - 1}`;
+      const input = element("input", { type: "number", min: 0, max: most - 1, placeholder, id: `number-of-${label}` });
       input.addEventListener("change", () => then(Math.min(Math.max(Math.round(Number(input.value)), 0), most - 1)));
       return element("label", {}, label, input);
     };
@@ -42,12 +47,19 @@ export class SphereView {
         number("direction", this.cells, (cell) => this.choose(null, cell)),
         button("all", () => this.choose(null, null))),
       this.readout,
-      element("div", { class: "legend" }, element("span", {}, "sphere: facets reached, 0 %", box, "100 %"),
-        element("span", {}, reachable?.includes(0) ? "dark: beyond the rotary limits of the machine" : "")));
+      element("div", { class: "legend" },
+        ...scale(rampCss, "sphere: facets reached, %", 0, 100),
+        swatch(css(seen), "reached"), swatch(css(unseen), "not reached"),
+        reachable?.includes(0) ? swatch(css(beyondReach), "beyond the rotary limits of the machine") : null));
+    this.stages = [this.partView, this.sphereView];
     this.shares = Float32Array.from({ length: this.cells }, (_, cell) => this.count(cell) / this.facets);
     this.partView.fit();
     this.sphereView.fit();
     this.choose(null, null);
+  }
+
+  isReachable(cell) {
+    return !this.reachable || this.reachable[cell] === 1;
   }
 
   reaches(facet, cell) {
@@ -63,12 +75,13 @@ export class SphereView {
   cellColour(cell) {
     const { facet } = this.state;
     const colour = facet !== null ? (this.reaches(facet, cell) ? seen : unseen) : rgbOfShare(this.shares?.[cell] ?? 0);
-    const light = this.reachable && !this.reachable[cell] ? beyondReach : 1;
-    return cell === this.state.cell ? [0.85, 0.1, 0.38] : colour.map((part) => light * part);
+    if (cell === this.state.cell) return chosen;
+    if (this.isReachable(cell)) return colour;
+    return facet !== null && this.reaches(facet, cell) ? seenBeyondReach : beyondReach;
   }
 
   facetColour(facet) {
-    if (facet === this.state.facet) return [0.85, 0.1, 0.38];
+    if (facet === this.state.facet) return chosen;
     return this.state.cell !== null && this.reaches(facet, this.state.cell) ? seen : unseen;
   }
 

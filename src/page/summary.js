@@ -6,17 +6,21 @@ import { element } from "./elements.js";
 export class SummaryView {
   constructor({ summaries, provenance, citations, pictures }) {
     const table = (rows) => element("table", {}, ...rows.map(([key, value]) =>
-      element("tr", {}, element("th", { scope: "row" }, key), element("td", {}, value))));
+      element("tr", {}, element("th", { scope: "row" }, ...breakable(key)), element("td", {}, value))));
     this.node = element("section", { class: "view" });
     for (const { title, rows } of summaries) this.node.append(element("h2", {}, title), table(rows));
     this.node.append(element("h2", {}, "Made from"), table(provenance));
-    if (citations.length > 0)
-      this.node.append(element("h2", {}, "Please cite"), element("ul", {}, ...citations.map((work) => element("li", {}, work))));
+    const works = citations.map((work) => element("li", {}, work));
+    if (works.length > 0) this.node.append(element("h2", {}, "Please cite"), element("ul", {}, ...works));
     if (pictures.length > 0) this.node.append(element("h2", {}, "Pictures"), ...pictures.map(pictureOf));
   }
 }
 
+// A key, which may wrap behind "_" only.
+const breakable = (key) => key.split(/(?<=_)/).flatMap((word, k) => (k > 0 ? [element("wbr"), word] : [word]));
+
 export function pictureOf({ name, svg }) {
-  const image = element("img", { src: `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`, alt: name, class: "plot" });
+  const src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;
+  const image = element("img", { src, alt: name, class: "plot" });
   return element("figure", {}, image, element("figcaption", { class: "note" }, name));
 }

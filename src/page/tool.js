@@ -12,7 +12,7 @@ export function cutterMesh({ radius_mm: radius, corner_radius_mm: corner }) {
     const angle = ((Math.PI / 2) * k) / cornerSteps;
     profile.push(new Vector2(radius - corner + corner * Math.sin(angle), corner * (1 - Math.cos(angle))));
   }
-  profile.push(new Vector2(radius, Math.max(4 * radius, corner)), new Vector2(0, Math.max(4 * radius, corner)));
+  profile.push(new Vector2(radius, 4 * radius), new Vector2(0, 4 * radius));
   const geometry = new LatheGeometry(profile, 40);
   geometry.rotateX(Math.PI / 2); // from +y to +z
   const material = new MeshLambertMaterial({ color: 0xd9a441, transparent: true, opacity: 0.75 });

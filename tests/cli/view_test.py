@@ -3,10 +3,12 @@
 import base64
 import json
 import re
+import shutil
 import struct
+import subprocess
 import unittest
 
-from program import ROOT, SURFACES, ProgramTest, endmill
+from program import ENDMILL, ROOT, SURFACES, ProgramTest, endmill
 
 SADDLE = SURFACES / "saddle.json"
 HAS_PAGE = "is missing" not in endmill("view", SADDLE, "-o", "/nowhere/none/page.html").stderr
@@ -21,7 +23,7 @@ def content_of(page):
 
 
 def array(reference, numbers):
-    letter = {"float32": "f", "uint32": "I", "uint8": "B"}[reference["array"]]
+    letter = {"float64": "d", "float32": "f", "uint32": "I", "uint8": "B"}[reference["array"]]
     return struct.unpack_from(f"<{reference['length']}{letter}", numbers, reference["offset"])
 
 
@@ -36,7 +38,8 @@ class View(ProgramTest):
         done = endmill("view", *sources, "-o", self.folder / "page.html", cwd=self.folder)
         self.assertEqual(done.returncode, exit_code, done.stderr)
         self.assertRegex(done.stderr, words)
-        self.assertEqual(len(done.stderr.splitlines()), 1)
+        errors = [line for line in done.stderr.splitlines() if not line.startswith("endmill: warning: ")]
+        self.assertEqual(len(errors), 1, done.stderr)
         self.assertFalse((self.folder / "page.html").exists())
 
     def planned(self, *options):
@@ -56,9 +59,7 @@ class View(ProgramTest):
         rows = [(1e6 - 0.25 * k, 2.5, 1e-3 * (k % 3)) for k in range(50)]
         content, numbers = self.view(self.path(rows))
         tips = array(content["path"]["tips"], numbers)
-        for k, row in enumerate(rows):
-            for c in range(3):
-                self.assertAlmostEqual(tips[3 * k + c] + content["origin_mm"][c], row[c], places=5)
+        self.assertEqual([tips[3 * k:3 * k + 3] for k in range(len(rows))], rows)
 
     def test_a_million_points_are_reduced_and_the_page_says_so(self):
         rows = [(0.01 * (k % 1000), 0.1 * (k // 1000), 0.001 * ((k * k) % 7)) for k in range(200_000)]
@@ -68,6 +69,53 @@ class View(ProgramTest):
         self.assertRegex(path["note"], r"drawn with \d+ of its 200000 points; no tip is farther than")
         kept = array(path["numbers"], numbers)
         self.assertEqual(list(kept), sorted(set(kept)))
+
+    def test_a_path_of_many_short_moves_is_reduced_too(self):
+        file = self.folder / "path.csv"
+        lines = [f"{k},0,{('cut', 'link')[k % 2]},{0.01 * (k % 1000)!r},{0.1 * (k // 1000)!r},0" for k in range(120_000)]
+        file.write_text("pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm\n" + "\n".join(lines) + "\n", encoding="utf-8")
+        content, _ = self.view(file)
+        self.assertLessEqual(content["path"]["tips"]["length"], 3 * 50_000)
+        self.assertRegex(content["path"]["note"], "of its 120000 points.*moves of several kinds are joined")
+
+    def test_plots_keep_the_extremes_of_every_quantity(self):
+        folder = self.folder / "fed"
+        folder.mkdir()
+        count = 30_000
+        columns = ["cutting_force_n", "thrust_n", "torque_n_m", "power_w"]
+        (folder / "toolpath.csv").write_text(
+            "pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm,feed_mm_per_min\n" +
+            "".join(f"0,{k},cut,{k},0,0,{100 + k % 7}\n" for k in range(count)), encoding="utf-8")
+        loads = [[1.0] * count for _ in columns]
+        for number, load in enumerate(loads):  # one peak and one hole each, at places of no other quantity
+            load[1234 + 5000 * number] = 50.0 + number
+            load[2341 + 5000 * number] = 0.5
+        (folder / "engagement.csv").write_text(
+            "pass,point,limit," + ",".join(columns) + "\n" +
+            "".join(f"0,{k},,{','.join(str(load[k]) for load in loads)}\n" for k in range(count)), encoding="utf-8")
+        content, numbers = self.view(folder)
+        for series, load in zip(content["plots"]["series"][1:], loads):
+            values = array(series["values"], numbers)
+            self.assertEqual((min(values), max(values)), (min(load), max(load)), series["name"])
+        self.assertRegex(content["plots"]["note"], r"have \d+ of 30000 points")
+
+    def test_a_row_of_an_engagement_without_a_whole_number(self):
+        folder = self.folder / "fed"
+        folder.mkdir()
+        for value in ("1e300", "0.5", "-7"):
+            (folder / "toolpath.csv").write_text("pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm\n0,0,cut,0,0,0\n"
+                                                 "0,1,cut,1,0,0\n", encoding="utf-8")
+            (folder / "engagement.csv").write_text(f"pass,point,limit\n{value},1,\n", encoding="utf-8")
+            self.refused(3, f"engagement.csv:2: pass {value}; expected a whole number", folder)
+
+    def test_the_engagement_of_a_simulation_is_no_plot(self):
+        folder = self.planned()
+        done = endmill("verify", folder / "toolpath.csv", "--resolution", "2", "--engagement", "-o", "checked",
+                       cwd=self.folder)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        content, _ = self.view("checked")
+        self.assertIn("path", content)
+        self.assertNotIn("plots", content)
 
     def test_a_page_requests_nothing(self):
         self.view(self.planned())
@@ -99,6 +147,134 @@ class View(ProgramTest):
         (self.folder / "empty").mkdir()
         self.refused(3, "a folder without results", "empty")
         self.refused(2, "SOURCE")
+
+    def test_a_file_that_needs_its_folder(self):
+        folder = self.planned()
+        self.refused(3, "summary.json: a single file of results; expected its folder, .*plan", folder / "summary.json")
+
+    def test_a_page_may_be_called_htm(self):
+        done = endmill("view", SADDLE, "-o", self.folder / "p.htm", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, "MB, part\nwritten to")
+        self.assertTrue((self.folder / "p.htm").is_file())
+
+    def test_a_link_to_the_folder_itself_is_not_followed(self):
+        folder = self.planned()
+        (folder / "01-a").symlink_to(".")
+        (folder / "02-plan").mkdir()
+        (folder / "02-plan/summary.json").write_text('{"name": "step"}', encoding="utf-8")
+        content, _ = self.view(folder)
+        self.assertEqual(len(content["summaries"]), 2)
+        self.assertEqual(content["title"], "step")
+
+    def test_a_deep_summary_is_refused(self):
+        folder = self.planned()
+        def nested(depth):
+            return '{"name": "d", "a": ' + "[" * depth + "]" * depth + "}"
+        for depth in (64, 100_000):
+            (folder / "summary.json").write_text(nested(depth), encoding="utf-8")
+            self.refused(3, "summary.json: .*nested more than 64 deep", folder)
+        (folder / "summary.json").write_text(nested(63), encoding="utf-8")
+        self.view(folder)
+
+    def test_the_part_is_that_of_the_path(self):
+        folder = self.planned()
+        other = self.folder / "other"
+        done = endmill("plan", SURFACES / "plane.json", "--cutter", "ball:10", "--scallop", "1", "--strategy", "iso-u",
+                       "-o", other, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for first, second, part in ((other, folder, "saddle"), (folder, other, "plane")):
+            done = endmill("view", first, second, "-o", self.folder / "page.html", "--force", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stderr, rf"warning: {first}/summary.json: names the part .*; the page shows .*{part}.json")
+            content, _ = content_of(self.folder / "page.html")
+            self.assertRegex(dict(content["provenance"])["part"], f"{part}.json")
+
+    def test_tolerances_are_those_of_the_remaining_stock_that_is_shown(self):
+        folder = self.planned()
+        for name, tolerance in (("coarse", "0.2"), ("fine", "0.02")):
+            done = endmill("verify", folder / "toolpath.csv", "--resolution", "2", "--tolerance", tolerance, "-o", name,
+                           cwd=self.folder)
+            self.assertIn(done.returncode, (0, 1), done.stderr)
+        for sources, tolerance in ((("coarse", "fine"), 0.02), (("fine", "coarse"), 0.2)):
+            content, _ = self.view(folder, *sources)
+            self.assertEqual(content["deviation"]["tolerance_mm"], tolerance)
+            self.assertLessEqual(len(content["deviation"]["worst"]), 2)
+
+    def test_a_named_path_is_sought_beside_the_summary_first(self):
+        folder = self.planned()
+        content, numbers = self.view(folder)
+        tips = array(content["path"]["tips"], numbers)
+        checked = self.folder / "job/checked"
+        (self.folder / "job").mkdir()
+        folder.rename(self.folder / "job/plan")
+        done = endmill("verify", "plan/toolpath.csv", "--part", "none", "-o", "checked", cwd=self.folder / "job")
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        # another path of the same name in the working folder
+        (self.folder / "plan").mkdir()
+        self.path([(0, 0, 0), (1, 0, 0)]).rename(self.folder / "plan/toolpath.csv")
+        content, numbers = self.view("job/checked")
+        self.assertEqual(array(content["path"]["tips"], numbers), tips)
+        summary = checked / "summary.json"
+        summary.write_text(json.dumps({**json.loads(summary.read_text(encoding="utf-8")), "toolpath_sha256": "0" * 64}),
+                           encoding="utf-8")
+        done = endmill("view", "job/checked", "-o", self.folder / "page.html", "--force", cwd=self.folder)
+        self.assertRegex(done.stderr, "toolpath.csv: not the path of job/checked/summary.json")
+        self.assertNotIn("path", content_of(self.folder / "page.html")[0])
+
+    def test_units_and_up_of_a_source(self):
+        mesh = self.folder / "one.stl"
+        mesh.write_text("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 1 0\nendloop\n"
+                        "endfacet\nendsolid a\n", encoding="utf-8")
+        def sizes(*options):
+            content, numbers = self.view(mesh, *options)
+            points = array(content["part"]["points"], numbers)
+            return [max(points[c::3]) - min(points[c::3]) for c in range(3)]
+        self.assertEqual([round(size, 4) for size in sizes("--units", "inch")], [50.8, 25.4, 0])
+        self.assertEqual([round(size, 4) for size in sizes("--up", "y")], [2, 0, 1])
+
+    def test_sections_have_the_planes_that_occur_with_their_positions(self):
+        for degrees in (0, 30):
+            folder = self.folder / f"trimmed{degrees}"
+            done = endmill("trim", SURFACES / "valley.json", "--cutter", "ball:20", "--planes", "4", "--direction-deg",
+                           degrees, "-o", folder, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            planes = self.view(folder)[0]["sections"]["planes"]
+            self.assertEqual([plane["number"] for plane in planes], [0, 1, 2, 3])
+            steps = [b["position_mm"] - a["position_mm"] for a, b in zip(planes, planes[1:])]
+            # planes of one distance, apart from each other by the pitch of the summary
+            pitch = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["pitch_mm"]
+            for step in steps:
+                self.assertAlmostEqual(abs(step), pitch, places=6)
+        file = folder / "sections.csv"
+        lines = file.read_text(encoding="utf-8").splitlines()
+        moved = [re.sub("^2,", "9999999,", line) for line in lines]
+        file.write_text("\n".join(moved) + "\n", encoding="utf-8")
+        planes = self.view(folder)[0]["sections"]["planes"]
+        self.assertEqual([plane["number"] for plane in planes], [0, 1, 2, 3, 9999999])
+        self.assertEqual((planes[2]["before"], planes[4]["after"]), ([], []))
+        for value in ("1e300", "-1", "0.5"):
+            file.write_text("\n".join([lines[0], re.sub("^0,", f"{value},", lines[1])]) + "\n", encoding="utf-8")
+            done = endmill("view", folder, "-o", self.folder / "page.html", "--force", cwd=self.folder)
+            self.assertEqual(done.returncode, 3)
+            self.assertRegex(done.stderr, f"sections.csv:2: plane {value}; expected a whole number")
+
+    def test_a_build_without_the_page_refuses_html_before_the_work(self):
+        program = self.folder / "alone/endmill"
+        program.parent.mkdir()
+        shutil.copy(ENDMILL, program)
+        done = subprocess.run([program, "plan", SADDLE, "--cutter", "ball:15", "--html", "-o", "plan"], cwd=self.folder,
+                              capture_output=True, text=True, check=False, timeout=600)
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertRegex(done.stderr, "the script of the page is missing")
+        self.assertFalse((self.folder / "plan").exists())
+
+    def test_a_long_value_is_cut(self):
+        folder = self.planned()
+        file = folder / "summary.json"
+        file.write_text(json.dumps({**json.loads(file.read_text(encoding="utf-8")), "long": "x" * 1000}), encoding="utf-8")
+        rows = dict(self.view(folder)[0]["summaries"][0]["rows"])
+        self.assertRegex(rows["long"], "^x{300}…$")
 
     def test_damaged_results(self):
         folder = self.planned()

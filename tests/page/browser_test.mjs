@@ -4,7 +4,7 @@
 // UPDATE_PICTURES=1 writes the kept pictures anew.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
@@ -21,8 +21,10 @@ const flags = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swift
 let folder;
 let browser;
 
+// Exit code 1 is the answer no, such as of a part that the machine cannot reach everywhere.
 function endmill(...words) {
-  execFileSync(process.env.ENDMILL, words, { cwd: folder, stdio: "pipe" });
+  const { status, stderr } = spawnSync(process.env.ENDMILL, words, { cwd: folder, encoding: "utf8" });
+  assert.ok(status === 0 || status === 1, stderr);
 }
 
 // Columns of a CSV file of numbers and words.
@@ -56,6 +58,24 @@ async function open(name, options = {}) {
   return page;
 }
 
+// Programs of a path with turning axes, for a table and for a head whose axes do not meet.
+function fiveAxes() {
+  const bump = join(datasets, "surfaces/gaussian-bump.json");
+  const options = ["--axis-mode", "lead", "--cutter", "ball:10", "--direction", "u", "--scallop", "1"];
+  endmill("plan", bump, ...options, "--inner-tolerance", "0.2", "-o", "bump");
+  for (const [name, of, changes, clamp] of [
+    ["table", "ca-table-table", { axis_offset_mm: [0, 7, 11], table_offset_mm: [13, -4, -60] }, "5,6,7"],
+    ["head", "cb-head-head", { axis_offset_mm: [30, 5, 12] }, "3,-2,400"],
+    ["both", "ca-table-head", {}, "1,2,50"],
+  ]) {
+    const machine = JSON.parse(readFileSync(join(datasets, `machines/${of}.json`), "utf8"));
+    writeFileSync(join(folder, `${name}.json`), JSON.stringify({ ...machine, ...changes, limits: {} }));
+    const post = ["--machine", `${name}.json`, "--clamp", clamp, "--feed", "800", "--spindle-rpm", "6000"];
+    endmill("post", "bump/toolpath.csv", ...post, "-o", name);
+    endmill("view", name, "-o", `${name}.html`);
+  }
+}
+
 const cut = (page, read) => page.evaluate(`(${read})(window.endmill.views.cut)`);
 
 before(async () => {
@@ -65,7 +85,10 @@ before(async () => {
   endmill("view", "saddle", "checked", "-o", "saddle.html");
   endmill("trim", join(datasets, "surfaces/valley.json"), "--cutter", "ball:20", "--planes", "5", "-o", "trimmed");
   endmill("view", "trimmed", "-o", "trimmed.html");
+  const limited = ["--machine", join(datasets, "machines/ca-table-table.json"), "--sphere", "hex:4"];
+  endmill("setup", join(datasets, "meshes/teapot-288.off"), ...limited, "-o", "limited", "--html");
   endmill("setup", join(datasets, "meshes/teapot-288.off"), "--machine", "W/caxyBz/T", "--sphere", "hex:4", "-o", "setup", "--html");
+  fiveAxes();
   browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: flags });
 });
 
@@ -114,6 +137,35 @@ describe("part and path", () => {
     assert.equal(await cut(page, (view) => view.parts.part.visible), false);
   });
 
+  test("coordinates keep their digits in large and small parts, without -0", async () => {
+    const rows = [[-1e6, -0.0001, 0], [999999.987, 2e-4, 1]];
+    for (const scale of [1, 1e-9]) {
+      const lines = rows.map((row, k) => `0,${k},cut,${row.map((x) => x * scale).join()}`);
+      writeFileSync(join(folder, "p.csv"), ["pass,point,move,tip_x_mm,tip_y_mm,tip_z_mm", ...lines].join("\n") + "\n");
+      endmill("view", "p.csv", "--force", "-o", "p.html");
+      const page = await open("p.html");
+      const words = await page.locator(".readout").textContent();
+      assert.match(words, scale === 1 ? /tip -1000000.000, 0.000, 0.000 mm/ : /tip -0.00100000, 0.00000000, 0.00000000 mm/);
+      const [tip] = await cut(page, (view) => (view.show(1), [view.state.tip_mm]));
+      assert.deepEqual(tip, rows[1].map((x) => x * scale));
+    }
+  });
+
+  test("the scale bar has the length that it states", async () => {
+    const page = await open("saddle.html");
+    const { bar, words, pixels } = await cut(page, (view) => {
+      view.view.drawNow();
+      const { camera } = view.view;
+      const end = (x) => view.cutter.position.clone().set(x, 0, 0).applyQuaternion(camera.quaternion).project(camera).x;
+      return {
+        bar: view.view.axes.bar.getBBox().width,
+        words: view.view.axes.length.textContent,
+        pixels: ((end(1) - end(0)) * view.view.node.clientWidth) / 2,
+      };
+    });
+    assert.ok(Math.abs(bar - pixels * parseFloat(words)) < 0.5, `${words}: ${bar} pixels, 1 mm: ${pixels}`);
+  });
+
   test("the worst places stand where the summary says", async () => {
     const page = await open("saddle.html");
     const summary = JSON.parse(readFileSync(join(folder, "checked/summary.json"), "utf8"));
@@ -122,6 +174,51 @@ describe("part and path", () => {
     assert.equal(places.length, named.length);
     named.forEach(({ point_mm: expected }, k) =>
       expected.forEach((x, c) => assert.ok(Math.abs(x - places[k][c]) < 1e-3)));
+  });
+});
+
+describe("on a machine", () => {
+  for (const name of ["table", "head", "both"])
+    test(`part and tool meet on the machine with axes in the ${name}`, async () => {
+      const page = await open(`${name}.html`);
+      await page.check("#on-machine");
+      const { gap, tilt, turn, length } = await cut(page, (view) => {
+        const { path, origin_mm: origin } = view.content;
+        const worst = { gap: 0, tilt: 0, turn: 0, length: path.numbers.length };
+        for (let point = 0; point < worst.length; point += 7) {
+          view.show(point);
+          // The tip and the axis of the path, carried by the part, against the tool, carried by the head.
+          const tip = view.cutter.position.clone().set(...view.state.tip_mm.map((x, c) => x - origin[c]));
+          const end = view.cutter.position.clone().set(...view.state.axis).add(tip);
+          tip.applyMatrix4(view.world.matrix);
+          end.applyMatrix4(view.world.matrix).sub(tip);
+          const along = tip.clone().set(0, 0, 1).applyQuaternion(view.cutter.quaternion);
+          worst.gap = Math.max(worst.gap, tip.distanceTo(view.cutter.position));
+          worst.tilt = Math.max(worst.tilt, end.distanceTo(along));
+          worst.turn = Math.max(worst.turn, ...view.state.positions.slice(3).map(Math.abs));
+        }
+        return worst;
+      });
+      assert.ok(length > 500 && turn > 20, "the path turns the axes");
+      assert.ok(gap < 1e-6, `tips are ${gap} mm apart`);
+      assert.ok(tilt < 1e-6, `axes are ${tilt} apart`);
+      assert.deepEqual(page.faults, []);
+    });
+
+  test("the positions are those of the program", async () => {
+    const page = await open("head.html");
+    const words = readFileSync(join(folder, "head/toolpath.ngc"), "utf8").split("\n").map((line) =>
+      Object.fromEntries([...line.replace(/\(.*?\)/g, "").matchAll(/([XYZBC])(-?[\d.]+)/g)].map(([, a, x]) => [a, Number(x)])));
+    const programmed = new Set();
+    const at = {};
+    for (const line of words) {
+      Object.assign(at, line);
+      programmed.add(["X", "Y", "Z", "C", "B"].map((axis) => (at[axis] ?? 0).toFixed(3)).join());
+    }
+    const shown = await cut(page, ({ content: { path } }) =>
+      Array.from(path.numbers, (_, k) => Array.from(path.positions.subarray(5 * k, 5 * k + 5), (x) => x.toFixed(3)).join()));
+    const known = shown.filter((text) => programmed.has(text.replace(/-(0\.000)/g, "$1")) || programmed.has(text)).length;
+    assert.ok(known > 0.95 * shown.length, `${known} of ${shown.length}`);
   });
 });
 
@@ -134,7 +231,7 @@ test("sections follow the slider of planes", async () => {
     slider.dispatchEvent(new Event("input"));
   });
   const words = await page.locator(".readout").last().textContent();
-  assert.match(words, new RegExp(`plane 3 of 5.*${curves("trimmed/sections.csv")} curves? before, ${curves("trimmed/trimmed.csv")} curves? after`));
+  assert.match(words, new RegExp(`plane 3, 4 of 5, 70.000 mm across.*${curves("trimmed/sections.csv")} curves? before, ${curves("trimmed/trimmed.csv")} curves? after`));
   assert.equal(await page.locator("path.before").count(), curves("trimmed/sections.csv"));
   assert.deepEqual(page.faults, []);
 });
@@ -175,6 +272,26 @@ describe("directions", () => {
     assert.equal((await state()).cone, numbers(cells).filter((one) => reaches(17, one)).length);
     assert.deepEqual(page.faults, []);
   });
+});
+
+test("directions beyond the reach of the machine are grey and unlit", async () => {
+  const page = await open("limited/page.html");
+  await page.click("#tab-sphere");
+  const cells = await page.evaluate(() => {
+    const { sphere, reachable } = window.endmill.views.sphere;
+    const colours = sphere.geometry.getAttribute("color");
+    const materialOf = (corner) => sphere.geometry.groups.find(({ start, count }) => start <= corner && corner < start + count).materialIndex;
+    return Array.from(reachable, (isReachable, cell) => ({
+      isReachable,
+      isLit: sphere.material[materialOf(3 * cell)].type === "MeshLambertMaterial",
+      isGrey: colours.getX(3 * cell) === colours.getY(3 * cell) && colours.getX(3 * cell) === colours.getZ(3 * cell),
+    }));
+  });
+  const beyond = cells.filter(({ isReachable }) => !isReachable);
+  assert.ok(beyond.length > 10 && beyond.length < cells.length);
+  for (const { isReachable, isLit, isGrey } of cells) assert.deepEqual([isLit, isGrey], [isReachable === 1, isReachable === 0]);
+  assert.match(await page.locator("main").textContent(), /beyond the rotary limits of the machine/);
+  assert.deepEqual(page.faults, []);
 });
 
 describe("texts", () => {
@@ -220,13 +337,38 @@ describe("every screen", () => {
     }
   });
 
-  test("pictures stand in where the browser has no WebGL", async () => {
+  test("texts of sections and plots keep their size on a narrow screen", async () => {
+    for (const [name, tab] of [["trimmed.html", "sections"], ["table.html", "cut"]]) {
+      const page = await open(name, { viewport: { width: 375, height: 700 } });
+      await page.click(`#tab-${tab}`);
+      await page.waitForTimeout(300);
+      const heights = await page.locator("svg.plot text").evaluateAll((texts) => texts.map((text) => text.getBoundingClientRect().height));
+      assert.ok(heights.length > 3 && Math.min(...heights) >= 12, `${heights}`);
+      await page.setViewportSize({ width: 800, height: 700 });
+      await until(page, () => Math.abs(document.querySelector("section:not([hidden]) svg.plot").viewBox.baseVal.width - 770) < 12);
+    }
+  });
+
+  test("print shows every tab", async () => {
+    const page = await open("trimmed.html");
+    await page.evaluate(() => { window.dispatchEvent(new Event("beforeprint")); });
+    assert.deepEqual(await page.locator("main section").evaluateAll((views) => views.map((view) => view.hidden)), [false, false, false]);
+    await page.evaluate(() => { window.dispatchEvent(new Event("afterprint")); });
+    assert.equal(await page.locator("main section:not([hidden])").count(), 1);
+    assert.equal(await page.evaluate(() => window.endmill.tab), "cut");
+    assert.deepEqual(page.faults, []);
+  });
+
+  test("pictures replace views where the browser has no WebGL", async () => {
     const without = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ["--no-sandbox", "--disable-3d-apis"] });
     const page = await without.newPage();
     await page.goto(`file://${join(folder, "saddle.html")}`);
     await until(page, () => window.endmill?.isReady);
     assert.match(await page.locator("main").textContent(), /no WebGL/);
     assert.ok(await page.locator("figure img").first().evaluate((image) => image.complete && image.naturalWidth > 0));
+    await page.goto(`file://${join(folder, "table.html")}`);
+    await until(page, () => window.endmill?.isReady);
+    assert.match(await page.locator("main").textContent(), /no WebGL, and the results have no pictures/);
     await without.close();
   });
 

@@ -37,7 +37,7 @@ TEST(Base64, GivesTheVectorsOfTheStandard)
     EXPECT_EQ(base64("\xff\xfe\xfd"), "//79");
 }
 
-TEST(PageNumbers, StartsEveryArrayAtAMultipleOfFourBytes)
+TEST(PageNumbers, StartsEveryArrayAtAMultipleOfEightBytes)
 {
     PageNumbers numbers;
     const std::array<std::uint8_t, 3> bytes{1, 2, 3};
@@ -45,13 +45,17 @@ TEST(PageNumbers, StartsEveryArrayAtAMultipleOfFourBytes)
     const std::array<std::uint32_t, 1> words{7};
     EXPECT_EQ(numbers.add(bytes).offset, 0U);
     const PageArray second = numbers.add(floats);
-    EXPECT_EQ(second.offset, 4U);
+    EXPECT_EQ(second.offset, 8U);
     EXPECT_EQ(second.length, 2U);
     EXPECT_EQ(second.kind, "float32");
-    EXPECT_EQ(numbers.add(words).offset, 12U);
-    EXPECT_EQ(numbers.size(), 16U);
-    // 01 02 03 00, 1.0f = 00 00 80 3f, 2.0f = 00 00 00 40, 07 00 00 00
-    EXPECT_EQ(numbers.base64(), "AQIDAAAAgD8AAABABwAAAA==");
+    EXPECT_EQ(numbers.add(words).offset, 16U);
+    const PageArray last = numbers.add(std::array<double, 1>{1});
+    EXPECT_EQ(last.offset, 24U);
+    EXPECT_EQ(last.kind, "float64");
+    EXPECT_EQ(numbers.size(), 32U);
+    // Python's struct and base64 modules: 01 02 03, 1.0f and 2.0f, 07 00 00 00, 1.0, each filled
+    // up with zeros to a multiple of eight.
+    EXPECT_EQ(numbers.base64(), "AQIDAAAAAAAAAIA/AAAAQAcAAAAAAAAAAAAAAAAA8D8=");
 }
 
 TEST(PageHtml, PutsEachTextWhereItBelongs)

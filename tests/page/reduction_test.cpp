@@ -101,12 +101,16 @@ TEST(ReducedPath, KeepsTheEndsOfMovesAndPasses)
     EXPECT_EQ(reduced.points, (std::vector<std::size_t>{0, 999, 1499, 1599, 1999, 2999}));
 }
 
-TEST(ReducedPath, OnlyTheEndsOfRunsRemainIfTheyAreTooMany)
+TEST(ReducedPath, JoinsMovesIfTheirEndsAreTooMany)
 {
-    ToolPath path = helix(1000);
-    for (std::size_t k = 0; k < 1000; ++k)
-        path.points[k].pass = static_cast<int>(k / 2);
-    EXPECT_EQ(reduced_path(path, 10).points.size(), 501U);
+    ToolPath path = helix(5000);
+    for (std::size_t k = 0; k < path.points.size(); ++k)
+        path.points[k].move = k % 2 == 0 ? Move::Cut : Move::Link;
+    const ReducedPath reduced = reduced_path(path, 300);
+    EXPECT_TRUE(reduced.joins_moves);
+    EXPECT_LE(reduced.points.size(), 300U);
+    EXPECT_LE(greatest_distance(path, reduced), reduced.tolerance_mm * (1 + 1e-9));
+    EXPECT_FALSE(reduced_path(helix(5000), 300).joins_moves);
 }
 
 TEST(ReducedPath, TakesAPathThatDividesBadly)

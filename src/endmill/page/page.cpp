@@ -9,7 +9,7 @@
 namespace endmill {
 namespace {
 
-constexpr std::size_t alignment = 4;  // of arrays in JavaScript
+constexpr std::size_t alignment = 8;  // of arrays in JavaScript
 
 // Plain text as text of HTML, also within quotes.
 std::string escaped_text(std::string_view text)
@@ -62,6 +62,11 @@ PageArray PageNumbers::append(std::string_view kind, const void* first, std::siz
     bytes_.append(static_cast<const char*>(first), bytes);
     bytes_.append((alignment - bytes_.size() % alignment) % alignment, '\0');
     return array;
+}
+
+PageArray PageNumbers::add(std::span<const double> numbers)
+{
+    return append("float64", numbers.data(), numbers.size_bytes(), numbers.size());
 }
 
 PageArray PageNumbers::add(std::span<const float> numbers)

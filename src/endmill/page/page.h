@@ -14,14 +14,15 @@ namespace endmill {
 
 /// The place of an array in the numbers of a page.
 struct PageArray {
-    std::string_view kind;  ///< float32, uint32 or uint8, as JavaScript calls its arrays
-    std::size_t offset;     ///< bytes before it, a multiple of 4
+    std::string_view kind;  ///< float64, float32, uint32 or uint8, as in JavaScript
+    std::size_t offset;     ///< bytes before it, a multiple of 8
     std::size_t length;     ///< numbers
 };
 
 /// The arrays of a page: one block of bytes, which the page decodes at once.
 class PageNumbers {
 public:
+    PageArray add(std::span<const double> numbers);         ///< appends an array
     PageArray add(std::span<const float> numbers);          ///< appends an array
     PageArray add(std::span<const std::uint32_t> numbers);  ///< appends an array
     PageArray add(std::span<const std::uint8_t> numbers);   ///< appends an array

@@ -24,16 +24,20 @@ double squared_distance(const Vec3& point, const Vec3& from, const Vec3& to)
     return (point - from - share * along).squaredNorm();
 }
 
-// Numbers of the first points of runs, and the number of points at the end. A run is moves of
-// one kind in one pass; its lines begin at the point before it.
-std::vector<std::size_t> run_ends(const ToolPath& path)
+// What ends a run of points.
+enum class RunEnd { KindOrPass, LengthOnly };
+
+// Numbers of the points between runs, and of the first and the last point. A run is moves of one
+// kind in one pass; its lines begin at the point before it.
+std::vector<std::size_t> run_ends(const ToolPath& path, RunEnd ended_by)
 {
     std::vector<std::size_t> ends;
     const auto& points = path.points;
     for (std::size_t k = 0; k < points.size(); ++k) {
-        const bool is_last = k + 1 == points.size();
-        if (k == 0 || is_last || points[k].move != points[k + 1].move ||
-            points[k].pass != points[k + 1].pass || k - ends.back() == longest_run)
+        const bool is_outer = k == 0 || k + 1 == points.size();
+        if (is_outer || k - ends.back() == longest_run ||
+            (ended_by == RunEnd::KindOrPass && (points[k].move != points[k + 1].move ||
+                                                points[k].pass != points[k + 1].pass)))
             ends.push_back(k);
     }
     return ends;
@@ -93,7 +97,11 @@ ReducedPath reduced_path(const ToolPath& path, std::size_t most_points)
             reduced.points.push_back(k);
         return reduced;
     }
-    const std::vector<double> importance = importances(path, run_ends(path));
+    std::vector<std::size_t> ends = run_ends(path, RunEnd::KindOrPass);
+    reduced.joins_moves = ends.size() > most_points;
+    if (reduced.joins_moves)
+        ends = run_ends(path, RunEnd::LengthOnly);
+    const std::vector<double> importance = importances(path, ends);
     const double extent = extent_of(path);
     for (int power = finest; power >= 0; --power) {
         reduced.tolerance_mm = std::ldexp(extent, -power);

@@ -16,13 +16,15 @@ namespace endmill {
 struct ReducedPath {
     std::vector<std::size_t> points;  ///< numbers of points, ascending
     double tolerance_mm = 0;          ///< no tip is farther from the drawn lines
+    bool joins_moves = false;  ///< whether a line may stand for moves of several kinds
 };
 
 /// Chooses points of a path for drawing. The ends of each run of moves of one kind in one pass
 /// remain. Within a run a point is left out if the chord that replaces it stays within the
 /// tolerance (Douglas and Peucker). The tolerance is the smallest of 0 and the extent of the
-/// tips over powers of two for which at most `most_points` remain; if even the ends of the runs
-/// are more, only these remain. Runs of more than 4096 points are divided.
+/// tips over powers of two for which at most `most_points` remain. If the ends of the runs alone are
+/// more, the same is done without regard to kinds and passes. Runs of more than 4096 points are
+/// divided, so that of more than 4096 `most_points` points more than `most_points` may remain.
 /// \param path        any number of points.
 /// \param most_points at least 2.
 /// \throws DomainError if `most_points` is less than 2.

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/view_sections.h"
+
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "endmill/core/angle.h"
+#include "endmill/core/error.h"
+#include "endmill/files/csv.h"
+
+namespace endmill {
+namespace {
+
+constexpr std::size_t most_section_points = 1'000'000;
+
+// The curves of a plane, and its position across the feed, mm.
+struct Plane {
+    std::vector<std::vector<float>> curves = {};  // s, z of each point
+    std::optional<double> position = {};
+};
+
+// The direction of the feed that the summary beside the sections names.
+std::optional<Angle> feed_direction(const ViewInput& input)
+{
+    const ViewSummary* const beside = summary_beside(input, input.sections);
+    if (!beside)
+        return std::nullopt;
+    const auto found = beside->content.find("direction_deg");
+    if (found == beside->content.end() || !found->is_number())
+        return std::nullopt;
+    return Angle::degrees(found->get<double>());
+}
+
+double number_of_plane(const CsvTable& table, std::size_t row, const std::string& file)
+{
+    constexpr double most_planes = 1e7;
+    const double plane = table.number(row, "plane").value_or(-1);
+    if (!(plane >= 0 && plane < most_planes && plane == std::floor(plane)))
+        throw FormatError{"E_CSV",
+                          {shown_path(file), std::to_string(row + 2),
+                           "plane " + table.cell(row, "plane"),
+                           "a whole number from 0, below 10000000"}};
+    return plane;
+}
+
+std::map<double, Plane> planes_of(const std::string& file, const ReadLimits& limits,
+                                  const std::optional<Angle>& direction)
+{
+    const CsvTable table = read_csv(file, limits);
+    if (table.rows() > most_section_points)
+        throw LimitError{file + ": " + std::to_string(table.rows()) +
+                         " points; a page shows at most " +
+                         std::to_string(most_section_points)};
+    std::map<double, Plane> planes;
+    std::optional<double> last_curve;
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+        Plane& plane = planes[number_of_plane(table, row, file)];
+        const double curve = table.number(row, "curve").value_or(-1);
+        if (plane.curves.empty() || last_curve != curve)
+            plane.curves.emplace_back();
+        last_curve = curve;
+        for (const char* column : {"s_mm", "z_mm"})
+            plane.curves.back().push_back(
+                static_cast<float>(table.number(row, column).value_or(0)));
+        if (plane.position || !direction)
+            continue;
+        const auto x = table.number(row, "x_mm");
+        const auto y = table.number(row, "y_mm");
+        if (x && y)
+            plane.position =
+                *y * std::cos(direction->radians()) - *x * std::sin(direction->radians());
+    }
+    return planes;
+}
+
+Json curves_json(const std::vector<std::vector<float>>& curves, ViewFrame& frame)
+{
+    Json list = Json::array();
+    for (const std::vector<float>& curve : curves)
+        list.push_back(array_json(frame.numbers.add(curve)));
+    return list;
+}
+
+}  // namespace
+
+Json sections_view(const ViewInput& input, const ReadLimits& limits, ViewFrame& frame)
+{
+    const std::optional<Angle> direction = feed_direction(input);
+    std::map<double, Plane> before = planes_of(input.sections, limits, direction);
+    std::map<double, Plane> after = planes_of(input.trimmed, limits, direction);
+    for (const auto& [number, plane] : after)
+        before.try_emplace(number);
+    if (before.empty())
+        throw FormatError{"E_EMPTY",
+                          {shown_path(input.sections), "", "no curve", "a section"}};
+    Json planes = Json::array();
+    for (const auto& [number, plane] : before) {
+        const Plane& trimmed = after[number];
+        Json view{{"number", static_cast<int>(number)},
+                  {"before", curves_json(plane.curves, frame)},
+                  {"after", curves_json(trimmed.curves, frame)}};
+        if (const auto position = plane.position ? plane.position : trimmed.position)
+            view["position_mm"] = *position;
+        planes.push_back(std::move(view));
+    }
+    return {{"planes", std::move(planes)}};
+}
+
+}  // namespace endmill
