@@ -5,11 +5,13 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <set>
 #include <span>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include "cli/arguments.h"
@@ -235,6 +237,31 @@ std::vector<std::size_t> uncut_facets(const PartFile& file, const PlanOptions& o
     return all;
 }
 
+// Checks that each chosen face has facets that face the tool: others are not cut.
+void require_faces_towards_tool(const PartFile& file, const PlanOptions& options)
+{
+    const auto* mesh = std::get_if<TriangleMesh>(&file.part);
+    if (!mesh || options.axis_mode || !options.setups.empty())
+        return;
+    constexpr double least_cosine = 1e-6;  // of upright facets by rounding
+    const Vec3& axis = options.planning.link.axis;
+    std::set<int> towards;
+    for (std::size_t k = 0; k < file.face_numbers.size(); ++k) {
+        const auto [a, b, c] = mesh->corners(k);
+        const Vec3 across = (b - a).cross(c - a);
+        if (across.dot(axis) > least_cosine * across.norm())
+            towards.insert(file.face_numbers[k]);
+    }
+    for (const int face : options.faces)
+        if (!towards.contains(face))
+            throw GeometryError{fmt::format(
+                "--face {}: no triangle of this face faces the tool along {:g}, {:g}, "
+                "{:g}; "
+                "expected a face that the tool reaches from above, or another --axis or "
+                "--setup",
+                face, axis.x(), axis.y(), axis.z())};
+}
+
 // Checks that a list of facets leaves some to cut.
 void require_facets_to_cut(std::span<const std::size_t> skipped, const PartFile& file,
                            const std::string& list)
@@ -370,6 +397,8 @@ ExitCode run_plan(PlanOptions options)
     if (is_refused)
         return refuse_break(options.part.path, found, options.common);
     std::vector<std::size_t> skipped = uncut_facets(file, options);
+    if (!options.faces.empty())
+        require_faces_towards_tool(file, options);
     require_facets_to_cut(skipped, file, options.skip_facets);
     require_setup_of(file, options);
     const std::optional<TriangleMesh> numbered = mesh_for_setups(file, options);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <csignal>
 #include <numbers>
 #include <string_view>
@@ -46,9 +47,15 @@ LimitError limit_of(const fs::path& file, const std::string& what)
     return LimitError{shown_path(file) + ": " + what};
 }
 
+// mm; OpenCASCADE refuses smaller ones, and larger ones mean nothing.
+constexpr double least_chord_tolerance = 1e-6;
+constexpr double greatest_chord_tolerance = 1e6;
+
 void require_domain(const CadImportOptions& options)
 {
-    require(options.chord_tolerance_mm > 0, "import_cad: need a chord tolerance above 0");
+    require(least_chord_tolerance <= options.chord_tolerance_mm &&
+                options.chord_tolerance_mm <= greatest_chord_tolerance,
+            "import_cad: need a chord tolerance from 1e-6 to 1e6 mm");
     require(options.angle_deg > 0 && options.angle_deg < 180,
             "import_cad: need an angle between 0 and 180 degrees");
     require(options.limit_seconds > 0 && options.limit_gib > 0,
@@ -178,6 +185,9 @@ void require_program(const fs::path& program, const fs::path& file, CadFormat fo
             "libocct-modeling-algorithms-dev; scripts/setup.sh cad)"};
 }
 
+// An answer is kept behind its SHA-256 and a line end.
+constexpr std::size_t checksum_size = 64;
+
 // The answer in a cache; nothing if there is none, or if it is damaged.
 std::optional<CadPart> kept_part(const fs::path& kept, const fs::path& file,
                                  const ReadLimits& limits)
@@ -186,12 +196,56 @@ std::optional<CadPart> kept_part(const fs::path& kept, const fs::path& file,
     if (!fs::is_regular_file(kept, ignored))
         return std::nullopt;
     try {
-        return parse_cad_stream(read_file(kept, limits), file, limits);
+        const std::string content = read_file(kept, limits);
+        const std::string_view all{content};
+        if (all.size() <= checksum_size ||
+            all.substr(0, checksum_size) != content_sha256(all.substr(checksum_size + 1)))
+            return std::nullopt;
+        return parse_cad_stream(all.substr(checksum_size + 1), file, limits);
     } catch (const FormatError& error) {
         if (error.code() == "E_RANGE")
             throw;
         return std::nullopt;
     }
+}
+
+// Keeps an answer if that is possible: another run may be writing it too, and a cache only
+// saves time.
+void keep(const fs::path& kept, const std::string& answer)
+{
+    try {
+        write_file(kept, content_sha256(answer) + '\n' + answer);
+    } catch (const OutputError&) {
+    } catch (const DomainError&) {
+    }
+}
+
+// What identifies the program beside its version: another build may mesh differently.
+std::string build_of(const fs::path& program)
+{
+    std::error_code failed;
+    const auto size = fs::file_size(program, failed);
+    const auto time = fs::last_write_time(program, failed).time_since_epoch().count();
+    return failed ? std::string{} : std::to_string(size) + ' ' + std::to_string(time);
+}
+
+// Refuses an answer that has measures nobody asked for, or lacks those that were.
+CadPart answered(std::string_view answer, const fs::path& file,
+                 const CadImportOptions& options, const ReadLimits& limits)
+{
+    CadPart part = parse_cad_stream(answer, file, limits);
+    const auto is_area = [](double area) { return 0 <= area && std::isfinite(area); };
+    const bool is_asked =
+        part.measures.has_value() == options.measures &&
+        (!part.measures || (part.measures->face_areas_mm2.size() == part.faces.size() &&
+                            is_area(part.measures->area_mm2) &&
+                            std::ranges::all_of(part.measures->face_areas_mm2, is_area)));
+    if (!is_asked)
+        throw FormatError{"E_CAD",
+                          {shown_path(file), "",
+                           "the answer of endmill-cad has other measures than asked for",
+                           "areas from 0 of all faces"}};
+    return part;
 }
 
 }  // namespace
@@ -214,10 +268,13 @@ CadPart import_cad(const fs::path& program, const fs::path& file,
 {
     require_domain(options);
     const CadFormat format = known_format(file);
-    content_of(file, format, limits);
+    if (format == CadFormat::Step)
+        require_step(read_file(file, limits), file);
+    else
+        read_file(file, limits);  // its checks
     require_program(program, file, format);
-    return parse_cad_stream(answer_for(program, file, format, options, limits), file,
-                            limits);
+    return answered(answer_for(program, file, format, options, limits), file, options,
+                    limits);
 }
 
 CadPart import_cad_with_cache(const fs::path& program, const fs::path& file,
@@ -228,17 +285,22 @@ CadPart import_cad_with_cache(const fs::path& program, const fs::path& file,
     if (cache.empty())
         return import_cad(program, file, options, limits);
     const CadFormat format = known_format(file);
-    const std::string key = content_sha256(content_of(file, format, limits) + '\0' +
-                                           std::string{format_name(format)} + ' ' +
-                                           to_text(options.chord_tolerance_mm) + ' ' +
-                                           to_text(options.angle_deg) + ' ' + version);
+    const std::string before = content_sha256(content_of(file, format, limits));
+    const std::string key = content_sha256(
+        before + ' ' + std::string{format_name(format)} + ' ' +
+        to_text(options.chord_tolerance_mm) + ' ' + to_text(options.angle_deg) + ' ' +
+        version + ' ' + build_of(program));
     const fs::path kept = cache / (key + ".cad");
     if (auto part = kept_part(kept, file, limits))
         return *std::move(part);
     require_program(program, file, format);
     const std::string answer = answer_for(program, file, format, options, limits);
-    CadPart part = parse_cad_stream(answer, file, limits);
-    write_file(kept, answer);
+    CadPart part = answered(answer, file, options, limits);
+    if (content_sha256(content_of(file, format, limits)) != before)
+        throw FormatError{"E_CAD",
+                          {shown_path(file), "", "the file changed while it was imported",
+                           "a file that stays as it is"}};
+    keep(kept, answer);
     return part;
 }
 

@@ -48,7 +48,8 @@ CadPart import_cad(const std::filesystem::path& program,
 /// file, the options and the version are the same. A damaged one is made again.
 /// \param cache   folder, made if it is missing; empty: nothing is kept.
 /// \param version of the program that asks.
-/// \throws as `import_cad`; OutputError if the answer cannot be kept.
+///         An answer that cannot be kept is used all the same.
+/// \throws as `import_cad`; FormatError E_CAD if the file changes meanwhile.
 CadPart import_cad_with_cache(const std::filesystem::path& program,
                               const std::filesystem::path& file,
                               const std::filesystem::path& cache,
