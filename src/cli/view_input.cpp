@@ -5,7 +5,6 @@
 #include <array>
 #include <cctype>
 #include <fstream>
-#include <ranges>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -223,7 +222,8 @@ private:
     {
         if (!input_.toolpath.empty())
             return;
-        for (const ViewSummary& summary : std::views::reverse(input_.summaries)) {
+        for (auto at = input_.summaries.rbegin(); at != input_.summaries.rend(); ++at) {
+            const ViewSummary& summary = *at;
             const fs::path path = text_in(summary.content, "toolpath");
             if (path.empty())
                 continue;
@@ -260,8 +260,8 @@ private:
         for (const std::string& file :
              {input_.toolpath, input_.deviation, input_.visibility})
             add(summary_beside(input_, file));
-        for (const ViewSummary& summary : std::views::reverse(input_.summaries))
-            add(&summary);
+        for (auto at = input_.summaries.rbegin(); at != input_.summaries.rend(); ++at)
+            add(&*at);
         return ranked;
     }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <span>
@@ -22,6 +23,7 @@
 #include "endmill/core/error.h"
 #include "endmill/files/csv.h"
 #include "endmill/page/reduction.h"
+#include "endmill/verification/verification.h"
 
 namespace endmill {
 namespace {
@@ -235,8 +237,7 @@ std::vector<std::size_t> plotted_points(std::span<const std::vector<float>> seri
         std::ranges::copy(extremes(values, most_points_of_a_series),
                           std::back_inserter(chosen));
     std::ranges::sort(chosen);
-    const auto repeated = std::ranges::unique(chosen);
-    chosen.erase(repeated.begin(), repeated.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
     return chosen;
 }
 
