@@ -11,8 +11,8 @@
 #include <variant>
 #include <vector>
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include "cli/arguments.h"
 #include "cli/console.h"

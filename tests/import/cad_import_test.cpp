@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "endmill/import/cad_import.h"
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -165,8 +166,9 @@ TEST_F(CadImport, NeedsTheProgram)
 TEST_F(CadImport, WithCacheRunsTheProgramOnceForAFile)
 {
     const fs::path cache = folder_.path() / "cache";
+    const fs::path good = good_program();
     const auto import = [&](const char* version) {
-        return import_cad_with_cache(good_program(), file_, cache, version);
+        return import_cad_with_cache(good, file_, cache, version);
     };
     EXPECT_EQ(import("1").faces.size(), 2U);
     EXPECT_EQ(import("1").faces.size(), 2U);
@@ -177,16 +179,70 @@ TEST_F(CadImport, WithCacheRunsTheProgramOnceForAFile)
     import("1");
     EXPECT_EQ(runs(), 3);
     EXPECT_EQ(std::distance(fs::directory_iterator{cache}, {}), 3);
+    fs::last_write_time(good, fs::last_write_time(good) + std::chrono::seconds{1});
+    import("1");  // another build
+    EXPECT_EQ(runs(), 4);
 }
 
 TEST_F(CadImport, WithCacheMakesADamagedAnswerAgain)
 {
     const fs::path cache = folder_.path() / "cache";
-    import_cad_with_cache(good_program(), file_, cache, "1");
+    const fs::path good = good_program();
+    import_cad_with_cache(good, file_, cache, "1");
     for (const auto& entry : fs::directory_iterator{cache})
         fs::resize_file(entry.path(), 100);
-    EXPECT_EQ(import_cad_with_cache(good_program(), file_, cache, "1").faces.size(), 2U);
+    EXPECT_EQ(import_cad_with_cache(good, file_, cache, "1").faces.size(), 2U);
     EXPECT_EQ(runs(), 2);
+    for (const auto& entry : fs::directory_iterator{cache}) {
+        std::fstream file{entry.path(), std::ios::binary | std::ios::in | std::ios::out};
+        file.seekp(-5, std::ios::end);
+        file.put('\x01');  // of a coordinate or a number, which alone would be valid
+    }
+    EXPECT_EQ(import_cad_with_cache(good, file_, cache, "1").faces.size(), 2U);
+    EXPECT_EQ(runs(), 3);
+}
+
+TEST_F(CadImport, WithCacheKeepsNothingOfAFileThatChangesMeanwhile)
+{
+    const fs::path cache = folder_.path() / "cache";
+    const fs::path changing =
+        program("/bin/cat '" + (folder_.path() / "answer").string() +
+                "'; echo 'ISO-10303-21; changed' > '" + file_.string() + "'");
+    EXPECT_THROW(import_cad_with_cache(changing, file_, cache, "1"), FormatError);
+    EXPECT_FALSE(fs::exists(cache));
+}
+
+TEST_F(CadImport, ACacheThatCannotBeWrittenOnlyCostsTime)
+{
+    const fs::path cache = folder_.path() / "cache";
+    put(cache, "a file");
+    EXPECT_EQ(import_cad_with_cache(good_program(), file_, cache, "1").faces.size(), 2U);
+}
+
+TEST_F(CadImport, RefusesAnAnswerWithoutTheMeasuresThatWereAskedFor)
+{
+    const std::string measured = test::square_head;
+    const std::size_t begin = measured.find("\"measures\"");
+    const std::size_t end = measured.find("\"faces\"");
+    const std::string plain = measured.substr(0, begin) + measured.substr(end);
+    std::string negative = measured;
+    negative.replace(negative.find("[2, 2]"), 6, "[2,-2]");
+    CadImportOptions options;
+    options.measures = true;
+    for (const std::string& head : {plain, negative}) {
+        put(folder_.path() / "answer",
+            test::cad_answer(head, test::SquareArrays{}.bytes()));
+        EXPECT_THAT(
+            complaint("/bin/cat '" + (folder_.path() / "answer").string() + "'", options),
+            HasSubstr("lacks the areas"));
+    }
+}
+
+TEST_F(CadImport, RefusesTolerancesBeyondTheirDomain)
+{
+    for (const double tolerance : {0.0, 1e-9, 1e300})
+        EXPECT_THROW(import_cad(good_program(), file_, {.chord_tolerance_mm = tolerance}),
+                     DomainError);
 }
 
 TEST_F(CadImport, WithoutAFolderKeepsNothing)

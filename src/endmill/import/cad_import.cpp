@@ -229,22 +229,23 @@ std::string build_of(const fs::path& program)
     return failed ? std::string{} : std::to_string(size) + ' ' + std::to_string(time);
 }
 
-// Refuses an answer that has measures nobody asked for, or lacks those that were.
+// The part of an answer, with the measures that were asked for and no others.
 CadPart answered(std::string_view answer, const fs::path& file,
                  const CadImportOptions& options, const ReadLimits& limits)
 {
     CadPart part = parse_cad_stream(answer, file, limits);
+    if (!options.measures) {
+        part.measures.reset();
+        return part;
+    }
     const auto is_area = [](double area) { return 0 <= area && std::isfinite(area); };
-    const bool is_asked =
-        part.measures.has_value() == options.measures &&
-        (!part.measures || (part.measures->face_areas_mm2.size() == part.faces.size() &&
-                            is_area(part.measures->area_mm2) &&
-                            std::ranges::all_of(part.measures->face_areas_mm2, is_area)));
-    if (!is_asked)
+    if (!part.measures || part.measures->face_areas_mm2.size() != part.faces.size() ||
+        !is_area(part.measures->area_mm2) ||
+        !std::ranges::all_of(part.measures->face_areas_mm2, is_area))
         throw FormatError{"E_CAD",
                           {shown_path(file), "",
-                           "the answer of endmill-cad has other measures than asked for",
-                           "areas from 0 of all faces"}};
+                           "the answer of endmill-cad lacks the areas of the faces",
+                           "an area from 0 of each face"}};
     return part;
 }
 

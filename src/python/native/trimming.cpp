@@ -272,8 +272,8 @@ vertex: of the curve; crossing: of two segments; link: above or below a vertex; 
     module.attr("trimming_methods") = py::cast(names);
     module.def("trim_curves", &trim, py::arg("curves"), py::arg("method") = "envelope",
                py::arg("detection") = "guarded", py::arg("scan_step") = py::none(),
-               py::arg("scan_threshold") =
-                   py::none(), R"(Remove the loops from the curves of one drive plane.
+               py::arg("scan_threshold") = py::none(),
+               R"(Remove the loops from the curves of one drive plane.
 
 curves: arrays (n, 2) of s along the feed and z in mm, of the cutter's reference point; a curve
 is closed if its last point equals its first. method: one of trimming_methods. detection:
