@@ -15,7 +15,7 @@ Installs missing packages (Debian, root) and runs the tests:
      and fuzzes each reader for 3 s (scripts/fuzz.sh);
   3. runs clang-tidy on the files that changed since the merge base with origin/main, or
      on main itself since the commit before.
-It takes 27 minutes on two cores, beginning with an empty clone.
+It takes about 35 minutes on two cores, beginning with an empty clone.
 
   --all          also runs all tests under sanitizers, builds the program by the preset
                  tsan (clang, thread sanitizer) and runs every command that writes on 2
