@@ -50,7 +50,7 @@ export class SectionsView {
     const { number, position_mm: position, before, after } = this.planes[plane];
     const across = () => `, ${fixed(position, decimalsFor(10 * Math.abs(position)))} mm across the feed`;
     const place = position === undefined ? "" : across();
-    const words = `plane ${number}, ${plane + 1} of ${this.planes.length}${place}: ` +
+    const words = `plane ${number} (${plane + 1} of ${this.planes.length})${place}: ` +
       `${countOf(before)} before, ${countOf(after)} after trimming`;
     this.readout.textContent = words;
     this.picture.setAttribute("aria-label", words);

@@ -23,12 +23,14 @@ std::optional<CadFormat> cad_format(const std::filesystem::path& path);
 
 /// How a CAD file is meshed, and the limits of the program that reads it.
 struct CadImportOptions {
-    double chord_tolerance_mm = 0.01;  ///< greatest distance of the mesh from the faces
-    double angle_deg = 20;             ///< greatest angle between neighbouring chords
-    std::size_t max_faces = 100000;    ///< a file with more faces is refused
-    double limit_seconds = 60;         ///< of processor and of wall time
-    double limit_gib = 4;              ///< address space of the program
-    bool measures = false;             ///< whether `CadPart::measures` is asked for
+    /// Greatest distance of the mesh from the faces, from 1e-6 to 1e6.
+    double chord_tolerance_mm = 0.01;
+    double angle_deg =
+        20;  ///< greatest angle between neighbouring chords, within 0 and 180
+    std::size_t max_faces = 100000;  ///< a file with more faces is refused
+    double limit_seconds = 60;       ///< of processor time, and of wall time
+    double limit_gib = 4;            ///< address space of the program
+    bool measures = false;           ///< whether `CadPart::measures` is asked for
 };
 
 /// Imports a CAD file: starts `endmill-cad` with an empty environment and the limits, with the
@@ -45,10 +47,10 @@ CadPart import_cad(const std::filesystem::path& program,
                    const CadImportOptions& options = {}, const ReadLimits& limits = {});
 
 /// The same, with the answer kept in a folder. An answer that is there is used again if the
-/// file, the options and the version are the same. A damaged one is made again.
+/// file, the options, the version and the build of `endmill-cad` are the same. A damaged one, by
+/// its SHA-256, is made again. One that cannot be kept is used all the same.
 /// \param cache   folder, made if it is missing; empty: nothing is kept.
 /// \param version of the program that asks.
-///         An answer that cannot be kept is used all the same.
 /// \throws as `import_cad`; FormatError E_CAD if the file changes meanwhile.
 CadPart import_cad_with_cache(const std::filesystem::path& program,
                               const std::filesystem::path& file,

@@ -12,7 +12,7 @@
 
 namespace endmill {
 
-/// Reads an answer and checks all of it as if it were hostile: counts against its length
+/// Reads an answer and checks all of it: counts against its length
 /// before memory is allocated, indices, coordinates, knots and weights. A spline that would
 /// be no valid surface file is left out, with a note.
 /// \param bytes the whole answer.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // endmill.ToolPath: tips, axes and moves as arrays.
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -9,7 +8,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,13 +24,14 @@
 namespace endmill::python {
 namespace {
 
-// In the order of the enumeration Move.
-constexpr std::array<std::string_view, 5> move_names{"cut", "link", "rapid", "plunge",
-                                                     "retract"};
-
-std::vector<std::string> words()
+// The words of all moves, in the order of the enumeration.
+std::vector<std::string> move_words()
 {
-    return {move_names.begin(), move_names.end()};
+    std::vector<std::string> words;
+    for (const Move move :
+         {Move::Cut, Move::Link, Move::Rapid, Move::Plunge, Move::Retract})
+        words.emplace_back(move_name(move));
+    return words;
 }
 
 // Vectors that every point has, as a view.
@@ -60,7 +59,7 @@ py::object moves(const ToolPath& path)
     std::uint8_t* out = numbers.mutable_data();
     for (const PathPoint& point : path.points)
         *out++ = static_cast<std::uint8_t>(point.move);
-    return py::array{py::cast(words())}[numbers];
+    return py::array{py::cast(move_words())}[numbers];
 }
 
 // Vectors that some points have; NaN for the others.
@@ -91,9 +90,8 @@ py::array_t<double> settings(const ToolPath& path,
 
 Move move_of(const std::string& word)
 {
-    for (std::size_t k = 0; k < move_names.size(); ++k)
-        if (move_names.at(k) == word)
-            return static_cast<Move>(k);
+    if (const std::optional<Move> move = move_from_name(word))
+        return *move;
     throw DomainError{"moves: found " + word +
                       "; expected cut, link, rapid, plunge or retract"};
 }
@@ -269,7 +267,7 @@ ToolPath(tips, axes=None, moves=None, passes=None, feeds=None)
         .def("__repr__", [](const ToolPath& path) {
             return "<ToolPath of " + std::to_string(path.points.size()) + " points>";
         });
-    module.attr("move_names") = py::cast(words());
+    module.attr("move_names") = py::cast(move_words());
     module.def(
         "_read_path",
         [](const std::filesystem::path& file) {
