@@ -61,18 +61,22 @@ class FiveAxisPost(ProgramTest):
                                     cwd=self.folder), 2, "--frame joint or --frame part")
 
     @unittest.skipUnless(shutil.which("rs274"), "rs274 is not installed")
-    def test_interpreter_of_linuxcnc_accepts_the_program(self):
-        machine = MACHINES / "ca-table-table.json"
-        self.posted("--machine", machine)
+    def test_interpreter_of_linuxcnc_accepts_the_programs_of_two_kinds_of_machines(self):
+        for machine, height in (("ca-table-table", 0), ("ca-head-head", 180)):
+            with self.subTest(machine):
+                self.interpreted(MACHINES / f"{machine}.json", "--clamp", f"0,0,{height}")
+
+    def interpreted(self, machine, *clamp):
+        self.posted("--machine", machine, *clamp)
         tools = self.file("T1 P1 D0.3937 Z0.0 ;ball\n", "tool.tbl")
         done = subprocess.run(["rs274", "-g", "-t", tools, "out/dome.ngc"], cwd=self.folder, capture_output=True,
                               text=True, check=False, stdin=subprocess.DEVNULL)
         self.assertEqual(done.returncode, 0, done.stdout[-300:])
         canonical = self.file(done.stdout, "canonical.txt")
-        read = self.summary("post", canonical, "--machine", machine, "--frame", "joint", "--tool", TOOL, "--format",
-                            "apt", "-o", "canonical")
-        direct = self.summary("post", "out/dome.ngc", "--machine", machine, "--frame", "joint", "--tool", TOOL,
-                              "--format", "apt", "-o", "direct")
+        read = self.summary("post", canonical, "--machine", machine, *clamp, "--frame", "joint", "--tool", TOOL, "--format",
+                            "apt", "-o", "canonical", "--force")
+        direct = self.summary("post", "out/dome.ngc", "--machine", machine, *clamp, "--frame", "joint", "--tool", TOOL,
+                              "--format", "apt", "-o", "direct", "--force")
         self.assertAlmostEqual(read["cut_mm"], direct["cut_mm"], delta=0.01)
         self.assertAlmostEqual(read["time_min"], direct["time_min"], delta=1e-3 * direct["time_min"])
 

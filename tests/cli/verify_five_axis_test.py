@@ -87,6 +87,26 @@ class VerifyFiveAxis(ProgramTest):
         self.assertGreaterEqual(facts["max_scallop_mm"] + facts["scallop_bound_mm"], 5 - math.sqrt(24))
         self.assertAlmostEqual(facts["max_scallop_at"]["point_mm"][1], 12, delta=0.5)
 
+    def test_a_posted_program_read_back_has_the_verdict_of_its_path(self):
+        machines = ROOT / "datasets/machines"
+        for name, content, verdict in (("clean", passes(range(31)), "clean"),
+                                       ("dipped", passes(range(31), dip=15), "gouged"),
+                                       ("skipped", passes([y for y in range(31) if y != 15]), "uncut")):
+            status = 0 if verdict == "clean" else 1
+            self.assertEqual(self.verify(content, status=status, out="path")["verdict"], verdict)
+            for machine, height in (("ca-table-table", 0), ("ca-head-head", 180)):
+                with self.subTest(name=name, machine=machine):
+                    made = endmill("post", self.file(content, "p.csv"), "--cutter", "ball:10", "--feed", 900,
+                                   "--machine", machines / f"{machine}.json", "--clamp", f"0,0,{height}",
+                                   "--tolerance", 0.001, "--decimals", 6, "--angle-decimals", 6, "--force",
+                                   "-o", "code", cwd=self.folder)
+                    self.assertEqual(made.returncode, 0, made.stderr)
+                    # 0.01 of the path and 0.001 of the program
+                    done = endmill("verify", "code/p.ngc", "--part", self.file(plane()), "--resolution", 0.5,
+                                   "--scallop", 0.05, "--tolerance", 0.011, "--force", "--json", "-o", "back",
+                                   cwd=self.folder)
+                    self.assertEqual(json.loads(done.stdout)["verdict"], verdict, done.stderr)
+
     def test_rapid_through_the_stock_is_found(self):
         facts = self.verify(passes(range(31), rapid=0), status=1)
         self.assertEqual((facts["verdict"], facts["rapid_cuts"], facts["first_of_rapid_cuts"]), ("gouged", 1, 16))

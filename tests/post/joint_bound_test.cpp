@@ -17,7 +17,7 @@ TEST(JointBound, HoldsForTheMotionOfTheTip)
 {
     test::Random random{21};
     double closest = 0;
-    for (int k = 0; k < 3000; ++k) {
+    for (int k = 0; k < 10000; ++k) {
         const PartOnMachine setup = test::random_part_on_machine(random, k % 2 == 0);
         const AxisPositions from = test::random_positions(random, 3);
         AxisPositions to = from;

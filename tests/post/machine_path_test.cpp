@@ -166,6 +166,28 @@ TEST(MachinePath, DividesAMoveByTheToleranceOfTheTip)
     EXPECT_NEAR(tip, 0.190265095, 1e-6);
     EXPECT_NEAR(degrees(axis), 0.094498594, 1e-6);
     EXPECT_GE(whole.report.max_tip_error_mm, tip);
+    // Seven even pieces keep 0.005 mm, six do not; halving makes eight.
+    const auto worst_of_pieces = [&](int count) {
+        double worst = 0;
+        for (int piece = 0; piece < count; ++piece) {
+            // The tip stands still in the part at the ends of each piece.
+            const auto at_end = [&](double share) {
+                AxisPositions at = test::between(ends[0], ends[1], share);
+                at.xyz = axis_positions(setup, at.rotary, {50, 0, 0}).xyz;
+                return at;
+            };
+            const AxisPositions from = at_end(piece / static_cast<double>(count));
+            const AxisPositions to = at_end((piece + 1) / static_cast<double>(count));
+            for (int i = 0; i <= 100; ++i)
+                worst = std::max(
+                    worst, (tool_location(setup, test::between(from, to, i / 100.0)).tip -
+                            Vec3{50, 0, 0})
+                               .norm());
+        }
+        return worst;
+    };
+    EXPECT_LE(worst_of_pieces(7), 0.005);
+    EXPECT_GT(worst_of_pieces(6), 0.005);
     options.tolerance = 0.005;
     EXPECT_EQ(machine_path(path, setup, options).report.pieces, 8U);
 }
