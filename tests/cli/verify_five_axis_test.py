@@ -107,6 +107,23 @@ class VerifyFiveAxis(ProgramTest):
                                    cwd=self.folder)
                     self.assertEqual(json.loads(done.stdout)["verdict"], verdict, done.stderr)
 
+    def test_one_block_of_a_turning_table_cuts_a_ring(self):
+        # A ball of radius 5 mm, 1 mm deep at 20 mm from the axis of C: its section by the circle. With a quarter turn
+        # half a cap at each end.
+        section = 25 * math.acos(0.8) - 4 * 3
+        cap = math.pi * (5 - 1 / 3)
+        # The tip describes the circle of radius 20 mm, and so does the middle of each section.
+        for turn, volume in ((360, 2 * math.pi * 20 * section), (90, 0.5 * math.pi * 20 * section + cap)):
+            program = self.file("G21 G90 G94 G17\nS1000 M3\nG0 Z10 A0 C0\nG0 X20 Y0\nG1 Z-1 F100\n"
+                                f"G93 G1 C{turn} F1\nG94 G0 Z10\nM2\n", f"ring{turn}.ngc")
+            done = endmill("verify", program, "--part", "none", "--machine", "W/caxyBz/T", "--frame", "joint",
+                           "--cutter", "ball:10", "--stock=-27,-27,-2,27,27,0", "--resolution", 0.2, "--json",
+                           "-o", f"ring{turn}", cwd=self.folder)
+            facts = json.loads(done.stdout)
+            error = facts["removed_bound_mm3"] + facts["removed_spread_mm3"]
+            self.assertAlmostEqual(facts["removed_mm3"], volume, delta=error)
+            self.assertLess(error, 0.01 * volume)
+
     def test_rapid_through_the_stock_is_found(self):
         facts = self.verify(passes(range(31), rapid=0), status=1)
         self.assertEqual((facts["verdict"], facts["rapid_cuts"], facts["first_of_rapid_cuts"]), ("gouged", 1, 16))
