@@ -130,8 +130,17 @@ def assembly():
     with_styles("assembly.step", {6: ("top", ORANGE), 7: ("shaft", GREY)})
 
 
+def tray():
+    """A block of 60 by 40 by 20 mm with a pocket, whose corners are rounded by 5 mm, and an oblique hole of 8 mm through the floor."""
+    hole = Part.makeBox(40, 20, 10, Vector(10, 10, 12))
+    hole = hole.makeFillet(5, [edge for edge in hole.Edges if abs(edge.tangentAt(edge.FirstParameter).z) > 0.999])
+    drill = Part.makeCylinder(4, 60, Vector(30, 20, 12) - Vector(15, 0, 20), Vector(3, 0, 4))
+    return Part.makeBox(60, 40, 20).cut(hole).cut(drill)
+
+
 export(mould(), "mould", iges=True)
 export(primitives(), "primitives", iges=True)
 export(pillow(), "pillow", iges=True)
 bracket_in_inches()
 assembly()
+export(tray(), "tray", iges=False)

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <BRepAdaptor_Surface.hxx>
+#include <BRepLProp_SLProps.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <Geom2d_Curve.hxx>
@@ -17,6 +19,7 @@
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_SweptSurface.hxx>
 #include <Geom_TrimmedCurve.hxx>
+#include <Poly_Triangulation.hxx>
 #include <Standard_Failure.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
@@ -227,6 +230,50 @@ Handle(Geom_BSplineSurface) whole_surface(const TopoDS_Face& face)
     } catch (const Standard_Failure&) {
         return {};
     }
+}
+
+std::optional<FaceBalls> balls_at_mesh(const TopoDS_Face& face)
+{
+    TopLoc_Location place;
+    const Handle(Poly_Triangulation)& mesh = BRep_Tool::Triangulation(face, place);
+    if (mesh.IsNull() || !mesh->HasUVNodes())
+        return std::nullopt;
+    const BRepAdaptor_Surface surface{face};
+    constexpr int second_derivatives = 2;
+    BRepLProp_SLProps at{surface, second_derivatives, Precision::Confusion()};
+    bool is_known = false;
+    double greatest = 0;  // curvature towards du x dv, 1/mm
+    double least = 0;     // the same of the most convex place
+    const auto look = [&](const gp_XY& parameters) {
+        at.SetParameters(parameters.X(), parameters.Y());
+        if (!at.IsCurvatureDefined())
+            return;
+        is_known = true;
+        greatest = std::max(greatest, at.MaxCurvature());
+        least = std::min(least, at.MinCurvature());
+    };
+    for (int i = 1; i <= mesh->NbNodes(); ++i)
+        look(mesh->UVNode(i).XY());
+    for (int i = 1; i <= mesh->NbTriangles(); ++i) {
+        int a = 0;
+        int b = 0;
+        int c = 0;
+        mesh->Triangle(i).Get(a, b, c);
+        look((mesh->UVNode(a).XY() + mesh->UVNode(b).XY() + mesh->UVNode(c).XY()) /
+             3);
+    }
+    if (!is_known)
+        return std::nullopt;
+    constexpr double flat = 1e-9;  // 1/mm, by rounding
+    const auto radius = [](double curvature) {
+        return curvature > flat ? std::optional{1 / curvature} : std::nullopt;
+    };
+    FaceBalls balls{radius(greatest), radius(-least)};
+    const bool is_reversed = (face.Orientation() == TopAbs_REVERSED) !=
+                             place.Transformation().IsNegative();
+    if (is_reversed)
+        std::swap(balls.outside, balls.inside);
+    return balls;
 }
 
 }  // namespace endmill::cad

@@ -22,4 +22,15 @@ bool is_trimmed(const TopoDS_Face& face);
 /// \return null if the kind has no exact spline, or if OpenCASCADE does not find it.
 Handle(Geom_BSplineSurface) whole_surface(const TopoDS_Face& face);
 
+/// Largest balls that the curvature of a face admits, mm; nothing where it sets no limit.
+struct FaceBalls {
+    std::optional<double> outside;  ///< on the side that the orientation of the face tells
+    std::optional<double> inside;   ///< on the other side
+};
+
+/// The largest balls for a face, by its curvature at the points of its triangulation and at the
+/// middles of its triangles. Between them a NURBS face may be more curved.
+/// \return nothing if the face has no triangulation or no curvature at any of these points.
+std::optional<FaceBalls> balls_at_mesh(const TopoDS_Face& face);
+
 }  // namespace endmill::cad

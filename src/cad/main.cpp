@@ -16,6 +16,7 @@
 #include <cstring>
 #include <exception>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -176,18 +177,31 @@ Json face_head(const ModelFace& face, std::vector<double>& numbers)
     return head;
 }
 
-// The area of each face; volume and centre of mass of the solids, or without solids the
+// The radii of the largest balls outside and inside a trimmed face, 0 without limit; an empty
+// array for other faces.
+Json balls_head(const TopoDS_Face& face)
+{
+    const std::optional<FaceBalls> balls =
+        is_trimmed(face) ? balls_at_mesh(face) : std::nullopt;
+    if (!balls)
+        return Json::array();
+    return {balls->outside.value_or(0), balls->inside.value_or(0)};
+}
+
+// The area of each face and the largest balls for a trimmed one; volume and centre of mass of the solids, or without solids the
 // centre of the faces.
 Json measures(const Model& model, int solids)
 {
     GProp_GProps whole;
     double area = 0;
     Json areas = Json::array();
+    Json balls = Json::array();
     for (const ModelFace& face : model.faces) {
         GProp_GProps of_face;
         BRepGProp::SurfaceProperties(face.face, of_face);
         areas.push_back(of_face.Mass());
         area += of_face.Mass();
+        balls.push_back(balls_head(face.face));
         if (solids == 0)
             whole.Add(of_face);
     }
@@ -195,6 +209,7 @@ Json measures(const Model& model, int solids)
         BRepGProp::VolumeProperties(model.shape, whole);
     const gp_Pnt centre = whole.CentreOfMass();
     Json head{{"face_areas_mm2", std::move(areas)},
+              {"trimmed_balls_mm", std::move(balls)},
               {"area_mm2", area},
               {"centre_mm", {centre.X(), centre.Y(), centre.Z()}}};
     if (solids > 0)

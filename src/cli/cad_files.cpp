@@ -47,14 +47,18 @@ void add_face_option(CLI::App& command, std::vector<int>& faces, const std::stri
     const auto take = [&faces](const std::vector<std::string>& words) {
         faces.clear();
         for (const std::string& word : words)
-            faces.push_back(whole_number_argument("--face", word, 1,
-                                                  std::numeric_limits<int>::max()));
+            for (std::size_t begin = 0; begin <= word.size();) {
+                const std::size_t end = std::min(word.find(',', begin), word.size());
+                faces.push_back(
+                    whole_number_argument("--face", word.substr(begin, end - begin), 1,
+                                          std::numeric_limits<int>::max()));
+                begin = end + 1;
+            }
         std::ranges::sort(faces);
         faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     };
     command.add_option_function<std::vector<std::string>>("--face", take, help)
-        ->type_name("N,...")
-        ->delimiter(',');
+        ->type_name("N,...");
 }
 
 }  // namespace endmill

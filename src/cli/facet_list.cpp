@@ -83,17 +83,6 @@ std::vector<std::size_t> facets_of_other_faces(std::span<const int> chosen,
     return others;
 }
 
-void name_cut_facets(Json& summary, const std::string& list, std::span<const int> faces,
-                     std::size_t count, const std::filesystem::path& folder)
-{
-    if (!list.empty())
-        name_part(summary, {list}, folder, "skip_facets");
-    if (!faces.empty())
-        summary["cut_faces"] = std::vector<int>(faces.begin(), faces.end());
-    if (!list.empty() || !faces.empty())
-        summary["skipped"] = count;
-}
-
 std::vector<std::size_t> facets_in_mesh(std::span<const std::size_t> facets,
                                         const PartFile& part)
 {

@@ -34,12 +34,6 @@ std::vector<std::size_t> facets_of_other_faces(std::span<const int> chosen,
                                                const PartFile& part,
                                                const std::string& file);
 
-/// Adds the facets that a plan leaves uncut to its summary: skip_facets, cut_faces and skipped.
-/// \param list as in skipped_facets. \param faces the chosen faces; empty: all.
-/// \param count of uncut facets. \param folder of the summary.
-void name_cut_facets(Json& summary, const std::string& list, std::span<const int> faces,
-                     std::size_t count, const std::filesystem::path& folder);
-
 /// The numbers that these facets of the file have in the mesh of the part; degenerate ones
 /// are left out.
 std::vector<std::size_t> facets_in_mesh(std::span<const std::size_t> facets,

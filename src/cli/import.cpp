@@ -52,16 +52,33 @@ std::string surface_name(std::size_t face)
     return "surfaces/face-" + std::to_string(face + 1) + ".json";
 }
 
-// The largest ball for a face with a surface, by its curvature, in words and as a radius.
+// The largest ball for a face by its curvature, in words and as a radius.
 struct FaceBall {
     std::string limit = "unknown";      // or limited or unlimited
     std::optional<double> radius = {};  // mm
 };
 
-FaceBall largest_ball(const CadPart& part, const CadFace& face)
+// The same of a trimmed face, on the side of the tool.
+FaceBall ball_of_trimmed(const CadPart& part, std::size_t number)
 {
-    if (!face.surface)
+    const auto& balls = part.measures->trimmed_balls[number];
+    if (!balls)
         return {};
+    double rise = 0;  // twice the area of the face seen from above
+    for (std::size_t k = 0; part.solids == 0 && k < part.triangle_faces.size(); ++k)
+        if (static_cast<std::size_t>(part.triangle_faces[k]) == number) {
+            const auto [a, b, c] = part.mesh.corners(k);
+            rise += (b - a).cross(c - a).z();
+        }
+    const auto& limit = rise < 0 ? balls->inside : balls->outside;
+    return limit ? FaceBall{"limited", limit} : FaceBall{"unlimited"};
+}
+
+FaceBall largest_ball(const CadPart& part, std::size_t number)
+{
+    const CadFace& face = part.faces[number];
+    if (!face.surface)
+        return ball_of_trimmed(part, number);
     if (face.kind == "plane")
         return {"unlimited"};
     const Surface surface = nurbs_surface(*face.surface, tool_side(part, face));
@@ -89,7 +106,7 @@ std::string faces_csv(const CadPart& part, std::span<const std::size_t> faces)
     std::vector<FaceBall> balls(faces.size());
     parallel_for(faces.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k)
-            balls[k] = largest_ball(part, part.faces[faces[k]]);
+            balls[k] = largest_ball(part, faces[k]);
     });
     CsvTable table{{"face", "kind", "area_mm2", "trimmed", "surface", "ball",
                     "max_cutter_radius_local_mm", "colour", "name"}};

@@ -237,7 +237,8 @@ std::vector<std::size_t> uncut_facets(const PartFile& file, const PlanOptions& o
     return all;
 }
 
-// Checks that each chosen face has facets that face the tool: others are not cut.
+// Checks that each chosen face has facets that face the tool. Says how much of these faces is
+// upright or faces away: it is neither cut nor judged.
 void require_faces_towards_tool(const PartFile& file, const PlanOptions& options)
 {
     const auto* mesh = std::get_if<TriangleMesh>(&file.part);
@@ -246,11 +247,14 @@ void require_faces_towards_tool(const PartFile& file, const PlanOptions& options
     constexpr double least_cosine = 1e-6;  // of upright facets by rounding
     const Vec3& axis = options.planning.link.axis;
     std::set<int> towards;
+    double left_mm2 = 0;
     for (std::size_t k = 0; k < file.face_numbers.size(); ++k) {
         const auto [a, b, c] = mesh->corners(k);
         const Vec3 across = (b - a).cross(c - a);
         if (across.dot(axis) > least_cosine * across.norm())
             towards.insert(file.face_numbers[k]);
+        else if (std::ranges::binary_search(options.faces, file.face_numbers[k]))
+            left_mm2 += across.norm() / 2;
     }
     for (const int face : options.faces)
         if (!towards.contains(face))
@@ -260,6 +264,11 @@ void require_faces_towards_tool(const PartFile& file, const PlanOptions& options
                 "expected a face that the tool reaches from above, or another --axis or "
                 "--setup",
                 face, axis.x(), axis.y(), axis.z())};
+    if (left_mm2 > 0)
+        warn(options.common,
+             fmt::format("{} mm2 of the chosen faces are upright or face away from the "
+                         "tool; they are neither cut nor judged",
+                         shown(left_mm2)));
 }
 
 // Checks that a list of facets leaves some to cut.

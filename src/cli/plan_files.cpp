@@ -233,6 +233,21 @@ std::optional<KnownGouge> known_gouge(std::span<const DirectionResult> results)
 
 }  // namespace
 
+void name_cut_facets(Json& summary, const PlanTask& task,
+                     const std::filesystem::path& folder)
+{
+    const PlanOptions& options = task.options;
+    if (options.skip_facets.empty() && options.faces.empty())
+        return;
+    if (!options.skip_facets.empty())
+        name_part(summary, {options.skip_facets}, folder, "skip_facets");
+    if (!options.faces.empty())
+        summary["cut_faces"] = options.faces;
+    summary["skipped"] = task.skipped.size();
+    summary["part_sha256"] =
+        content_sha256(read_file(options.part.path, options.common.limits));
+}
+
 void replace_earlier_plans(OutputFolder& folder)
 {
     for (const std::string prefix : {"", "u/", "v/"})

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -44,6 +45,12 @@ struct PlanResult {
     /// Whether the verdict on a path by a strategy is not "clean".
     bool is_undecided = false;
 };
+
+/// Adds the facets that a plan leaves uncut to its summary: skip_facets, cut_faces, skipped, and
+/// the part_sha256 of the file whose facets and faces these are. Nothing if all are cut.
+/// \param folder of the summary.
+void name_cut_facets(Json& summary, const PlanTask& task,
+                     const std::filesystem::path& folder);
 
 /// Removes the files of an earlier plan from `folder`, so that none is mistaken for a file of
 /// this run.

@@ -251,8 +251,7 @@ PlanResult write_oriented_plan(const PlanTask& task, OutputFolder& folder)
     name_part(summary, task.options.part, folder.path());
     if (!task.options.setup.empty())
         name_part(summary, {task.options.setup}, folder.path(), "setup");
-    name_cut_facets(summary, task.options.skip_facets, task.options.faces,
-                    task.skipped.size(), folder.path());
+    name_cut_facets(summary, task, folder.path());
     const std::string table = tool_path_csv(tool_path);
     identify_path(summary, tool_path.points.size(), content_sha256(table));
     folder.write("toolpath.csv", table);

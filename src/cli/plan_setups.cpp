@@ -161,8 +161,7 @@ PlanResult write_setups_plan(const PlanTask& task, const TriangleMesh& mesh,
     summary["path"]["points"] = plan.path.points.size();
     name_part(summary, options.part, folder.path());
     name_part(summary, {options.setups}, folder.path(), "setup_summary");
-    name_cut_facets(summary, options.skip_facets, options.faces, task.skipped.size(),
-                    folder.path());
+    name_cut_facets(summary, task, folder.path());
     const std::string table = tool_path_csv(plan.path);
     identify_path(summary, plan.path.points.size(), content_sha256(table));
     folder.write("toolpath.csv", table);

@@ -462,8 +462,7 @@ void name_inputs(Json& summary, const PlanTask& task, const OutputFolder& folder
     const PlanOptions& options = task.options;
     if (!options.guard.path.empty())
         name_protected_part(summary, options.guard, folder.path(), options.common.limits);
-    name_cut_facets(summary, options.skip_facets, options.faces, task.skipped.size(),
-                    folder.path());
+    name_cut_facets(summary, task, folder.path());
     if (!options.setup.empty())
         name_part(summary, {options.setup}, folder.path(), "setup");
 }

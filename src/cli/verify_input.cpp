@@ -299,6 +299,20 @@ void add_guard(VerifyInput& input, const VerifyOptions& options, const PathSumma
     input.guard_path = file->path;
 }
 
+// Refuses a part whose facets and faces may have other numbers than when the path was planned.
+void require_part_as_planned(const VerifyInput& input, const VerifyOptions& options,
+                             const PathSummary& known)
+{
+    if (!known.part_sha256 ||
+        *known.part_sha256 ==
+            content_sha256(read_file(input.part_path, options.common.limits)))
+        return;
+    throw DomainError{printable(input.part_path) +
+                      ": its content changed since the path was planned (part_sha256 of "
+                      "the summary), so that the facets left uncut are not known; expected "
+                      "the same file, or --part and --skip-facets"};
+}
+
 // Adds the facets whose remaining stock is not judged: those of --skip-facets, or else those
 // that the path was planned to leave by a list or by its faces.
 void add_skipped(VerifyInput& input, const VerifyOptions& options,
@@ -306,6 +320,8 @@ void add_skipped(VerifyInput& input, const VerifyOptions& options,
 {
     if (options.skip_facets == no_part || !input.part)
         return;
+    if (options.skip_facets.empty() && options.part.path.empty())
+        require_part_as_planned(input, options, known);
     input.skip_file = options.skip_facets;
     if (input.skip_file.empty() && options.part.path.empty() && known.skipped_facets)
         input.skip_file = known.skipped_facets->lexically_normal().string();

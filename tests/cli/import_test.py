@@ -221,6 +221,21 @@ class Import(CadTest):
         for hole in holes:
             self.assertAlmostEqual(float(hole["max_cutter_radius_local_mm"]), 25.4 / 4, delta=1e-6)
 
+    def test_largest_balls_of_trimmed_faces(self):
+        # the top is the height 2 sin(x / 12) cos(y / 15), whose troughs have the radius 72 mm, through points 5 mm apart; the edges are
+        # rounded by 6 mm
+        for name in ("mould.step", "mould.iges"):
+            faces = self.faces(CAD / name)
+            self.assertEqual({face["ball"] for face in faces if face["kind"] != "nurbs"}, {"unlimited"})
+            top = next(face for face in faces if face["kind"] == "nurbs")
+            self.assertAlmostEqual(float(top["max_cutter_radius_local_mm"]), 72, delta=1.5)
+        # an oblique hole of radius 4
+        _, facts, faces = self.imported(CAD / "tray.step")
+        self.assertAlmostEqual(facts["of_faces"]["volume_mm3"], 42400 - 440 * math.pi, delta=0.5)
+        hole = [face for face in faces if face["kind"] == "cylinder" and face["trimmed"] == "yes"]
+        self.assertEqual([face["ball"] for face in hole], ["limited"])
+        self.assertAlmostEqual(float(hole[0]["max_cutter_radius_local_mm"]), 4, delta=1e-6)
+
     def test_mesh_reads_back_with_its_face_numbers(self):
         folder, facts, _ = self.imported(CAD / "mould.step", "--chord-tolerance", 0.1)
         back = self.summary("info", folder / "mesh.ply")
@@ -264,6 +279,25 @@ def as_shell(text, only=None):
     return re.sub(r"CLOSED_SHELL\('',\([^)]*\)\)", f"OPEN_SHELL('',({','.join([faces[only - 1]] if only else faces)}))", text)
 
 
+def pocket(upright_with_floor=False):
+    """A mesh file (PLY) of a block of 60 by 40 by 20 mm with a pocket of 40 by 20 by 8 mm. Faces: 1 bottom, 2 to 5 outer sides, 6 top,
+    7 to 10 sides of the pocket, 11 its floor, with the side at y = 10 if wanted."""
+    block, hole, floor, top = ((0, 0), (60, 0), (60, 40), (0, 40)), ((10, 10), (50, 10), (50, 30), (10, 30)), 12, 20
+    quads = [([(*corner, 0) for corner in reversed(block)], 1), ([(*corner, floor) for corner in hole], 11)]
+    for k in range(4):
+        after = (k + 1) % 4
+        quads.append(([(*block[k], 0), (*block[after], 0), (*block[after], top), (*block[k], top)], 2 + k))
+        quads.append(([(*block[k], top), (*block[after], top), (*hole[after], top), (*hole[k], top)], 6))
+        side = 11 if upright_with_floor and k == 0 else 7 + k
+        quads.append(([(*hole[k], top), (*hole[after], top), (*hole[after], floor), (*hole[k], floor)], side))
+    points = sorted({corner for quad, _ in quads for corner in quad})
+    triangles = [([quad[0], quad[m], quad[m + 1]], face) for quad, face in quads for m in (1, 2)]
+    return "\n".join(["ply", "format ascii 1.0", f"element vertex {len(points)}", *(f"property double {axis}" for axis in "xyz"),
+                      f"element face {len(triangles)}", "property list uchar int vertex_indices", "property int face_number", "end_header",
+                      *(" ".join(map(str, point)) for point in points),
+                      *(f"3 {' '.join(str(points.index(corner)) for corner in triangle)} {face}" for triangle, face in triangles)]) + "\n"
+
+
 def triangle_area(a, b, c):
     u, v = [b[k] - a[k] for k in range(3)], [c[k] - a[k] for k in range(3)]
     return math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2
@@ -300,6 +334,49 @@ class PartsOfCommands(CadTest):
                      "--feed", 2000, "-o", "again")
         for name in ("toolpath.csv", "toolpath.vtp"):
             self.assertEqual((self.folder / "again" / name).read_bytes(), (self.folder / "plan" / name).read_bytes())
+
+    def test_floor_of_a_pocket_is_cut_by_every_strategy(self):
+        # the floor is two triangles whose corners the ball cannot reach: a ball of radius 3 reaches 34 by 14 mm of its 40 by 20 mm
+        part = self.file(pocket(), "pocket.ply")
+        for strategy in ("best", "planar", "iso-scallop", "field"):
+            facts = self.summary("plan", part, "--face", 11, "--cutter", "ball:6", "--scallop", 0.1, "--strategy", strategy, "-o", strategy)
+            self.assertEqual(facts["verdict"], "clean", strategy)
+            self.assertAlmostEqual(facts["unreached_mm2"], 40 * 20 - 34 * 14, delta=20, msg=strategy)
+            with (self.folder / strategy / "toolpath.csv").open() as file:
+                cuts = [row for row in csv.DictReader(file) if row["move"] == "cut"]
+            for row in cuts:
+                self.assertAlmostEqual(float(row["tip_z_mm"]), 12, delta=0.12)
+                self.assertTrue(13 <= float(row["tip_x_mm"]) <= 47 and 13 <= float(row["tip_y_mm"]) <= 27, (strategy, row))
+
+    def test_what_chosen_faces_leave_is_said(self):
+        part = self.file(pocket(upright_with_floor=True), "pocket.ply")
+        run = self.run_plan_of_floor(part)
+        self.assertIn("warning: 320 mm2 of the chosen faces are upright or face away from the tool; they are neither cut nor judged",
+                      run.stderr)
+        self.assertNotIn("chosen faces", self.run_plan_of_floor(self.file(pocket(), "plain.ply")).stderr)
+
+    def run_plan_of_floor(self, part):
+        run = endmill("plan", part, "--face", 11, "--cutter", "ball:6", "--scallop", 0.2, "--strategy", "field", "--force", "-o",
+                      self.folder / "floor")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run
+
+    def test_part_that_changed_since_its_faces_were_chosen_is_refused(self):
+        part = self.file(pocket(), "pocket.ply")
+        self.run_plan_of_floor(part)
+        self.summary("verify", "floor/toolpath.csv", "-o", "seen")
+        part.write_text(part.read_text() + "\n")
+        refused = endmill("verify", "floor/toolpath.csv", "-o", "again", cwd=self.folder)
+        self.assert_refused(refused, 2, "part_sha256")
+        self.assertFalse((self.folder / "again").exists())
+        # the sides of the pocket now count
+        seen = self.summary("verify", "floor/toolpath.csv", "--part", part, "-o", "again", status=1)
+        self.assertNotIn("cut_faces", seen)
+
+    def test_faces_are_whole_numbers_between_commas(self):
+        for words in (["1,,2"], ["1,"], [","], ["", "1"], ["1", "2,"]):
+            self.assert_refused(endmill("plan", CAD / "mould.step", "--cutter", "ball:6", "-o", self.folder / "no", "--face", *words), 2,
+                                'found ""')
 
     def test_uncut_faces_are_protected(self):
         # the floor of the plate lies around the pins, whose sides would be gouged by passes across them

@@ -27,7 +27,8 @@ inline std::string cad_answer(const std::string& head, const std::string& arrays
 /// The head of a square of two faces, each a triangle; the first face is a bilinear spline.
 inline const std::string square_head =
     R"({"unit": "INCH", "sewn": false, "lost_faces": 0, "solids": 0, "shells": 1, "points": 4, "triangles": 2,
-        "unmeshed": [], "measures": {"face_areas_mm2": [2, 2], "area_mm2": 4,
+        "unmeshed": [], "measures": {"face_areas_mm2": [2, 2],
+        "trimmed_balls_mm": [[], [0, 7.5]], "area_mm2": 4,
         "centre_mm": [1, 1, 0]}, "faces": [
         {"kind": "nurbs", "trimmed": false, "reversed": false, "name": "floor",
          "colour": "#ff8000", "surface": {"degree_u": 1, "degree_v": 1, "points_u": 2,

@@ -66,6 +66,10 @@ TEST(CadStream, HasMeshFacesAndSurfaces)
     EXPECT_EQ(part.measures->volume_mm3, std::nullopt);
     EXPECT_EQ(part.measures->centre_mm, Vec3(1, 1, 0));
     EXPECT_THAT(part.measures->face_areas_mm2, ElementsAre(2, 2));
+    EXPECT_FALSE(part.measures->trimmed_balls[0]);
+    ASSERT_TRUE(part.measures->trimmed_balls[1]);
+    EXPECT_EQ(part.measures->trimmed_balls[1]->outside, std::nullopt);
+    EXPECT_EQ(part.measures->trimmed_balls[1]->inside, 7.5);
     EXPECT_EQ(part.mesh.points()[2], Vec3(2, 2, 0));
     EXPECT_EQ(part.mesh.triangles()[1], (Triangle{0, 2, 3}));
     EXPECT_THAT(part.triangle_faces, ElementsAre(0, 1));

@@ -168,6 +168,8 @@ struct PathSummary {
     std::optional<std::filesystem::path> skipped_facets = {};
     /// The faces that the path cuts, from 1; empty: all.
     std::vector<int> cut_faces = {};
+    /// `content_sha256` of the part whose facets or faces these are.
+    std::optional<std::string> part_sha256 = {};
 
     /// The smallest of the three tolerances, without an outer one of 0: the scallop height then
     /// limits all remaining stock. Nothing if none is known.

@@ -260,7 +260,8 @@ std::optional<PathSummary> read_path_summary(const std::filesystem::path& tool_p
                        part(root, "protected", tool_path.parent_path()),
                        machine(root),
                        file_beside(root, "skip_facets", tool_path.parent_path()),
-                       cut_faces(root)};
+                       cut_faces(root),
+                       text(root, "part_sha256")};
 }
 
 ClampedPart read_clamped_part(const std::filesystem::path& path, const ReadLimits& limits)

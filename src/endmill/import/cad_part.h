@@ -30,10 +30,19 @@ struct CadFace {
     std::optional<Nurbs> surface;  ///< the same geometry; only if it is not trimmed
 };
 
+/// The largest balls that the curvature of a face admits, mm; nothing where it sets no limit.
+struct CadFaceBalls {
+    std::optional<double> outside;  ///< on the outer side of the face
+    std::optional<double> inside;   ///< on the other side
+};
+
 /// Measures of a CAD model by the integrals of the CAD library over its faces, accurate to about
 /// 1e-5.
 struct CadMeasures {
     std::vector<double> face_areas_mm2;  ///< of each face
+    /// Of each trimmed face, at the points of its mesh and the middles of its triangles; nothing
+    /// for other faces.
+    std::vector<std::optional<CadFaceBalls>> trimmed_balls;
     double area_mm2;                     ///< of all faces
     std::optional<double> volume_mm3;    ///< of the solids; nothing without solids
     Vec3 centre_mm;  ///< centre of mass of the solids, or without solids of the faces

@@ -88,6 +88,7 @@ private:
     void read_head(const JsonValue& head);
     void read_face(const JsonValue& value);
     void read_measures(const JsonValue& value);
+    std::optional<CadFaceBalls> balls_in(const JsonValue& value) const;
     void read_mesh();
     void read_spline(std::size_t number);
     Vec3 within_extent(const std::array<double, 3>& point) const;
@@ -162,10 +163,26 @@ void StreamReader::read_face(const JsonValue& value)
     part_.faces.push_back(std::move(face));
 }
 
+// The radii of two balls, 0 without limit; an empty array for a face without them.
+std::optional<CadFaceBalls> StreamReader::balls_in(const JsonValue& value) const
+{
+    if (value.size() == 0)
+        return std::nullopt;
+    if (value.size() != 2)
+        throw damaged(path_, "trimmed_balls_mm has no two radii");
+    const auto radius = [&](std::size_t k) -> std::optional<double> {
+        const double given = value.item(k).number();
+        if (!(given >= 0))
+            throw damaged(path_, "the radius of a ball is below 0");
+        return given > 0 ? std::optional{given} : std::nullopt;
+    };
+    return CadFaceBalls{radius(0), radius(1)};
+}
+
 void StreamReader::read_measures(const JsonValue& value)
 {
-    constexpr std::array<std::string_view, 4> keys{"face_areas_mm2", "area_mm2",
-                                                   "volume_mm3", "centre_mm"};
+    constexpr std::array<std::string_view, 5> keys{"face_areas_mm2", "trimmed_balls_mm",
+                                                   "area_mm2", "volume_mm3", "centre_mm"};
     value.allow_only(keys);
     CadMeasures measures{};
     const JsonValue areas = value.member("face_areas_mm2");
@@ -173,6 +190,11 @@ void StreamReader::read_measures(const JsonValue& value)
         throw damaged(path_, "it has another number of areas than faces");
     for (std::size_t k = 0; k < areas.size(); ++k)
         measures.face_areas_mm2.push_back(areas.item(k).number());
+    const JsonValue balls = value.member("trimmed_balls_mm");
+    if (balls.size() != part_.faces.size())
+        throw damaged(path_, "it has balls for another number of faces");
+    for (std::size_t k = 0; k < balls.size(); ++k)
+        measures.trimmed_balls.push_back(balls_in(balls.item(k)));
     measures.area_mm2 = value.member("area_mm2").number();
     if (const auto volume = value.find_member("volume_mm3"))
         measures.volume_mm3 = volume->number();

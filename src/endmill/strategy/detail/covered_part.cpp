@@ -75,12 +75,16 @@ CoveredPart::CoveredPart(const Part& part, const BallCutter& cutter,
 
 PartSamples CoveredPart::samples(double spacing, std::size_t most_samples) const
 {
+    return samples(PartSampling{spacing, accessible_distance_, guard_}, most_samples);
+}
+
+PartSamples CoveredPart::samples(const PartSampling& sampling,
+                                 std::size_t most_samples) const
+{
     if (const auto* mesh = std::get_if<CoveredMesh>(&source_))
-        return {
-            mesh->net, mesh->ball, {spacing, accessible_distance_, guard_}, most_samples};
+        return {mesh->net, mesh->ball, sampling, most_samples};
     const auto& [surfaces, sides, clear] = std::get<CoveredSurfaces>(source_);
-    return {*surfaces, sides, PartSampling{spacing, accessible_distance_, guard_},
-            most_samples};
+    return {*surfaces, sides, sampling, most_samples};
 }
 
 double CoveredPart::aimed_height(double height) const
@@ -106,10 +110,13 @@ std::span<const Surface> CoveredPart::surfaces() const
     return {};
 }
 
-double rough_area(const CoveredPart& part, std::size_t most_samples)
+double CoveredPart::rough_area(std::size_t most_samples) const
 {
     constexpr double no_spacing = 1e9;  // mm, a distance of samples that no part exceeds
-    const PartSamples first = part.samples(no_spacing, most_samples);
+    // A protected part may bar all samples of so coarse a net, such as the corners of a pocket
+    // floor, and yet leave most of the part free.
+    const PartSamples first =
+        samples(PartSampling{no_spacing, accessible_distance_}, most_samples);
     double area = 0;
     for (const auto& [a, b, c] : first.triangles())
         area += (first.point(b) - first.point(a))
@@ -124,7 +131,7 @@ void require_possible(const CoveredPart& part, double spacing, std::size_t most_
     // An equilateral triangle has the greatest area for its longest side, and there are about
     // two triangles for each sample.
     const double area_of_sample = std::sqrt(3) / 2 * spacing * spacing;
-    const double needed = rough_area(part, most_samples) / area_of_sample;
+    const double needed = part.rough_area(most_samples) / area_of_sample;
     if (needed > static_cast<double>(most_samples))
         throw_too_many_samples(needed, most_samples);
 }

@@ -82,6 +82,10 @@ public:
     /// their facets.
     double aimed_height(double height) const;
 
+    /// The area by the first net of each patch, or by the mesh, mm^2. Places that a protected
+    /// part bars count.
+    double rough_area(std::size_t most_samples) const;
+
     const BallCutter& cutter() const { return cutter_; }  ///< the ball
     double tolerance() const { return tolerance_; }  ///< greatest depth of a gouge, mm
     std::span<const Surface> surfaces() const;  ///< of the part; none if it is a mesh
@@ -98,6 +102,7 @@ private:
     };
     using Source = std::variant<CoveredSurfaces, CoveredMesh>;
 
+    PartSamples samples(const PartSampling& sampling, std::size_t most_samples) const;
     static Source source_of(const Part& part, const BallCutter& cutter,
                             const CoverLimits& limits);
 
@@ -107,9 +112,6 @@ private:
     std::shared_ptr<const ProtectedPart> guard_;
     Source source_;
 };
-
-/// The area of a part by the first net of each of its patches, or by its mesh, mm^2.
-double rough_area(const CoveredPart& part, std::size_t most_samples);
 
 /// Refuses a part of so large an area that samples at this distance would be too many.
 /// \throws LimitError. A part that passes may still need too many.

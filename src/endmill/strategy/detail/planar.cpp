@@ -71,7 +71,7 @@ double search_height(const CoveredPart& part, const BallCutter& cutter,
                      const StrategyOptions& options)
 {
     const double radius = cutter.radius();
-    const double area = rough_area(part, options.most_samples);
+    const double area = part.rough_area(options.most_samples);
     const double half_strip = std::min(
         search_samples_across * std::sqrt(2 * area / search_samples) / 2, radius);
     const double few = radius - std::sqrt(radius * radius - half_strip * half_strip);

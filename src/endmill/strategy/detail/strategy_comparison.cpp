@@ -133,7 +133,7 @@ void StrategyComparison::cover()
     if (covered_)
         return;
     CoveredPart covered = covered_part(part_, cutter_, options_);
-    area_ = rough_area(covered, options_.most_samples);
+    area_ = covered.rough_area(options_.most_samples);
     covered_.emplace(std::move(covered));
 }
 
