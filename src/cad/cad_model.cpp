@@ -126,8 +126,6 @@ std::string utf8(const TCollection_AsciiString& text)
     return {text.ToCString(), static_cast<std::size_t>(text.Length())};
 }
 
-// ---- STEP ----
-
 std::string step_unit(STEPControl_Reader& reader)
 {
     TColStd_SequenceOfAsciiString lengths;
@@ -223,8 +221,6 @@ TopoDS_Shape read_step(const char* path, std::size_t most_faces, Model& model,
     return reader.OneShape();
 }
 
-// ---- IGES ----
-
 // The colours with numbers.
 const std::array<Quantity_NameOfColor, 9> iges_colours{
     Quantity_NOC_BLACK,    Quantity_NOC_BLACK, Quantity_NOC_RED,
@@ -301,8 +297,6 @@ TopoDS_Shape read_iges(const char* path, std::size_t most_faces, Model& model,
         }));
     return reader.OneShape();
 }
-
-// ---- both ----
 
 // Whether a face belongs to no shell.
 bool has_separate_faces(const TopoDS_Shape& shape)

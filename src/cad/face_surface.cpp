@@ -259,8 +259,7 @@ std::optional<FaceBalls> balls_at_mesh(const TopoDS_Face& face)
         int b = 0;
         int c = 0;
         mesh->Triangle(i).Get(a, b, c);
-        look((mesh->UVNode(a).XY() + mesh->UVNode(b).XY() + mesh->UVNode(c).XY()) /
-             3);
+        look((mesh->UVNode(a).XY() + mesh->UVNode(b).XY() + mesh->UVNode(c).XY()) / 3);
     }
     if (!is_known)
         return std::nullopt;
@@ -269,8 +268,8 @@ std::optional<FaceBalls> balls_at_mesh(const TopoDS_Face& face)
         return curvature > flat ? std::optional{1 / curvature} : std::nullopt;
     };
     FaceBalls balls{radius(greatest), radius(-least)};
-    const bool is_reversed = (face.Orientation() == TopAbs_REVERSED) !=
-                             place.Transformation().IsNegative();
+    const bool is_reversed =
+        (face.Orientation() == TopAbs_REVERSED) != place.Transformation().IsNegative();
     if (is_reversed)
         std::swap(balls.outside, balls.inside);
     return balls;

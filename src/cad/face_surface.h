@@ -24,8 +24,9 @@ Handle(Geom_BSplineSurface) whole_surface(const TopoDS_Face& face);
 
 /// Largest balls that the curvature of a face admits, mm; nothing where it sets no limit.
 struct FaceBalls {
-    std::optional<double> outside;  ///< on the side that the orientation of the face tells
-    std::optional<double> inside;   ///< on the other side
+    std::optional<double>
+        outside;                   ///< on the side that the orientation of the face tells
+    std::optional<double> inside;  ///< on the other side
 };
 
 /// The largest balls for a face, by its curvature at the points of its triangulation and at the

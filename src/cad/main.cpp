@@ -116,8 +116,6 @@ private:
     std::FILE* file_;
 };
 
-// ---- splines ----
-
 template <typename Knots, typename Counts>
 void append_knots(std::vector<double>& numbers, const Knots& knots, const Counts& counts)
 {
@@ -147,8 +145,6 @@ Json spline_head(const Geom_BSplineSurface& spline, std::vector<double>& numbers
             {"points_v", spline.NbVPoles()},
             {"rational", is_rational}};
 }
-
-// ---- the head ----
 
 int count_of(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind,
              TopAbs_ShapeEnum apart_from = TopAbs_SHAPE)

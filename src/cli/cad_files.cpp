@@ -49,9 +49,9 @@ void add_face_option(CLI::App& command, std::vector<int>& faces, const std::stri
         for (const std::string& word : words)
             for (std::size_t begin = 0; begin <= word.size();) {
                 const std::size_t end = std::min(word.find(',', begin), word.size());
-                faces.push_back(
-                    whole_number_argument("--face", word.substr(begin, end - begin), 1,
-                                          std::numeric_limits<int>::max()));
+                faces.push_back(whole_number_argument("--face",
+                                                      word.substr(begin, end - begin), 1,
+                                                      std::numeric_limits<int>::max()));
                 begin = end + 1;
             }
         std::ranges::sort(faces);

@@ -307,10 +307,11 @@ void require_part_as_planned(const VerifyInput& input, const VerifyOptions& opti
         *known.part_sha256 ==
             content_sha256(read_file(input.part_path, options.common.limits)))
         return;
-    throw DomainError{printable(input.part_path) +
-                      ": its content changed since the path was planned (part_sha256 of "
-                      "the summary), so that the facets left uncut are not known; expected "
-                      "the same file, or --part and --skip-facets"};
+    throw DomainError{
+        printable(input.part_path) +
+        ": its content changed since the path was planned (part_sha256 of "
+        "the summary), so that the facets left uncut are not known; expected "
+        "the same file, or --part and --skip-facets"};
 }
 
 // Adds the facets whose remaining stock is not judged: those of --skip-facets, or else those

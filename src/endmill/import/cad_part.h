@@ -43,8 +43,8 @@ struct CadMeasures {
     /// Of each trimmed face, at the points of its mesh and the middles of its triangles; nothing
     /// for other faces.
     std::vector<std::optional<CadFaceBalls>> trimmed_balls;
-    double area_mm2;                     ///< of all faces
-    std::optional<double> volume_mm3;    ///< of the solids; nothing without solids
+    double area_mm2;                   ///< of all faces
+    std::optional<double> volume_mm3;  ///< of the solids; nothing without solids
     Vec3 centre_mm;  ///< centre of mass of the solids, or without solids of the faces
 };
 

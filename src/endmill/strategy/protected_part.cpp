@@ -2,6 +2,9 @@
 #include "endmill/strategy/protected_part.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
@@ -28,8 +31,8 @@ constexpr double move_share = 0.05;
 constexpr double checked_share = 0.1;
 // Most triangles of the mesh of surfaces. They need about 1 GB.
 constexpr std::size_t most_triangles = 10'000'000;
-// Halvings in search of the least distance at which a contact is held off.
-constexpr int holding_halvings = 12;
+// The distance at which a contact is held off is found to this share of the greatest one.
+constexpr double holding_share = 1.0 / 4096;
 // A height of remaining stock that no part exceeds, mm.
 constexpr double no_scallop_limit = 1e9;
 
@@ -98,13 +101,20 @@ ProtectedPart::ProtectedPart(const Part& part, const BallCutter& cutter, double 
 
 bool ProtectedPart::is_clear(const Vec3& centre) const
 {
+    return depth(centre) <= 0;
+}
+
+// How far the ball would have to rise to keep its distance, mm; at most 0 where it does.
+double ProtectedPart::depth(const Vec3& centre) const
+{
+    constexpr double never = -std::numeric_limits<double>::infinity();
     const double radius = seat_.cutter().radius();
     const bool is_beside = ((centre - low_).head<2>().array() < -radius).any() ||
                            ((centre - high_).head<2>().array() > radius).any();
     if (is_beside || centre.z() - radius >= high_.z())
-        return true;
+        return never;
     const auto found = seat_.contact(centre.head<2>());
-    return !found || found->tip_z <= centre.z() - radius;
+    return found ? found->tip_z - (centre.z() - radius) : never;
 }
 
 bool ProtectedPart::is_clear(const Vec3& from, const Vec3& to) const
@@ -136,13 +146,36 @@ bool ProtectedPart::is_accessible(const CutterContact& place, double distance) c
 
 CutterContact ProtectedPart::held_off(const CutterContact& contact, double most) const
 {
-    if (is_accessible(contact, 0) || !is_accessible(contact, most))
-        return contact;
+    const auto depth_at = [&](double distance) {
+        return depth(contact.point + (cutter_.radius() + distance) * contact.normal);
+    };
     double too_near = 0;
+    double depth_near = depth_at(too_near);
     double far_enough = most;
-    for (int halving = 0; halving < holding_halvings; ++halving) {
-        const double distance = (too_near + far_enough) / 2;
-        (is_accessible(contact, distance) ? far_enough : too_near) = distance;
+    double depth_far = depth_near > 0 ? depth_at(far_enough) : 0;
+    if (depth_near <= 0 || depth_far > 0)
+        return contact;
+    // The depth is nearly a line, so that its zero is found at once: a place just beyond the
+    // zero of the chord is far enough, and one just before it is too near. Where the chord says
+    // little, every third step halves the range.
+    const double resolution = holding_share * most;
+    constexpr std::array<double, 2> beside_zero{0.4, -0.4};  // in resolutions
+    for (std::size_t step = 0; far_enough - too_near > resolution; ++step) {
+        const double zero =
+            too_near + (far_enough - too_near) * depth_near / (depth_near - depth_far);
+        const std::size_t turn = step % (beside_zero.size() + 1);
+        double distance = (too_near + far_enough) / 2;
+        if (turn < beside_zero.size() && std::isfinite(depth_far))
+            distance = std::clamp(zero + beside_zero[turn] * resolution,
+                                  too_near + resolution / 2, far_enough - resolution / 2);
+        const double found = depth_at(distance);
+        if (found <= 0) {
+            far_enough = distance;
+            depth_far = found;
+        } else {
+            too_near = distance;
+            depth_near = found;
+        }
     }
     return {contact.point + far_enough * contact.normal, contact.normal};
 }

@@ -77,6 +77,7 @@ private:
     ProtectedPart(const Part& part, const BallCutter& cutter, double tolerance,
                   ProtectedMesh mesh);
     bool is_clear(const Vec3& from, const Vec3& to, double rise) const;
+    double depth(const Vec3& centre) const;
     bool faces_tool() const;
 
     const Part* part_;
