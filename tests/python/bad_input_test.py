@@ -145,6 +145,8 @@ def test_an_object_without_a_value_cannot_be_made(kind):
     with pytest.raises(TypeError):
         kind.__new__(kind)
     with pytest.raises(TypeError):
+        kind.__new__(kind, 1)
+    with pytest.raises(TypeError):
         kind()
 
 

@@ -2,7 +2,9 @@
 #include "arrays.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
@@ -105,6 +107,40 @@ std::vector<py::ssize_t> shape_with(const py::array& array, py::ssize_t width)
     return shape;
 }
 
+namespace {
+
+// The type of which this thread makes an object by calling it.
+thread_local PyTypeObject* called_type = nullptr;
+
+// The metaclass of pybind11's types; its call makes sure that a constructor ran.
+PyTypeObject* made_by_call_only(PyTypeObject* of_pybind11)
+{
+    static PyTypeObject* made = nullptr;
+    static ternaryfunc call = nullptr;
+    if (made)
+        return made;
+    call = of_pybind11->tp_call;
+    const ternaryfunc own_call = [](PyObject* type, PyObject* arguments,
+                                    PyObject* keywords) -> PyObject* {
+        called_type = reinterpret_cast<PyTypeObject*>(type);
+        PyObject* object = call(type, arguments, keywords);
+        called_type = nullptr;
+        return object;
+    };
+    std::array<PyType_Slot, 2> slots{
+        {{Py_tp_call, reinterpret_cast<void*>(own_call)}, {0, nullptr}}};
+    PyType_Spec spec{"endmill._native.Type", 0, 0, Py_TPFLAGS_DEFAULT, slots.data()};
+    const py::tuple bases =
+        py::make_tuple(py::handle{reinterpret_cast<PyObject*>(of_pybind11)});
+    PyObject* type = PyType_FromSpecWithBases(&spec, bases.ptr());
+    if (!type)
+        throw py::error_already_set();
+    made = reinterpret_cast<PyTypeObject*>(type);
+    return made;
+}
+
+}  // namespace
+
 py::custom_type_setup only_constructed(bool has_constructor)
 {
     // The functions of CPython's interface carry no data, so there is one for each case.
@@ -113,18 +149,21 @@ py::custom_type_setup only_constructed(bool has_constructor)
         PyErr_Format(PyExc_TypeError, "%s: no constructor defined", type->tp_name);
         return nullptr;
     };
-    const newfunc with_arguments = [](PyTypeObject* type, PyObject* arguments,
-                                      PyObject* keywords) -> PyObject* {
-        if (PyTuple_GET_SIZE(arguments) > 0 || (keywords && PyDict_Size(keywords) > 0))
+    const newfunc when_called = [](PyTypeObject* type, PyObject* arguments,
+                                   PyObject* keywords) -> PyObject* {
+        if (std::exchange(called_type, nullptr) == type)
             return make(type, arguments, keywords);
-        PyErr_Format(PyExc_TypeError, "%s: expected the arguments of its constructor",
+        PyErr_Format(PyExc_TypeError, "%s: expected a call of its constructor",
                      type->tp_name);
         return nullptr;
     };
     return py::custom_type_setup{[=](PyHeapTypeObject* heap_type) {
         PyTypeObject& type = heap_type->ht_type;
+        PyTypeObject* metaclass = made_by_call_only(Py_TYPE(&type));
+        Py_INCREF(metaclass);
+        Py_SET_TYPE(&type, metaclass);
         make = type.tp_base->tp_new;
-        type.tp_new = has_constructor ? with_arguments : never;
+        type.tp_new = has_constructor ? when_called : never;
     }};
 }
 
