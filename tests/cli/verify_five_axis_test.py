@@ -132,7 +132,7 @@ class VerifyFiveAxis(ProgramTest):
     def test_holder_in_the_part_is_found(self):
         tool = {"format": "endmill-tool/1", "name": "short", "source": "a test", "cutter": "ball:10",
                 "holder": [{"diameter_mm": 40, "from_mm": 8, "to_mm": 60}]}
-        path = self.file(passes(range(31), leads=(10, 35)), "p.csv")
+        path = self.file(passes(range(0, 31, 6), leads=(10, 35)), "p.csv")
         done = endmill("verify", path, "--part", self.file(plane()), "--tool", self.file(tool, "tool.json"),
                        "--resolution", "1", "--json", "-o", "out", cwd=self.folder)
         self.assertEqual(done.returncode, 1, done.stderr)
