@@ -71,7 +71,8 @@ run_tests() {
     local preset=$1 log="build/$1/ctest.log"
     shift
     step "test: $preset"
-    ctest --preset "$preset" --parallel "$(nproc)" --no-tests=error "$@" 2>&1 | tee "$log" ||
+    # one more than cores: some tests wait most of their time
+    ctest --preset "$preset" --parallel "$(($(nproc) + 1))" --no-tests=error "$@" 2>&1 | tee "$log" ||
         failed+=("$preset tests")
     summaries+=("$preset: $(grep 'tests passed,' "$log" || echo 'no test summary')")
 }
