@@ -136,11 +136,12 @@ Json write_view(const ViewOptions& options, const fs::path& page)
                   content.numbers);
     const fs::path parent = page.parent_path().empty() ? "." : page.parent_path();
     OutputFolder folder{parent, FullFolder::Accept};
-    for (const std::string& file :
-         {input.part.path, input.toolpath, input.deviation, input.sections, input.trimmed,
-          input.visibility, input.engagement})
+    for (const std::string& file : {input.part.path, input.toolpath, input.deviation,
+                                    input.sections, input.visibility, input.engagement})
         if (!file.empty())
             folder.protect(file);
+    for (const TrimmedSections& trimmed : input.trimmed)
+        folder.protect(trimmed.file);
     folder.write(page.filename(), text);
     folder.publish();
     return {{"name", input.title},

@@ -152,8 +152,34 @@ private:
                                "a folder that a command of endmill wrote"}};
     }
 
-    // Returns whether the folder itself holds results.
+    // Returns whether the folder holds results, itself or in the folder that its summary prefers.
     bool add_folder(const fs::path& folder)
+    {
+        const std::string preferred = preferred_folder(folder);
+        const bool is_inside = !preferred.empty() && add_results(folder / preferred);
+        return add_results(folder) || is_inside;
+    }
+
+    // The folder of the recommended direction of `plan`, or of the exact method of `trim`; empty
+    // if the summary names none.
+    std::string preferred_folder(const fs::path& folder) const
+    {
+        const fs::path file = folder / "summary.json";
+        if (!is_file(file))
+            return "";
+        const Json summary = json_of(file, options_.common.limits);
+        std::string name = text_in(summary, "recommended");
+        if (const auto of = summary.find("comparison");
+            name.empty() && of != summary.end() && of->is_object())
+            name = text_in(*of, "exact_method");
+        std::error_code ignored;
+        const bool is_name =
+            fs::path{name}.filename() == name && name != "." && name != "..";
+        return is_name && fs::is_directory(folder / name, ignored) ? name : "";
+    }
+
+    // Returns whether the folder itself holds results.
+    bool add_results(const fs::path& folder)
     {
         bool is_something = false;
         const auto take = [&](const fs::path& file, std::string& to) {
@@ -170,7 +196,10 @@ private:
                     break;
         take(folder / "deviation.vtp", input_.deviation);
         take(folder / "sections.csv", input_.sections);
-        take(folder / "trimmed.csv", input_.trimmed);
+        if (auto trimmed = trimmed_in(folder); !trimmed.empty()) {
+            is_something = true;
+            input_.trimmed = std::move(trimmed);
+        }
         take(folder / "visibility.bsm", input_.visibility);
         if (!is_of_simulation(folder / "engagement.csv"))
             take(folder / "engagement.csv", input_.engagement);
@@ -182,6 +211,21 @@ private:
             if (entry.extension() == ".svg" && is_something)
                 input_.pictures.push_back(entry);
         return is_something;
+    }
+
+    // The trimmed sections of a folder, or of a folder for each method beside the sections.
+    static std::vector<TrimmedSections> trimmed_in(const fs::path& folder)
+    {
+        constexpr const char* name = "trimmed.csv";
+        if (is_file(folder / name))
+            return {{"", (folder / name).string()}};
+        std::vector<TrimmedSections> methods;
+        if (is_file(folder / "sections.csv"))
+            for (const fs::path& entry : entries_of(folder))
+                if (is_file(entry / name))
+                    methods.push_back(
+                        {printable(entry.filename().string()), (entry / name).string()});
+        return methods;
     }
 
     void add_summary(const fs::path& file)

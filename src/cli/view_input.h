@@ -23,6 +23,12 @@ struct ViewSummary {
     Json content;
 };
 
+/// Sections after trimming by a method, whose name may not be known.
+struct TrimmedSections {
+    std::string method;
+    std::string file;
+};
+
 /// The files that a page shows. A name is empty if there is no such file.
 struct ViewInput {
     std::string title;
@@ -30,7 +36,7 @@ struct ViewInput {
     std::string toolpath = {};
     std::string deviation = {};
     std::string sections = {};
-    std::string trimmed = {};
+    std::vector<TrimmedSections> trimmed = {};  ///< one for each method
     std::string visibility = {};
     std::string engagement = {};
     PartOptions part = {};
@@ -38,7 +44,8 @@ struct ViewInput {
 };
 
 /// Finds what the sources of a page hold. Of two files of one kind the later one counts. For the
-/// folder of a job the folders of its steps are read. The part is that of the path that is shown,
+/// folder of a job the folders of its steps are read, and for a folder of several results that of
+/// the recommended direction or of the exact method. The part is that of the path that is shown,
 /// or else that of the remaining stock; a warning states if other summaries name another part.
 /// \throws FormatError for a source that does not exist or holds nothing to show, and for a
 ///         summary.json that is damaged or nested more than 64 deep.
