@@ -104,7 +104,7 @@ private:
     {
         if (!input_.toolpath.empty()) {
             progress_.begin("reading the path");
-            path_ = read_view_path(input_.toolpath, options_.common);
+            path_ = read_view_path(input_, options_);
             for (const PathPoint& point : path_->program.path.points)
                 box_.add(point.location.tip);
         }

@@ -65,12 +65,6 @@ Json json_of(const fs::path& file, const ReadLimits& limits)
     return content;
 }
 
-std::string text_in(const Json& summary, const char* key)
-{
-    const auto found = summary.find(key);
-    return found != summary.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 // Whether engagement.csv is that of `verify`, which has intervals of rings and no loads.
 bool is_of_simulation(const fs::path& file)
 {
@@ -127,6 +121,7 @@ public:
         for (const std::string& source : options_.sources)
             add(source);
         add_named_path();
+        compare_judged_path();
         add_named_part();
         if (input_.title.empty())
             input_.title =
@@ -292,6 +287,25 @@ private:
         return false;
     }
 
+    // Whether the remaining stock is that of the path, or of the one from which it was made.
+    void compare_judged_path()
+    {
+        const ViewSummary* const verified = summary_beside(input_, input_.deviation);
+        const std::string judged =
+            verified ? text_in(verified->content, "toolpath_sha256") : "";
+        if (judged.empty() || input_.toolpath.empty() ||
+            judged == content_sha256(read_file(input_.toolpath, options_.common.limits)))
+            return;
+        const ViewSummary* const beside = summary_beside(input_, input_.toolpath);
+        if (beside && text_in(beside->content, "source_sha256") == judged)
+            return;
+        input_.deviation_note =
+            "The remaining stock is that of another path: " + shown_path(verified->file) +
+            " judges " + printable(text_in(verified->content, "toolpath")) + ", not " +
+            shown_path(input_.toolpath) + " as it is now.";
+        warn(options_.common, input_.deviation_note);
+    }
+
     // The summaries that may name the part: first that of the path, then those of the other
     // results, then all from the last.
     std::vector<const ViewSummary*> summaries_by_rank() const
@@ -346,6 +360,27 @@ private:
 };
 
 }  // namespace
+
+std::string text_in(const Json& summary, const char* key)
+{
+    const auto found = summary.find(key);
+    return found != summary.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+const ViewSummary* summary_of_reader(const ViewInput& input, const ReadLimits& limits)
+{
+    std::string shown;
+    for (auto at = input.summaries.rbegin(); at != input.summaries.rend(); ++at) {
+        const std::string read = text_in(at->content, "toolpath_sha256");
+        if (read.empty() || text_in(at->content, "toolpath").empty())
+            continue;
+        if (shown.empty())
+            shown = content_sha256(read_file(input.toolpath, limits));
+        if (read == shown)
+            return &*at;
+    }
+    return nullptr;
+}
 
 ViewInput find_view_input(const ViewOptions& options)
 {
