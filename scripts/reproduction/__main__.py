@@ -15,7 +15,7 @@ from .figures import draw_all
 from .outcome import gather, read_run
 from .run import run_all, write_whole
 from .verdicts import SHOWN, as_text
-from .views import make_view, words_of
+from .views import commands_of, make_view
 
 ROOT = Path(__file__).resolve().parents[2]
 START = time.monotonic()
@@ -40,7 +40,7 @@ def run_whole(command, root):
 def build(root, experiments):
     """Builds the drivers of the experiments, and the program for those that are scripts."""
     targets = list(dict.fromkeys([e.target for e in experiments] +
-                                 ["endmill" for e in experiments if words_of(e.params())]))
+                                 ["endmill" for e in experiments if commands_of(e.params())]))
     run_whole(["cmake", "--build", "--preset", "release", "--target", *targets], root)
 
 

@@ -66,18 +66,22 @@ def embedded(outcomes, most):
 
 
 def figure(outcome, description, inside):
-    """A figure with the paper's caption and ours. It is an embedded image if its file is in `inside`."""
+    """A figure with the paper's caption and ours. It is an embedded image if its file is in `inside`. A drawing opens
+    the page on which it can be turned, if there is one."""
     file = outcome.experiment.results / description["file"]
     caption = escape(description["caption"])
     lines = [f"<p>{caption}</p>"]
     if "published_caption" in description:
         lines = [f'<p>In the paper: {escape(description["published_caption"])}</p>', f"<p>Here: {caption}</p>"]
+    opened = "" if "plot" in description else views.link(outcome.experiment)
     if file in inside:
         data = base64.b64encode(file.read_bytes()).decode()
         picture = f'<img src="data:image/svg+xml;base64,{data}" alt="{caption}">'
+        if opened:
+            picture = f'<a href="{quote(opened)}">{picture}</a>'
     else:
         address = quote(f"{outcome.experiment.name}/{file.name}")
-        picture = f'<a href="{address}"><img loading="lazy" src="{address}" alt="{caption}"></a>'
+        picture = f'<a href="{quote(opened) or address}"><img loading="lazy" src="{address}" alt="{caption}"></a>'
         kilobytes = max(1, round(file.stat().st_size / 1000))
         lines.append(f'<p>A file beside this page: <a href="{address}">{escape(file.name)}</a>, {kilobytes} kB.</p>')
     return f'<figure><div class="scroll">{picture}</div><figcaption>{"".join(lines)}</figcaption></figure>'

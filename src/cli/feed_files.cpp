@@ -140,6 +140,7 @@ Json write_feed(const FeedResult& result, OutputFolder& folder)
             works[i]();
     });
     identify_path(summary, fed.path().points.size(), path_sum);
+    add_source_path(summary, result.options.path.file, result.options.common.limits);
     if (has_program)
         summary["program_sha256"] = program_sum;
     folder.write("summary.json", summary.dump(2) + "\n");

@@ -5,8 +5,34 @@
 
 #include "cli/shown_numbers.h"
 #include "cli/surface_facts.h"
+#include "endmill/files/path_file.h"
+#include "endmill/files/read_file.h"
 
 namespace endmill {
+namespace {
+
+// The machine of a path or program, from which the poses of the tool follow.
+Json machine_json(const PartOnMachine& setup)
+{
+    const Machine& machine = setup.machine;
+    Json rows = Json::array();
+    for (Eigen::Index k = 0; k < 3; ++k)
+        rows.push_back(vector_json(setup.part_to_machine.row(k).transpose()));
+    Json signs = Json::object();
+    const auto& rotary = machine.configuration.rotary;
+    for (std::size_t k = 0; k < rotary.size(); ++k)
+        signs[std::string(1, rotary[k].letter)] = machine.word_signs[k];
+    return {{"configuration", machine.configuration.word},
+            {"pivot_mm", machine.pivot},
+            {"table_offset_mm", vector_json(machine.table_offset)},
+            {"axis_offset_mm", vector_json(machine.axis_offset)},
+            {"word_sign", signs},
+            {"tool_length_mm", setup.tool_length},
+            {"part_to_machine", rows},
+            {"clamp_mm", vector_json(setup.clamp)}};
+}
+
+}  // namespace
 
 void add_path_totals(Json& summary, const PathTotals& totals)
 {
@@ -54,6 +80,17 @@ void identify_path(Json& summary, std::size_t points, const std::string& sha256)
 {
     summary["toolpath_points"] = points;
     summary["toolpath_sha256"] = sha256;
+}
+
+void add_source_path(Json& summary, const std::string& file, const ReadLimits& limits)
+{
+    summary["source_sha256"] = content_sha256(read_file(file, limits));
+}
+
+void add_machine_motion(Json& summary, const MachineMotion& motion)
+{
+    summary["interpolation"] = interpolation_name(motion.interpolation);
+    summary["machine"] = machine_json(motion.setup);
 }
 
 }  // namespace endmill

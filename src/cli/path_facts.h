@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "cli/command.h"
+#include "endmill/machine/kinematics.h"
 #include "endmill/path/tool_path.h"
 
 namespace endmill {
@@ -27,5 +28,13 @@ void number_points(ToolPath& path);
 /// toolpath_sha256. A summary beside another file is not used, see `path_summary_of`.
 /// \param sha256 `content_sha256` of the file.
 void identify_path(Json& summary, std::size_t points, const std::string& sha256);
+
+/// Adds source_sha256, the SHA-256 of the path from which the path of this summary was made.
+/// \throws FormatError, LimitError as `read_file`.
+void add_source_path(Json& summary, const std::string& file, const ReadLimits& limits);
+
+/// Adds what a path or program needs of its machine to be read: interpolation and machine, as
+/// `read_path_summary` reads them.
+void add_machine_motion(Json& summary, const MachineMotion& motion);
 
 }  // namespace endmill

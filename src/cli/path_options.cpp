@@ -176,6 +176,28 @@ void add_reading(Json& summary, const PathOptions& path)
     add_interpreter(summary, path);
 }
 
+void take_reading(PathOptions& path, const Json& summary)
+{
+    const auto text = [&](const char* key) {
+        const auto found = summary.find(key);
+        return found != summary.end() && found->is_string() ? found->get<std::string>()
+                                                            : "";
+    };
+    for (const auto& [word, point] : programmed_points)
+        if (text("programmed_point") == word)
+            path.programmed_point = point;
+    for (const auto& [word, interpreter] : interpreters)
+        if (text("interpreter") == word)
+            path.interpreter = interpreter;
+    const auto arcs = summary.find("arc_tolerance_mm");
+    if (arcs != summary.end() && arcs->is_number() &&
+        *arcs != GcodeReadOptions{}.arc_tolerance_mm && arcs->get<double>() > 0)
+        path.arc_tolerance = arcs->get<double>();
+    path.block_delete = summary.value("block_delete", Json{}) == true;
+    path.rotary.wrapped = text("wrapped");
+    path.tools = text("tool_table");
+}
+
 void add_interpreter(Json& summary, const PathOptions& path)
 {
     summary["interpreter"] = word_for<Interpreter>(path.interpreter, interpreters);
@@ -283,10 +305,11 @@ Program read_program_for(const PathOptions& path, const std::optional<Cutter>& c
     PathReadOptions reading = path_reading(path, cutter, options);
     reading.machine = machine;
     const double radius = cutter ? cutter->radius() : 0;
-    if (machine && path.rotary.machine.empty())
-        reading.gcode.rotary = RotaryReading{.setup = machine->setup,
-                                             .frame = machine->interpolation,
-                                             .cutter_radius = radius};
+    if (machine && path.rotary.machine.empty()) {
+        RotaryOptions rotary = path.rotary;
+        rotary.frame = machine->interpolation;
+        reading.gcode.rotary = rotary_reading(rotary, machine->setup, radius);
+    }
     return program_of_text(read_file(path.file, options.limits), path, reading, options);
 }
 

@@ -53,6 +53,10 @@ void refuse_idle_tool_options(const PathOptions& path, const CommonOptions& opti
 /// interpreter.
 void add_reading(Json& summary, const PathOptions& path);
 
+/// Sets the options for reading a program by the keys of `add_reading`, and by wrapped and
+/// tool_table, in a summary. Values of another type or unknown words set nothing.
+void take_reading(PathOptions& path, const Json& summary);
+
 /// Adds the key interpreter only.
 void add_interpreter(Json& summary, const PathOptions& path);
 
@@ -88,7 +92,7 @@ std::optional<std::string> rounding_remark(const Program& program, double tolera
 ///         known; FormatError, LimitError as `read_program`; as `canonical_output` if
 ///         the options name an interpreter.
 /// \param machine of the summary beside the path, which interpolates a CSV path, and runs a
-///        program unless the options name a machine.
+///        program unless the options name a machine. Wrapped words follow the options.
 Program read_program_for(const PathOptions& path, const std::optional<Cutter>& cutter,
                          const CommonOptions& options,
                          const std::optional<MachineMotion>& machine = {});

@@ -93,35 +93,9 @@ void add_gcode_keys(Json& summary, const PostedPath& posted, const PostOptions& 
     summary["max_arc_error_mm"] = written.max_arc_error_mm;
 }
 
-Json vector_of(const Vec3& vector)
-{
-    return {vector.x(), vector.y(), vector.z()};
-}
-
 double degrees_of(double radians)
 {
     return Angle::radians(radians).written_degrees();
-}
-
-// The machine of a program, from which the poses of the tool follow.
-Json machine_json(const PartOnMachine& setup)
-{
-    const Machine& machine = setup.machine;
-    Json rows = Json::array();
-    for (Eigen::Index k = 0; k < 3; ++k)
-        rows.push_back(vector_of(setup.part_to_machine.row(k).transpose()));
-    Json signs = Json::object();
-    const auto& rotary = machine.configuration.rotary;
-    for (std::size_t k = 0; k < rotary.size(); ++k)
-        signs[std::string(1, rotary[k].letter)] = machine.word_signs[k];
-    return {{"configuration", machine.configuration.word},
-            {"pivot_mm", machine.pivot},
-            {"table_offset_mm", vector_of(machine.table_offset)},
-            {"axis_offset_mm", vector_of(machine.axis_offset)},
-            {"word_sign", signs},
-            {"tool_length_mm", setup.tool_length},
-            {"part_to_machine", rows},
-            {"clamp_mm", vector_of(setup.clamp)}};
 }
 
 // Adds the keys of a program with rotary axes.
@@ -130,7 +104,6 @@ void add_motion_keys(Json& summary, const PostedMotion& motion,
 {
     const MachinePathReport& report = motion.report;
     const bool is_joint = motion.machine.interpolation == Interpolation::Joint;
-    summary["machine"] = machine_json(motion.machine.setup);
     summary["frame"] = is_joint ? "joint" : "part";
     summary["programmed_point"] = is_joint ? "axes" : "tip";
     summary["tolerance_mm"] = motion.tolerance_mm;
@@ -197,6 +170,7 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
     add_interpreter(summary, options.path);
     add_path_totals(summary, written.totals);
     identify_path(summary, posted.read.path.points.size(), content_sha256(written.text));
+    add_source_path(summary, options.path.file, options.common.limits);
     add_range(summary, "feed_mm_per_min", written.feed_mm_per_min);
     add_range(summary, "plunge_feed_mm_per_min", written.plunge_feed_mm_per_min);
     add_range(summary, "spindle_rpm", written.spindle_rpm);
@@ -204,8 +178,7 @@ Json post_summary(const PostedPath& posted, const PostOptions& options)
         add_gcode_keys(summary, posted, options);
     summary["interpolation"] = written.arcs > 0 ? "linear and circular" : "linear";
     if (posted.motion) {
-        summary["interpolation"] =
-            interpolation_name(posted.motion->machine.interpolation);
+        add_machine_motion(summary, posted.motion->machine);
         add_motion_keys(summary, *posted.motion, options);
     }
     summary["cutter"] =

@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include "cli/console.h"
+#include "cli/path_facts.h"
 #include "cli/shown_numbers.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/deviation_svg.h"
 #include "endmill/files/dexel_file.h"
 #include "endmill/files/mesh_file.h"
+#include "endmill/files/path_file.h"
+#include "endmill/files/read_file.h"
 #include "endmill/files/result_csv.h"
 #include "endmill/files/vtk.h"
 #include "endmill/stock/mesh_stock.h"
@@ -99,6 +102,23 @@ void write_dexels(const VerificationTask& task, const DexelStock& dexels,
         folder.write("stock.dexels", dexel_file(dexels, *history));
 }
 
+// Adds what identifies the path that was judged, and how it was read.
+void add_judged_path(Json& summary, const VerifyInput& input,
+                     const VerifyOptions& options)
+{
+    summary["toolpath_sha256"] =
+        content_sha256(read_file(options.path.file, options.common.limits));
+    add_reading(summary, options.path);
+    if (!options.path.rotary.wrapped.empty())
+        summary["wrapped"] = printable(options.path.rotary.wrapped);
+    if (!options.path.tools.empty())
+        summary["tool_table"] = printable(options.path.tools);
+    if (input.machine)
+        add_machine_motion(summary, *input.machine);
+    if (input.upright_axis)
+        summary["upright_axis"] = vector_json(*input.upright_axis);
+}
+
 }  // namespace
 
 Json write_verification(const VerifyResult& result, OutputFolder& folder)
@@ -131,6 +151,7 @@ Json write_verification(const VerifyResult& result, OutputFolder& folder)
         verify_summary({input.name, printable(input.part_path), stock_text(result),
                         task.cutter, input.limits, input.program, input.tools},
                        options, verification, charts ? &*charts : nullptr);
+    add_judged_path(summary, input, options);
     if (of_protected) {
         summary["protected"] = printable(input.guard_path);
         summary["protected_max_gouge_mm"] = of_protected->max_gouge_mm;

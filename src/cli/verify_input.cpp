@@ -139,6 +139,7 @@ void stand_upright(VerifyInput& input)
     const auto axis = fixed_axis(input.program.path);
     if (!axis || *axis == Vec3::UnitZ())
         return;
+    input.upright_axis = *axis;
     const Eigen::Matrix3d rotation = upright_rotation(*axis);
     input.program.path = turned(input.program.path, rotation);
     if (input.part)
@@ -437,6 +438,10 @@ VerifyInput read_verify_input(const VerifyOptions& options)
                       .limits = limits_of(options, known),
                       .changes = std::move(tools.changes),
                       .tools = std::move(tools.used)};
+    if (input.program.path.machine)
+        input.machine = MachineMotion{input.program.path.machine->interpolation,
+                                      input.program.path.machine->setup,
+                                      {}};
     add_part(input, options, known);
     if (const auto remark = rounding_remark(input.program, input.limits.tolerance);
         remark && input.part)

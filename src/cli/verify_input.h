@@ -33,8 +33,10 @@ struct VerifyInput {
     std::vector<int> cut_faces = {};                  ///< from 1; empty: all
     std::vector<std::size_t> skipped = {};            ///< facets by numbers in the file
     VerifyStock stock = {};
-    std::vector<ToolChange> changes = {};  ///< to other tools, with --tools
-    std::vector<NumberedTool> tools = {};  ///< that the path uses, with --tools
+    std::vector<ToolChange> changes = {};       ///< to other tools, with --tools
+    std::vector<NumberedTool> tools = {};       ///< that the path uses, with --tools
+    std::optional<MachineMotion> machine = {};  ///< by which the path was read
+    std::optional<Vec3> upright_axis = {};      ///< the tool axis that was turned to +z
 };
 
 /// Reads the path, its summary, the tool, the part and the stock.

@@ -411,7 +411,6 @@ Json verify_summary(const VerifyContext& context, const VerifyOptions& options,
     add_earlier(summary, verification);
     add_part_collisions(summary, verification);
     add_stock_extent(summary, verification);
-    add_interpreter(summary, options.path);
     summary["position_error_mm"] = context.program.position_error_mm;
     summary["remarks"] = context.program.remarks;
     return summary;

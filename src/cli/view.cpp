@@ -14,6 +14,7 @@
 #include "build_facts.h"
 #include "cli/console.h"
 #include "cli/data_folder.h"
+#include "cli/idle_options.h"
 #include "cli/progress.h"
 #include "cli/view_content.h"
 #include "endmill/core/error.h"
@@ -121,6 +122,9 @@ Json write_view(const ViewOptions& options, const fs::path& page)
 {
     const PageShell shell = page_shell();
     const ViewInput input = find_view_input(options);
+    if (input.toolpath.empty())
+        refuse_idle_options(options.common, std::array{"--machine", "--tool"},
+                            "no path among the sources", "a path or a program");
     ViewContent content = [&] {
         ProgressLine progress{"reading the results", options.common};
         return view_content(input, options, progress);
@@ -136,11 +140,12 @@ Json write_view(const ViewOptions& options, const fs::path& page)
                   content.numbers);
     const fs::path parent = page.parent_path().empty() ? "." : page.parent_path();
     OutputFolder folder{parent, FullFolder::Accept};
-    for (const std::string& file :
-         {input.part.path, input.toolpath, input.deviation, input.sections, input.trimmed,
-          input.visibility, input.engagement})
+    for (const std::string& file : {input.part.path, input.toolpath, input.deviation,
+                                    input.sections, input.visibility, input.engagement})
         if (!file.empty())
             folder.protect(file);
+    for (const TrimmedSections& trimmed : input.trimmed)
+        folder.protect(trimmed.file);
     folder.write(page.filename(), text);
     folder.publish();
     return {{"name", input.title},
@@ -156,6 +161,7 @@ void write_html(const fs::path& folder, const CommonOptions& options)
         return;
     ViewOptions view;
     view.common = options;
+    view.common.given.clear();  // of another command
     view.sources.push_back(folder.string());
     write_view(view, folder / "page.html");
 }
@@ -177,6 +183,11 @@ void add_view_command(CLI::App& program, Action& action)
                      "part to show (default: that of the summaries)")
         ->type_name("PART");
     add_mesh_options(*command, options->part);
+    add_rotary_options(*command, options->rotary);
+    command
+        ->add_option("--tool", options->tool,
+                     "tool file: cutter and length (default: those of the summaries)")
+        ->type_name("FILE");
     add_common_options(*command, options->common);
     command->footer(
         "Writes one file, --output PAGE.html (default ./page.html), which opens from "

@@ -104,7 +104,7 @@ private:
     {
         if (!input_.toolpath.empty()) {
             progress_.begin("reading the path");
-            path_ = read_view_path(input_.toolpath, options_.common);
+            path_ = read_view_path(input_, options_);
             for (const PathPoint& point : path_->program.path.points)
                 box_.add(point.location.tip);
         }
@@ -151,22 +151,32 @@ private:
             return value.get<std::string>();
         if (value.is_number_float())
             return fmt::format("{:.6g}", value.get<double>());
-        if (value.is_null())
+        if (value.is_null() || value.empty())
             return "none";
         if (value.is_boolean())
             return value.get<bool>() ? "yes" : "no";
         return value.dump();
     }
 
-    Json summaries() const
+    // A row for each value; keys within an object follow its key and a point.
+    static void add_rows(Json& rows, const std::string& outer, const Json& object)
     {
         constexpr std::size_t longest = 300;  // characters of a value
+        for (const auto& [key, value] : object.items()) {
+            const std::string name = outer + printable(key);
+            if (value.is_object() && !value.empty())
+                add_rows(rows, name + ".", value);
+            else
+                rows.push_back({name, printable(text_of(value), longest)});
+        }
+    }
+
+    Json summaries() const
+    {
         Json list = Json::array();
         for (const ViewSummary& summary : input_.summaries) {
             Json rows = Json::array();
-            for (const auto& [key, value] : summary.content.items()) {
-                rows.push_back({printable(key), printable(text_of(value), longest)});
-            }
+            add_rows(rows, "", summary.content);
             list.push_back({{"title", shown_path(summary.file)}, {"rows", rows}});
         }
         return list;
@@ -185,7 +195,8 @@ private:
         add("path", input_.toolpath);
         add("remaining stock", input_.deviation);
         add("sections", input_.sections);
-        add("trimmed sections", input_.trimmed);
+        for (const TrimmedSections& trimmed : input_.trimmed)
+            add("trimmed sections", trimmed.file);
         add("visibility", input_.visibility);
         add("engagement", input_.engagement);
         return rows;

@@ -65,12 +65,6 @@ Json json_of(const fs::path& file, const ReadLimits& limits)
     return content;
 }
 
-std::string text_in(const Json& summary, const char* key)
-{
-    const auto found = summary.find(key);
-    return found != summary.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 // Whether engagement.csv is that of `verify`, which has intervals of rings and no loads.
 bool is_of_simulation(const fs::path& file)
 {
@@ -127,6 +121,7 @@ public:
         for (const std::string& source : options_.sources)
             add(source);
         add_named_path();
+        compare_judged_path();
         add_named_part();
         if (input_.title.empty())
             input_.title =
@@ -152,8 +147,34 @@ private:
                                "a folder that a command of endmill wrote"}};
     }
 
-    // Returns whether the folder itself holds results.
+    // Returns whether the folder holds results, itself or in the folder that its summary prefers.
     bool add_folder(const fs::path& folder)
+    {
+        const std::string preferred = preferred_folder(folder);
+        const bool is_inside = !preferred.empty() && add_results(folder / preferred);
+        return add_results(folder) || is_inside;
+    }
+
+    // The folder of the recommended direction of `plan`, or of the exact method of `trim`; empty
+    // if the summary names none.
+    std::string preferred_folder(const fs::path& folder) const
+    {
+        const fs::path file = folder / "summary.json";
+        if (!is_file(file))
+            return "";
+        const Json summary = json_of(file, options_.common.limits);
+        std::string name = text_in(summary, "recommended");
+        if (const auto of = summary.find("comparison");
+            name.empty() && of != summary.end() && of->is_object())
+            name = text_in(*of, "exact_method");
+        std::error_code ignored;
+        const bool is_name =
+            fs::path{name}.filename() == name && name != "." && name != "..";
+        return is_name && fs::is_directory(folder / name, ignored) ? name : "";
+    }
+
+    // Returns whether the folder itself holds results.
+    bool add_results(const fs::path& folder)
     {
         bool is_something = false;
         const auto take = [&](const fs::path& file, std::string& to) {
@@ -170,7 +191,10 @@ private:
                     break;
         take(folder / "deviation.vtp", input_.deviation);
         take(folder / "sections.csv", input_.sections);
-        take(folder / "trimmed.csv", input_.trimmed);
+        if (auto trimmed = trimmed_in(folder); !trimmed.empty()) {
+            is_something = true;
+            input_.trimmed = std::move(trimmed);
+        }
         take(folder / "visibility.bsm", input_.visibility);
         if (!is_of_simulation(folder / "engagement.csv"))
             take(folder / "engagement.csv", input_.engagement);
@@ -182,6 +206,21 @@ private:
             if (entry.extension() == ".svg" && is_something)
                 input_.pictures.push_back(entry);
         return is_something;
+    }
+
+    // The trimmed sections of a folder, or of a folder for each method beside the sections.
+    static std::vector<TrimmedSections> trimmed_in(const fs::path& folder)
+    {
+        constexpr const char* name = "trimmed.csv";
+        if (is_file(folder / name))
+            return {{"", (folder / name).string()}};
+        std::vector<TrimmedSections> methods;
+        if (is_file(folder / "sections.csv"))
+            for (const fs::path& entry : entries_of(folder))
+                if (is_file(entry / name))
+                    methods.push_back(
+                        {printable(entry.filename().string()), (entry / name).string()});
+        return methods;
     }
 
     void add_summary(const fs::path& file)
@@ -248,6 +287,25 @@ private:
         return false;
     }
 
+    // Whether the remaining stock is that of the path, or of the one from which it was made.
+    void compare_judged_path()
+    {
+        const ViewSummary* const verified = summary_beside(input_, input_.deviation);
+        const std::string judged =
+            verified ? text_in(verified->content, "toolpath_sha256") : "";
+        if (judged.empty() || input_.toolpath.empty() ||
+            judged == content_sha256(read_file(input_.toolpath, options_.common.limits)))
+            return;
+        const ViewSummary* const beside = summary_beside(input_, input_.toolpath);
+        if (beside && text_in(beside->content, "source_sha256") == judged)
+            return;
+        input_.deviation_note =
+            "The remaining stock is that of another path: " + shown_path(verified->file) +
+            " judges " + printable(text_in(verified->content, "toolpath")) + ", not " +
+            shown_path(input_.toolpath) + " as it is now.";
+        warn(options_.common, input_.deviation_note);
+    }
+
     // The summaries that may name the part: first that of the path, then those of the other
     // results, then all from the last.
     std::vector<const ViewSummary*> summaries_by_rank() const
@@ -302,6 +360,27 @@ private:
 };
 
 }  // namespace
+
+std::string text_in(const Json& summary, const char* key)
+{
+    const auto found = summary.find(key);
+    return found != summary.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+const ViewSummary* summary_of_reader(const ViewInput& input, const ReadLimits& limits)
+{
+    std::string shown;
+    for (auto at = input.summaries.rbegin(); at != input.summaries.rend(); ++at) {
+        const std::string read = text_in(at->content, "toolpath_sha256");
+        if (read.empty() || text_in(at->content, "toolpath").empty())
+            continue;
+        if (shown.empty())
+            shown = content_sha256(read_file(input.toolpath, limits));
+        if (read == shown)
+            return &*at;
+    }
+    return nullptr;
+}
 
 ViewInput find_view_input(const ViewOptions& options)
 {

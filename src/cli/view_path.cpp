@@ -22,6 +22,7 @@
 #include "endmill/core/angle.h"
 #include "endmill/core/error.h"
 #include "endmill/files/csv.h"
+#include "endmill/files/machining_data.h"
 #include "endmill/page/reduction.h"
 #include "endmill/verification/verification.h"
 
@@ -315,13 +316,33 @@ Json machine_json(const PartOnMachine& setup, const Vec3& origin)
 
 }  // namespace
 
-ViewPath read_view_path(const std::string& file, const CommonOptions& options)
+ViewPath read_view_path(const ViewInput& input, const ViewOptions& options)
 {
+    const CommonOptions& common = options.common;
     PathOptions path;
-    path.file = file;
-    const PathSummary known = path_summary_of(path, options);
-    ViewPath view{read_program_for(path, known.cutter, options, known.machine)};
-    view.cutter = view.program.cutter ? view.program.cutter : known.cutter;
+    path.file = input.toolpath;
+    PathSummary known = path_summary_of(path, common);
+    if (const ViewSummary* const reader = summary_of_reader(input, common.limits)) {
+        take_reading(path, reader->content);
+        const auto stated = read_path_summary(reader->file, common.limits);
+        if (!known.machine && stated)
+            known.machine = stated->machine;
+        if (!known.cutter && stated)
+            known.cutter = stated->cutter;
+    }
+    if (!options.rotary.machine.empty())
+        path.rotary = options.rotary;
+    std::optional<Cutter> given;
+    if (!options.tool.empty()) {
+        const Tool tool = read_tool(options.tool, common.limits);
+        path.tool_length = tool.length;
+        given = tool.cutter;
+    }
+    const std::optional<Cutter> cutter = given ? given : known.cutter;
+    ViewPath view{read_program_for(path, cutter, common, known.machine)};
+    view.cutter = given                 ? given
+                  : view.program.cutter ? view.program.cutter
+                                        : known.cutter;
     return view;
 }
 

@@ -16,9 +16,11 @@ struct ViewPath {
     std::optional<Cutter> cutter = {};
 };
 
-/// Reads a path or a program, with the machine of the summary beside it, as `verify` does.
+/// Reads the path or program of a page as `verify` does: with the machine and the tool of the
+/// options, of the summary beside it, or of the summary of a command that read it, which also
+/// states how.
 /// \throws FormatError, LimitError, DomainError as read_program_for.
-ViewPath read_view_path(const std::string& file, const CommonOptions& options);
+ViewPath read_view_path(const ViewInput& input, const ViewOptions& options);
 
 /// Adds `path` to the object of a page; also `plots` of an engagement, and `machine` for a path
 /// that a machine with rotary axes runs.

@@ -14,7 +14,7 @@
 namespace endmill {
 namespace {
 
-constexpr std::size_t most_section_points = 1'000'000;
+constexpr std::size_t most_section_points = 2'000'000;
 
 // The curves of a plane, and its position across the feed, mm.
 struct Plane {
@@ -22,16 +22,21 @@ struct Plane {
     std::optional<double> position = {};
 };
 
-// The direction of the feed that the summary beside the sections names.
+// The direction of the feed that a summary beside the sections names.
 std::optional<Angle> feed_direction(const ViewInput& input)
 {
-    const ViewSummary* const beside = summary_beside(input, input.sections);
-    if (!beside)
-        return std::nullopt;
-    const auto found = beside->content.find("direction_deg");
-    if (found == beside->content.end() || !found->is_number())
-        return std::nullopt;
-    return Angle::degrees(found->get<double>());
+    std::vector<std::string> files{input.sections};
+    for (const TrimmedSections& trimmed : input.trimmed)
+        files.push_back(trimmed.file);
+    for (const std::string& file : files) {
+        const ViewSummary* const beside = summary_beside(input, file);
+        if (!beside)
+            continue;
+        const auto found = beside->content.find("direction_deg");
+        if (found != beside->content.end() && found->is_number())
+            return Angle::degrees(found->get<double>());
+    }
+    return std::nullopt;
 }
 
 double number_of_plane(const CsvTable& table, std::size_t row, const std::string& file)
@@ -46,15 +51,19 @@ double number_of_plane(const CsvTable& table, std::size_t row, const std::string
     return plane;
 }
 
-std::map<double, Plane> planes_of(const std::string& file, const ReadLimits& limits,
-                                  const std::optional<Angle>& direction)
+using Planes = std::map<double, Plane>;
+
+// \param points the number of points of the page so far, which grows.
+Planes planes_of(const std::string& file, const ReadLimits& limits,
+                 const std::optional<Angle>& direction, std::size_t& points)
 {
     const CsvTable table = read_csv(file, limits);
-    if (table.rows() > most_section_points)
-        throw LimitError{file + ": " + std::to_string(table.rows()) +
-                         " points; a page shows at most " +
+    points += table.rows();
+    if (points > most_section_points)
+        throw LimitError{shown_path(file) + ": with it the sections have " +
+                         std::to_string(points) + " points; a page shows at most " +
                          std::to_string(most_section_points)};
-    std::map<double, Plane> planes;
+    Planes planes;
     std::optional<double> last_curve;
     for (std::size_t row = 0; row < table.rows(); ++row) {
         Plane& plane = planes[number_of_plane(table, row, file)];
@@ -89,24 +98,32 @@ Json curves_json(const std::vector<std::vector<float>>& curves, ViewFrame& frame
 Json sections_view(const ViewInput& input, const ReadLimits& limits, ViewFrame& frame)
 {
     const std::optional<Angle> direction = feed_direction(input);
-    std::map<double, Plane> before = planes_of(input.sections, limits, direction);
-    std::map<double, Plane> after = planes_of(input.trimmed, limits, direction);
-    for (const auto& [number, plane] : after)
-        before.try_emplace(number);
+    std::size_t points = 0;
+    Planes before = planes_of(input.sections, limits, direction, points);
+    std::vector<Planes> after;
+    Json methods = Json::array();
+    for (const auto& [method, file] : input.trimmed) {
+        methods.push_back(method);
+        after.push_back(planes_of(file, limits, direction, points));
+        for (const auto& [number, plane] : after.back())
+            if (Plane& known = before[number]; !known.position)
+                known.position = plane.position;
+    }
     if (before.empty())
         throw FormatError{"E_EMPTY",
                           {shown_path(input.sections), "", "no curve", "a section"}};
     Json planes = Json::array();
     for (const auto& [number, plane] : before) {
-        const Plane& trimmed = after[number];
         Json view{{"number", static_cast<int>(number)},
                   {"before", curves_json(plane.curves, frame)},
-                  {"after", curves_json(trimmed.curves, frame)}};
-        if (const auto position = plane.position ? plane.position : trimmed.position)
-            view["position_mm"] = *position;
+                  {"after", Json::array()}};
+        for (Planes& of_method : after)
+            view["after"].push_back(curves_json(of_method[number].curves, frame));
+        if (plane.position)
+            view["position_mm"] = *plane.position;
         planes.push_back(std::move(view));
     }
-    return {{"planes", std::move(planes)}};
+    return {{"methods", std::move(methods)}, {"planes", std::move(planes)}};
 }
 
 }  // namespace endmill

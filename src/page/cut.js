@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part, the path and the result of the simulation: a 3D view with the tool on a slider, and plots along the path.
 
-import { Group } from "three";
+import { Group, Vector3 } from "three";
 import { deviationPoints, marks, placeColour } from "./deviation.js";
 import { button, choice, decimalsFor, element, fixed, shown } from "./elements.js";
 import { signedScale, swatch } from "./legend.js";
@@ -9,10 +9,11 @@ import { colourings, PathLines } from "./lines.js";
 import { machinePoses } from "./machine.js";
 import { Plot } from "./plots.js";
 import { facetMesh, View3d } from "./scene.js";
-import { cutterMesh, place } from "./tool.js";
+import { cutterMesh, extentOfCutter, place } from "./tool.js";
 
 const partColour = 0x9fb0c8;
 const wholePathSeconds = 20; // at speed 1
+const mostToolsFitted = 2000;
 
 export class CutView {
   constructor(content) {
@@ -33,11 +34,28 @@ export class CutView {
     if (content.part) this.add("part", "part", facetMesh(content.part, partColour), bar);
     if (content.path) this.addPath(bar);
     if (content.deviation) this.addDeviation(bar);
-    bar.append(button("fit view", () => this.view.fit()));
+    bar.append(button("fit view", () => this.fit()));
     this.node.append(this.legend, this.readout, ...this.notes());
     this.node.append(...this.plots.map((plot) => plot.node));
-    this.view.fit();
     this.show(0);
+    this.fit();
+  }
+
+  // Shows everything, with the tool at points all along the path. On a machine the tool is where it is now.
+  fit() {
+    const { path, origin_mm: origin } = this.content;
+    const points = [];
+    if (this.cutter && !this.onMachine?.checked) {
+      const { radius, height } = extentOfCutter(path.cutter);
+      const step = 3 * Math.ceil(path.tips.length / 3 / mostToolsFitted);
+      for (let k = 0; k < path.tips.length; k += step)
+        for (const along of [0, height])
+          for (const side of [-radius, radius]) {
+            const at = [0, 1, 2].map((c) => path.tips[k + c] - origin[c] + along * (path.axes?.[k + c] ?? path.axis[c]));
+            points.push(new Vector3(at[0] + side, at[1], at[2]), new Vector3(at[0], at[1] + side, at[2]));
+          }
+    }
+    this.view.fit(points);
   }
 
   description() {
@@ -83,7 +101,7 @@ export class CutView {
       const box = element("input", { type: "checkbox", id: "on-machine" });
       box.addEventListener("change", () => {
         this.show(this.state.point);
-        this.view.fit();
+        this.fit();
       });
       this.onMachine = box;
       bar.append(element("label", {}, box, `as mounted on ${this.content.machine.word}`));

@@ -23,8 +23,9 @@ class Pictures {
 function viewsOf(content) {
   const views = [];
   const is3d = hasWebGL();
-  if (content.part || content.path || content.deviation)
-    views.push(["cut", "part and path", () => (is3d ? new CutView(content) : new Pictures(content.pictures))]);
+  const title = content.path ? "part and path" : "part";
+  if (content.path || content.deviation || (content.part && !content.sphere))
+    views.push(["cut", title, () => (is3d ? new CutView(content) : new Pictures(content.pictures))]);
   if (content.sections) views.push(["sections", "sections", () => new SectionsView(content.sections)]);
   if (content.sphere)
     views.push(["sphere", "directions", () => (is3d ? new SphereView(content.sphere) : new Pictures(content.pictures))]);

@@ -3,8 +3,8 @@
 
 import {
   AmbientLight, Box3, BufferAttribute, BufferGeometry, Color, ColorManagement, DirectionalLight, DoubleSide, Group,
-  LinearSRGBColorSpace, Mesh, MeshBasicMaterial, MeshLambertMaterial, OrthographicCamera, Raycaster, Scene, Vector2,
-  Vector3, WebGLRenderer,
+  LinearSRGBColorSpace, Matrix4, Mesh, MeshBasicMaterial, MeshLambertMaterial, OrthographicCamera, Raycaster, Scene,
+  Vector2, Vector3, WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Axes } from "./axes.js";
@@ -20,6 +20,12 @@ export function hasWebGL() {
     return false;
   }
 }
+
+// Room for axis cross and scale bar, pixels: below the content, or on both sides of it.
+const roomBelow = 96;
+const roomBeside = 132;
+const margin = 1.05; // of the stage over what it shows
+const unitExtent = { low: new Vector2(-1, -1), high: new Vector2(1, 1) };
 
 // Whether the browser draws by software, for which smooth lines take six times as long.
 function isSoftware() {
@@ -54,6 +60,7 @@ export class View3d {
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.listenToKeyEvents(canvas);
     this.controls.addEventListener("change", () => this.draw());
+    this.seen = unitExtent;
     this.frames = 0;
     this.isWanted = false;
     new ResizeObserver(() => this.resize()).observe(this.node);
@@ -81,15 +88,24 @@ export class View3d {
     const { clientWidth: width, clientHeight: height } = this.node;
     if (width === 0 || height === 0) return;
     this.renderer.setSize(width, height, false);
-    const aspect = width / height;
-    const half = 1.05 * Math.max(this.halfHeight ?? 1, (this.halfWidth ?? 1) / aspect);
-    Object.assign(this.camera, { left: -half * aspect, right: half * aspect, top: half, bottom: -half });
+    const { low, high } = this.seen;
+    const [wide, tall] = [margin * (high.x - low.x), margin * (high.y - low.y)];
+    const scaleFor = (pixelsWide, pixelsHigh) => Math.max(wide / pixelsWide, tall / pixelsHigh, 1e-12);
+    const besides = scaleFor(Math.max(width - 2 * roomBeside, 1), height);
+    const above = scaleFor(width, Math.max(height - roomBelow, 1));
+    const perPixel = Math.min(besides, above); // mm
+    const [x, y] = [(low.x + high.x) / 2, (low.y + high.y) / 2 - (above < besides ? (perPixel * roomBelow) / 2 : 0)];
+    Object.assign(this.camera, {
+      left: x - (perPixel * width) / 2, right: x + (perPixel * width) / 2,
+      top: y + (perPixel * height) / 2, bottom: y - (perPixel * height) / 2,
+    });
     this.camera.updateProjectionMatrix();
   }
 
-  // Looks at the whole content from above the front.
-  fit() {
+  // Looks at the whole content from above the front. others: further points that are to be seen.
+  fit(others = []) {
     const box = new Box3().setFromObject(this.content);
+    for (const point of others) box.expandByPoint(point);
     if (box.isEmpty()) box.set(new Vector3(-1, -1, -1), new Vector3(1, 1, 1));
     const centre = box.getCenter(new Vector3());
     const radius = Math.max(box.getSize(new Vector3()).length() / 2, 1e-9);
@@ -100,16 +116,29 @@ export class View3d {
     this.camera.position.copy(centre).add(new Vector3(-0.55, -1, 0.8).normalize().multiplyScalar(3 * radius));
     this.controls.update();
     this.camera.updateMatrixWorld();
-    // The box as the camera sees it; the stage may be wide or high.
-    const seen = new Vector3();
-    this.halfWidth = this.halfHeight = 1e-9;
-    for (let k = 0; k < 8; ++k) {
-      seen.set(k & 1 ? box.min.x : box.max.x, k & 2 ? box.min.y : box.max.y, k & 4 ? box.min.z : box.max.z);
-      seen.applyMatrix4(this.camera.matrixWorldInverse);
-      this.halfWidth = Math.max(this.halfWidth, Math.abs(seen.x));
-      this.halfHeight = Math.max(this.halfHeight, Math.abs(seen.y));
-    }
+    this.seen = this.extentSeen(others);
     this.resize();
+  }
+
+  // The extent of the content and of other points as the camera sees them.
+  extentSeen(others) {
+    const [low, high] = [new Vector2(Infinity, Infinity), new Vector2(-Infinity, -Infinity)];
+    const at = new Vector3();
+    const add = (point, matrix) => {
+      at.copy(point).applyMatrix4(matrix);
+      low.min(at);
+      high.max(at);
+    };
+    const toCamera = this.camera.matrixWorldInverse;
+    for (const point of others) add(point, toCamera);
+    this.content.updateMatrixWorld(true);
+    const [point, matrix] = [new Vector3(), new Matrix4()];
+    this.content.traverse((object) => {
+      const points = object.geometry?.getAttribute("position");
+      matrix.multiplyMatrices(toCamera, object.matrixWorld);
+      for (let k = 0; k < (points?.count ?? 0); ++k) add(point.fromBufferAttribute(points, k), matrix);
+    });
+    return low.x <= high.x ? { low, high } : unitExtent;
   }
 
   draw() {

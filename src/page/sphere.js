@@ -48,7 +48,7 @@ export class SphereView {
         button("all", () => this.choose(null, null))),
       this.readout,
       element("div", { class: "legend" },
-        ...scale(rampCss, "sphere: facets reached, %", 0, 100),
+        ...scale(rampCss, "facets reached, %", 0, 100),
         swatch(css(seen), "reached"), swatch(css(unseen), "not reached"),
         reachable?.includes(0) ? swatch(css(beyondReach), "beyond the rotary limits of the machine") : null));
     this.stages = [this.partView, this.sphereView];

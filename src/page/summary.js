@@ -16,8 +16,8 @@ export class SummaryView {
   }
 }
 
-// A key, which may wrap behind "_" only.
-const breakable = (key) => key.split(/(?<=_)/).flatMap((word, k) => (k > 0 ? [element("wbr"), word] : [word]));
+// A key, which may wrap behind "_" and "." only.
+const breakable = (key) => key.split(/(?<=[_.])/).flatMap((word, k) => (k > 0 ? [element("wbr"), word] : [word]));
 
 export function pictureOf({ name, svg }) {
   const src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`;

@@ -5,6 +5,9 @@ import { LatheGeometry, Mesh, MeshLambertMaterial, Quaternion, Vector2, Vector3 
 
 const cornerSteps = 12;
 
+// How much of a cutter is drawn, mm.
+export const extentOfCutter = ({ radius_mm: radius }) => ({ radius, height: 4 * radius });
+
 export function cutterMesh({ radius_mm: radius, corner_radius_mm: corner }) {
   const profile = [new Vector2(0, 0)];
   if (radius > corner) profile.push(new Vector2(radius - corner, 0));
@@ -12,7 +15,8 @@ export function cutterMesh({ radius_mm: radius, corner_radius_mm: corner }) {
     const angle = ((Math.PI / 2) * k) / cornerSteps;
     profile.push(new Vector2(radius - corner + corner * Math.sin(angle), corner * (1 - Math.cos(angle))));
   }
-  profile.push(new Vector2(radius, 4 * radius), new Vector2(0, 4 * radius));
+  const { height } = extentOfCutter({ radius_mm: radius });
+  profile.push(new Vector2(radius, height), new Vector2(0, height));
   const geometry = new LatheGeometry(profile, 40);
   geometry.rotateX(Math.PI / 2); // from +y to +z
   const material = new MeshLambertMaterial({ color: 0xd9a441, transparent: true, opacity: 0.75 });

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """endmill view: what a page holds, and what it refuses. tests/page looks at it in a browser."""
 import base64
+import csv
+import hashlib
 import json
+import math
 import re
 import shutil
 import struct
@@ -9,6 +12,7 @@ import subprocess
 import unittest
 
 from program import ENDMILL, ROOT, SURFACES, ProgramTest, endmill
+from program import plane as plane_file
 
 SADDLE = SURFACES / "saddle.json"
 HAS_PAGE = "is missing" not in endmill("view", SADDLE, "-o", "/nowhere/none/page.html").stderr
@@ -222,6 +226,104 @@ class View(ProgramTest):
         self.assertRegex(done.stderr, "toolpath.csv: not the path of job/checked/summary.json")
         self.assertNotIn("path", content_of(self.folder / "page.html")[0])
 
+    def judged_program(self):
+        """A five-axis program alone in a folder, judged in another; and the tips of the path from which it was made."""
+        machine = ["--machine", ROOT / "datasets/machines/ca-table-table.json", "--clamp", "5,6,7"]
+        part = SURFACES / "gaussian-bump.json"
+        for words in (["plan", part, "--axis-mode", "lead", "--cutter", "ball:10", "--direction", "u", "--scallop", "1",
+                       "--inner-tolerance", "0.2", "-o", "bump"],
+                      ["post", "bump/toolpath.csv", *machine, "--feed", "800", "--spindle-rpm", "6000", "-o", "post"]):
+            done = endmill(*words, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        (self.folder / "alone").mkdir()
+        shutil.copy(self.folder / "post/toolpath.ngc", self.folder / "alone/p.ngc")
+        done = endmill("verify", "alone/p.ngc", *machine, "--frame", "joint", "--cutter", "ball:10", "--part", part,
+                       "--resolution", "2", "-o", "judged", "--html", cwd=self.folder)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        with open(self.folder / "bump/toolpath.csv", encoding="utf-8") as file:
+            return [[float(row[f"tip_{axis}_mm"]) for axis in "xyz"] for row in csv.DictReader(file)]
+
+    def test_a_program_judged_with_machine_is_shown_with_it(self):
+        planned = self.judged_program()
+        content, numbers = content_of(self.folder / "judged/page.html")
+        self.assertEqual(content["machine"]["word"], "W/caxyBz/T")
+        tips = array(content["path"]["tips"], numbers)
+        tips = [tips[k:k + 3] for k in range(0, len(tips), 3)]
+        for tip in planned:  # the program passes them, within its digits and the path's drawing
+            self.assertLess(min(math.dist(tip, at) for at in tips), 1e-3)
+        for sources in (["judged"], ["alone/p.ngc", "judged"]):
+            self.assertEqual(self.view(*sources)[0]["machine"], content["machine"])
+        # the options of view name the machine too
+        (self.folder / "page.html").unlink()
+        self.refused(3, r"expected A0, or the machine of the program \(--machine", "alone/p.ngc")
+        options = ["--machine", ROOT / "datasets/machines/ca-table-table.json", "--clamp", "5,6,7", "--frame", "joint"]
+        self.assertEqual(self.view("alone/p.ngc", *options)[0]["machine"]["rotary"], content["machine"]["rotary"])
+
+    def test_a_machine_without_a_path_has_no_effect(self):
+        self.refused(2, "--machine: has no effect with no path", SADDLE, "--machine", "W/caxyBz/T")
+
+    def test_wrapped_words_are_read_as_verify_read_them(self):
+        lines = [f"G1 X{k} C{10 * k % 360}" for k in range(80)]
+        (self.folder / "p.ngc").write_text("G21 G90\nS1000 M3\nG0 X0 Y0 Z5 A0 C0\nF100\n" + "\n".join(lines) + "\nM2\n",
+                                           encoding="utf-8")
+        turns = {}
+        for name, options in (("full", []), ("wrapped", ["--wrapped", "c:shortest"])):
+            done = endmill("verify", "p.ngc", "--machine", "W/caxyBz/T", "--frame", "joint", "--cutter", "ball:10", "--part",
+                           "none", "--resolution", "5", *options, "-o", name, "--html", cwd=self.folder)
+            self.assertIn(done.returncode, (0, 1), done.stderr)
+            content, numbers = content_of(self.folder / f"{name}/page.html")
+            positions = array(content["path"]["positions"], numbers)
+            turns[name] = max(abs(b - a) for axis in (3, 4) for a, b in
+                              zip(positions[axis::5], positions[axis + 5::5]))
+        self.assertAlmostEqual(turns["full"], 350, places=6)
+        self.assertAlmostEqual(turns["wrapped"], 10, places=6)
+
+    def test_a_program_of_the_centre_is_shown_by_its_tips(self):
+        (self.folder / "p.ngc").write_text("G21 G90\nS1000 M3\nG0 X0 Y0 Z9\nF100\nG1 X1 Z6\nG1 X9\nM2\n", encoding="utf-8")
+        done = endmill("verify", "p.ngc", "--cutter", "ball:10", "--programmed-point", "centre", "--part", "none", "-o",
+                       "judged", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        content, numbers = self.view("judged")
+        self.assertEqual(array(content["path"]["tips"], numbers)[-3:], (9, 0, 1))
+
+    def test_verify_states_the_path_that_it_judged_and_another_one_is_named(self):
+        folder = self.planned()
+        path = folder / "toolpath.csv"
+        done = endmill("verify", path, "--resolution", "2", "-o", "checked", cwd=self.folder)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        found = json.loads((self.folder / "checked/summary.json").read_text(encoding="utf-8"))
+        self.assertEqual(found["toolpath_sha256"], hashlib.sha256(path.read_bytes()).hexdigest())
+
+        def warned(*sources):
+            done = endmill("view", *sources, "-o", self.folder / "page.html", "--force", cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            note = content_of(self.folder / "page.html")[0]["deviation"].get("note", "")
+            self.assertEqual("is that of another path" in done.stderr, "is that of another path" in note)
+            return bool(note)
+
+        self.assertFalse(warned(folder, "checked"))
+        done = endmill("post", path, "--feed", "100", "--spindle-rpm", "1000", "-o", "post", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertFalse(warned(folder, "post", "checked"))  # the program of this path
+        self.path([(0, 0, 0), (9, 9, 0)])
+        self.assertTrue(warned("path.csv", "checked"))
+        path.write_text(path.read_text(encoding="utf-8").replace("cut", "link", 1), encoding="utf-8")
+        self.assertTrue(warned(folder, "checked"))
+
+    def test_results_of_a_tilted_axis_lie_on_the_part(self):
+        plane = self.file({**plane_file(), "name": "flat"})
+        done = endmill("plan", plane, "--cutter", "ball:10", "--scallop", "1", "--axis", "0.3,0.2,1", "--strategy", "iso-u",
+                       "-o", "plan", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = endmill("verify", "plan/toolpath.csv", "--resolution", "2", "-o", "checked", cwd=self.folder)
+        self.assertIn(done.returncode, (0, 1), done.stderr)
+        content, numbers = self.view("plan", "checked")
+        heights = array(content["deviation"]["points"], numbers)[2::3]
+        for z in heights:  # of a plane z = 0, relative to the origin of the page
+            self.assertAlmostEqual(z + content["origin_mm"][2], 0, places=4)
+        for place in content["deviation"]["worst"]:
+            self.assertAlmostEqual(place["point_mm"][2] + content["origin_mm"][2], 0, places=4)
+
     def test_units_and_up_of_a_source(self):
         mesh = self.folder / "one.stl"
         mesh.write_text("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 1 0\nendloop\n"
@@ -252,7 +354,7 @@ class View(ProgramTest):
         file.write_text("\n".join(moved) + "\n", encoding="utf-8")
         planes = self.view(folder)[0]["sections"]["planes"]
         self.assertEqual([plane["number"] for plane in planes], [0, 1, 2, 3, 9999999])
-        self.assertEqual((planes[2]["before"], planes[4]["after"]), ([], []))
+        self.assertEqual((planes[2]["before"], planes[4]["after"]), ([], [[]]))
         for value in ("1e300", "-1", "0.5"):
             file.write_text("\n".join([lines[0], re.sub("^0,", f"{value},", lines[1])]) + "\n", encoding="utf-8")
             done = endmill("view", folder, "-o", self.folder / "page.html", "--force", cwd=self.folder)

@@ -85,6 +85,8 @@ before(async () => {
   endmill("view", "saddle", "checked", "-o", "saddle.html");
   endmill("trim", join(datasets, "surfaces/valley.json"), "--cutter", "ball:20", "--planes", "5", "-o", "trimmed");
   endmill("view", "trimmed", "-o", "trimmed.html");
+  endmill("trim", join(datasets, "surfaces/valley.json"), "--cutter", "ball:20", "--planes", "5", "--method", "all", "-o", "methods", "--html");
+  endmill("plan", join(datasets, "surfaces/saddle.json"), "--cutter", "ball:15", "--scallop", "0.5", "--direction", "both", "-o", "both-ways", "--html");
   const limited = ["--machine", join(datasets, "machines/ca-table-table.json"), "--sphere", "hex:4"];
   endmill("setup", join(datasets, "meshes/teapot-288.off"), ...limited, "-o", "limited", "--html");
   endmill("setup", join(datasets, "meshes/teapot-288.off"), "--machine", "W/caxyBz/T", "--sphere", "hex:4", "-o", "setup", "--html");
@@ -166,6 +168,49 @@ describe("part and path", () => {
     assert.ok(Math.abs(bar - pixels * parseFloat(words)) < 0.5, `${words}: ${bar} pixels, 1 mm: ${pixels}`);
   });
 
+  test("tool and part stay in sight, apart from axes and scale bar", async () => {
+    for (const width of [1280, 375]) {
+      const page = await open("saddle.html", { viewport: { width, height: 900 } });
+      const seen = await cut(page, (view) => {
+        const { camera, node } = view.view;
+        const [wide, high] = [node.clientWidth, node.clientHeight];
+        const box = { left: wide, right: 0, top: high, bottom: 0 };
+        const add = (object) => {
+          const points = object.geometry.getAttribute("position");
+          object.updateWorldMatrix(true, false);
+          for (let k = 0; k < points.count; ++k) {
+            const at = object.position.clone().fromBufferAttribute(points, k).applyMatrix4(object.matrixWorld).project(camera);
+            const [x, y] = [((at.x + 1) / 2) * wide, ((1 - at.y) / 2) * high];
+            Object.assign(box, { left: Math.min(box.left, x), right: Math.max(box.right, x), top: Math.min(box.top, y), bottom: Math.max(box.bottom, y) });
+          }
+        };
+        add(view.parts.part);
+        for (let point = 0; point < view.content.path.numbers.length; ++point) {
+          view.show(point);
+          add(view.cutter);
+        }
+        const cross = view.view.axes.cross.getBBox();
+        const moved = view.view.axes.cross.transform.baseVal[0].matrix;
+        return { box, wide, high, crossTop: cross.y + moved.f, crossRight: cross.x + cross.width + moved.e };
+      });
+      const { box, wide, high, crossTop, crossRight } = seen;
+      assert.ok(box.left >= 0 && box.right <= wide && box.top >= 0 && box.bottom <= high, JSON.stringify(seen));
+      assert.ok(box.bottom <= crossTop || box.left >= crossRight, JSON.stringify(seen));
+    }
+  });
+
+  test("of a plan in both directions the recommended one is shown", async () => {
+    const page = await open("both-ways/page.html");
+    const { recommended } = JSON.parse(readFileSync(join(folder, "both-ways/summary.json"), "utf8"));
+    const rows = table(`both-ways/${recommended}/toolpath.csv`);
+    const last = await cut(page, (view) => Array.from(view.content.path.tips.slice(-3)));
+    assert.deepEqual(last, ["x", "y", "z"].map((axis) => Number(rows.at(-1)[`tip_${axis}_mm`])));
+    await page.click("#tab-summary");
+    const passes = JSON.parse(readFileSync(join(folder, "both-ways/u/summary.json"), "utf8")).passes;
+    const shown = await page.locator("tr").evaluateAll((lines) => lines.map((line) => [...line.cells].map((cell) => cell.textContent)));
+    assert.deepEqual(shown.filter(([key]) => key === "u.passes"), [["u.passes", String(passes)]]);
+  });
+
   test("the worst places stand where the summary says", async () => {
     const page = await open("saddle.html");
     const summary = JSON.parse(readFileSync(join(folder, "checked/summary.json"), "utf8"));
@@ -233,6 +278,29 @@ test("sections follow the slider of planes", async () => {
   const words = await page.locator(".readout").last().textContent();
   assert.match(words, new RegExp(`plane 3 \\(4 of 5\\), 70.000 mm across.*${curves("trimmed/sections.csv")} curves? before, ${curves("trimmed/trimmed.csv")} curves? after`));
   assert.equal(await page.locator("path.before").count(), curves("trimmed/sections.csv"));
+  assert.deepEqual(page.faults, []);
+});
+
+test("sections can be chosen by the method of trimming, first in the plane that loses most", async () => {
+  const page = await open("methods/page.html");
+  await page.click("#tab-sections");
+  const pointsOf = (file, plane) => table(file).filter((row) => row.plane === String(plane));
+  const lengthOf = (rows) => rows.reduce((sum, row, k) => {
+    const last = rows[k - 1];
+    return last?.curve === row.curve ? sum + Math.hypot(row.s_mm - last.s_mm, row.z_mm - last.z_mm) : sum;
+  }, 0);
+  const lost = [0, 1, 2, 3, 4].map((plane) =>
+    lengthOf(pointsOf("methods/sections.csv", plane)) - lengthOf(pointsOf("methods/1/trimmed.csv", plane)));
+  const first = await page.evaluate(() => window.endmill.views.sections.state.plane);
+  assert.ok(Math.abs(lost[first] - Math.max(...lost)) < 1e-3, `${lost}, not ${first}`);
+  const names = await page.locator("#method option").allTextContents();
+  assert.deepEqual(names, ["1", "2", "3", "3r", "envelope", "winding"]);
+  for (const [k, name] of names.entries()) {
+    await page.selectOption("#method", String(k));
+    const drawn = await page.locator("path.after").evaluateAll((curves) =>
+      curves.map((curve) => curve.getAttribute("d").split(/[ML]/).length - 1).reduce((a, b) => a + b, 0));
+    assert.equal(drawn, pointsOf(`methods/${name}/trimmed.csv`, first).length, name);
+  }
   assert.deepEqual(page.faults, []);
 });
 

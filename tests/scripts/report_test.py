@@ -89,6 +89,15 @@ class Report(FakeTree):
         self.assertIn("<figcaption><p>In the paper: Fig. 1 &quot;A &amp; B&quot;</p><p>Here: Ours.</p></figcaption>",
                       self.report())
 
+    def test_a_drawing_opens_its_page_in_3d_and_a_plot_does_not(self):
+        self.add_result("paper/figure-1", figures={"x.svg": "<svg/>", "y.svg": "<svg/>"})
+        params = '{"figures": [{"file": "x.svg", "caption": "X."}, {"file": "y.svg", "caption": "Y.", "plot": {}}]}'
+        self.write("experiments/paper/figure-1/params.json", params)
+        self.assertNotIn("view/page.html", self.report())
+        self.write("results/paper/figure-1/view/page.html", "a page")
+        opened = re.findall(r'<a href="paper/figure-1/view/page.html"><img [^>]*alt="(.*?)"', self.report())
+        self.assertEqual(opened, ["X."])
+
     def test_large_figures_are_files_beside_a_small_page(self):
         heavy = "<svg>" + "x" * 150_000 + "</svg>"
         self.add_result("paper/figure-1", figures={f"{i}.svg": heavy for i in range(30)} | {"small.svg": "<svg/>"})

@@ -11,6 +11,7 @@
 #include "ball-end-milling/figure-10/stroke_comparison.h"
 #include "support/along_path.h"
 #include "support/milling_jobs.h"
+#include "support/viewed_passes.h"
 
 using namespace endmill;
 
@@ -49,10 +50,11 @@ int main(int argc, char** argv)
         const double constant_mm = run.number("constant_feed_per_tooth_mm");
         const FeedPlanOptions options{.peak_factor = run.number("peak_factor"),
                                       .accuracy = run.number("accuracy")};
-        const std::vector<SegmentCut> cuts = milled_path(reference_passes()).cuts;
+        const MilledPath milled = milled_path(reference_passes());
+        const std::vector<SegmentCut>& cuts = milled.cuts;
         const int count_steps = static_cast<int>(run.number("azimuths_of_counts"));
-        std::vector<SegmentCut> stroke = cuts;
-        std::erase_if(stroke, [&](const SegmentCut& cut) { return cut.pass != pass; });
+        const MilledPath moves = moves_of_pass(milled, pass);
+        const std::vector<SegmentCut>& stroke = moves.cuts;
         std::vector<StrokeComparison> all;
         for (const std::string& material : run.texts("materials")) {
             const MillingJob job = reference_job(material);
@@ -79,6 +81,10 @@ int main(int argc, char** argv)
             add_named(result, material + ", passes of 40 by eq. (15)",
                       stated_claim_counts(cuts, job, constant_mm, options.peak_factor));
             write_along(run, material, "Stroke A, " + material, stroke, plan);
+            if (material == run.text("material_in_3d"))
+                write_passes_for_view(run, reference_passes(), moves,
+                                      "datasets/surfaces/ball-end-test-surface.json",
+                                      &plan);
         }
         NamedCells claims;
         for (const auto& [name, holds] : stroke_claims())

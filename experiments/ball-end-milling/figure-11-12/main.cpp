@@ -8,9 +8,12 @@
 
 #include "ball-end-milling/figure-11-12/comparison.h"
 #include "endmill/figures/tool_path_svg.h"
+#include "endmill/files/mesh_file.h"
+#include "endmill/surface/sampling.h"
 #include "support/along_path.h"
 #include "support/milling_jobs.h"
 #include "support/passes_table.h"
+#include "support/viewed_passes.h"
 
 using namespace endmill;
 
@@ -28,15 +31,20 @@ OneWayPasses saddle_passes(double over_the_top_mm)
     return plan;
 }
 
-void write_figures(Experiment& run, const OneWayPasses& plan, const MilledPath& milled)
+void write_figures(Experiment& run, const OneWayPasses& plan, const MilledPath& milled,
+                   const FeedPlan& feeds)
 {
     const SurfaceDrawing surface{.figure = {.title = "A saddle of our own"},
                                  .spaces_per_patch = 2};
-    run.write("saddle.svg",
-              surface_svg(gridded(plan.surface, plan.extent, 24, 12), surface));
+    const Surface saddle = gridded(plan.surface, plan.extent, 24, 12);
+    run.write("saddle.svg", surface_svg(saddle, surface));
     const ToolPath path =
         milled_tool_path(milled, plan.radius, plan.stock_top + above_stock_mm);
     run.write("path.svg", tool_path_svg(path, {.title = "Cutter path over it, tips"}));
+    const TriangleMesh part =
+        sampled({&saddle, 1}, std::vector{1.0}, run.number("chord_tolerance_mm")).mesh;
+    run.write("saddle.stl", mesh_text(part, MeshFormat::Stl));
+    write_passes_for_view(run, plan, milled, "saddle.stl", &feeds);
 }
 
 }  // namespace
@@ -88,6 +96,6 @@ int main(int argc, char** argv)
             run.write("feeds.csv", quantiles.text());
             write_along(run, run.text("material"),
                         "Feed along the path, our saddle, steel", milled.cuts, feeds);
-            write_figures(run, plan, milled);
+            write_figures(run, plan, milled, feeds);
         });
 }

@@ -15,6 +15,7 @@
 #include "support/experiment.h"
 #include "support/milling_jobs.h"
 #include "support/passes_table.h"
+#include "support/viewed_passes.h"
 
 using namespace endmill;
 
@@ -24,12 +25,15 @@ constexpr double safe_z_mm = 25;
 
 void write_figures(Experiment& run, const OneWayPasses& plan)
 {
+    const std::string part = run.text("surface");
+    const MilledPath milled = milled_path(plan);
     const SurfaceDrawing surface{.figure = {.title = "The test surface"},
                                  .spaces_per_patch = 3};
-    run.write("surface.svg", surface_svg(dataset_surface(run.text("surface")), surface));
+    run.write("surface.svg", surface_svg(dataset_surface(part), surface));
     run.write("path.svg",
-              stroke_path_figure(milled_path(plan), plan.radius, safe_z_mm,
+              stroke_path_figure(milled, plan.radius, safe_z_mm,
                                  static_cast<int>(run.number("stroke_pass"))));
+    write_passes_for_view(run, plan, milled, "datasets/surfaces/" + part + ".json");
 }
 
 }  // namespace

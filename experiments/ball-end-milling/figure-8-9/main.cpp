@@ -9,6 +9,7 @@
 #include "support/along_path.h"
 #include "support/milling_jobs.h"
 #include "support/path_statistics.h"
+#include "support/viewed_passes.h"
 
 using namespace endmill;
 
@@ -19,7 +20,8 @@ int main(int argc, char** argv)
                          "greatest_over_least", "jumps", "at_the_top", "longest_mm",
                          "passes_with_jump", "at_the_top_share", "shallow_passes_share",
                          "above_cap", "rank_correlation"}};
-        const std::vector<SegmentCut> cuts = milled_path(reference_passes()).cuts;
+        const MilledPath milled = milled_path(reference_passes());
+        const std::vector<SegmentCut>& cuts = milled.cuts;
         add_geometry(result, cuts);
         const double shallow_mm = run.number("shallow_mm");
         const FeedPlanOptions options{.accuracy = run.number("accuracy")};
@@ -32,6 +34,10 @@ int main(int argc, char** argv)
                       jump_cells(cap_jumps(cuts, plan, shallow_mm,
                                            *job.material.max_feed_per_tooth_mm)));
             write_along(run, material, "Feed along the path, " + material, cuts, plan);
+            if (material == run.text("material_in_3d"))
+                write_passes_for_view(run, reference_passes(), milled,
+                                      "datasets/surfaces/ball-end-test-surface.json",
+                                      &plan);
             feeds.push_back(table_feeds(plan));
         }
         add_named(result, "feed of both materials",

@@ -10,16 +10,12 @@
 #include <Eigen/SVD>
 
 #include "endmill/core/angle.h"
+#include "endmill/machine/kinematics.h"
 
 namespace endmill {
 namespace {
 
 constexpr double rounding = 1e-9;  // of sampled curves, radii of the sphere
-
-double angle_between(const Vec3& a, const Vec3& b)
-{
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 double length(const DirectionCurve& curve)
 {

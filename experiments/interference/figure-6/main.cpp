@@ -13,6 +13,7 @@
 #include "endmill/core/text.h"
 #include "endmill/cutter/plane_offset.h"
 #include "endmill/figures/section_svg.h"
+#include "endmill/files/result_csv.h"
 #include "endmill/trimming/cut_out.h"
 #include "endmill/trimming/detail/envelope_trimming.h"
 #include "endmill/trimming/detail/profile_families.h"
@@ -69,7 +70,14 @@ struct Cause {
     bool is_flat;  // a flat end mill instead of a ball
 };
 
-void draw(Experiment& run, CsvTable& result, const Cause& cause, const std::string& file)
+// The curve of each cause before and after trimming, for `endmill view`.
+struct Planes {
+    std::vector<PlaneSection> before = {};
+    std::vector<Trimmed> after = {};
+};
+
+void draw(Experiment& run, CsvTable& result, Planes& planes, const Cause& cause,
+          const std::string& file)
 {
     const OffsetProfile& profile = cause.profile;
     const int points = static_cast<int>(run.number("points"));
@@ -84,6 +92,8 @@ void draw(Experiment& run, CsvTable& result, const Cause& cause, const std::stri
     result.add_row({cause.name, profile.name, cutter_word(cutter), profile.radius,
                     static_cast<std::int64_t>(cuts.size()), before.gouge_mm,
                     trimming_quality(curves, left).gouge_mm, word(!cuts.empty())});
+    planes.before.emplace_back().curves.push_back(curve);
+    planes.after.push_back(left);
     FigureOptions figure;
     figure.title = cause.name;
     figure.captions = {"profile " + profile.name + ", " + cutter_word(cutter) +
@@ -100,6 +110,7 @@ int main(int argc, char** argv)
         CsvTable result{{"row", "profile", "cutter", "radius_mm", "stretches_cut",
                          "below_envelope_before_mm", "below_envelope_after_mm",
                          "interference"}};
+        Planes planes;
         const auto causes = run.texts("causes");
         const auto profiles = run.texts("profiles");
         const auto radii = run.numbers("radii_mm");
@@ -108,9 +119,15 @@ int main(int argc, char** argv)
         for (std::size_t k = 0; k < causes.size(); ++k) {
             OffsetProfile profile = profile_named(profiles.at(k));
             profile.radius = radii.at(k);
-            draw(run, result, {causes[k], profile, cutters.at(k) == "flat"},
+            draw(run, result, planes, {causes[k], profile, cutters.at(k) == "flat"},
                  files.at(k) + ".svg");
         }
+        std::string names;
+        for (std::size_t k = 0; k < causes.size(); ++k)
+            names += ", \"plane_" + std::to_string(k) + "\": \"" + causes[k] + "\"";
+        run.write("summary.json", "{\"name\": \"" + run.name() + "\"" + names + "}\n");
+        run.write("sections.csv", sections_csv(planes.before, nullptr));
+        run.write("trimmed.csv", trimmed_csv(planes.after, nullptr));
         run.write_result(result);
     });
 }
