@@ -37,7 +37,7 @@ def slug(heading):
 
 def on_the_site(path):
     """Whether a Markdown file is one of the site's pages."""
-    return len(path.parts) == 1 or path.parts[0] in ("docs", "src", "experiments")
+    return len(path.parts) == 1 or path.parts[0] in ("docs", "experiments") or path.parts[:2] == ("src", "endmill")
 
 
 def link(root, file, text, target):

@@ -134,6 +134,10 @@ Json write_view(const ViewOptions& options, const fs::path& page)
          {"part", "path", "deviation", "sections", "sphere", "machine"})
         if (content.head.contains(view))
             views.push_back(view);
+    if (views.empty())
+        warn(options.common,
+             "the sources hold nothing that can be drawn; the page shows the "
+             "summaries only");
     const std::string text =
         page_html(shell, input.title,
                   content.head.dump(-1, ' ', false, Json::error_handler_t::replace),

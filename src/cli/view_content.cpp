@@ -158,27 +158,37 @@ private:
         return value.dump();
     }
 
-    // A row for each value; keys within an object follow its key and a point.
-    static void add_rows(Json& rows, const std::string& outer, const Json& object)
+    // Adds a table with a row for each value. Keys within an object follow its key and a point;
+    // a large object gets a table of its own, which the page folds.
+    static void add_table(Json& list, const std::string& title, const Json& object,
+                          bool is_folded)
     {
-        constexpr std::size_t longest = 300;  // characters of a value
-        for (const auto& [key, value] : object.items()) {
-            const std::string name = outer + printable(key);
-            if (value.is_object() && !value.empty())
-                add_rows(rows, name + ".", value);
-            else
-                rows.push_back({name, printable(text_of(value), longest)});
-        }
+        constexpr std::size_t large = 24;  // values within an object
+        const std::size_t place = list.size();
+        list.push_back({{"title", title}, {"is_folded", is_folded}});
+        Json rows = Json::array();
+        const auto add_rows = [&](const auto& self, const std::string& outer,
+                                  const Json& values) -> void {
+            constexpr std::size_t longest = 300;  // characters of a value
+            for (const auto& [key, value] : values.items()) {
+                const std::string name = outer + printable(key);
+                if (value.is_object() && value.flatten().size() > large)
+                    add_table(list, title + ": " + name, value, true);
+                else if (value.is_object() && !value.empty())
+                    self(self, name + ".", value);
+                else
+                    rows.push_back({name, printable(text_of(value), longest)});
+            }
+        };
+        add_rows(add_rows, "", object);
+        list[place]["rows"] = std::move(rows);
     }
 
     Json summaries() const
     {
         Json list = Json::array();
-        for (const ViewSummary& summary : input_.summaries) {
-            Json rows = Json::array();
-            add_rows(rows, "", summary.content);
-            list.push_back({{"title", shown_path(summary.file)}, {"rows", rows}});
-        }
+        for (const ViewSummary& summary : input_.summaries)
+            add_table(list, shown_path(summary.file), summary.content, false);
         return list;
     }
 

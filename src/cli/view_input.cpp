@@ -167,6 +167,8 @@ private:
         if (const auto of = summary.find("comparison");
             name.empty() && of != summary.end() && of->is_object())
             name = text_in(*of, "exact_method");
+        else if (name.empty() && summary.contains("methods"))
+            name = "envelope";
         std::error_code ignored;
         const bool is_name =
             fs::path{name}.filename() == name && name != "." && name != "..";

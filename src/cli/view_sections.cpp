@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/view_sections.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -58,6 +59,11 @@ Planes planes_of(const std::string& file, const ReadLimits& limits,
                  const std::optional<Angle>& direction, std::size_t& points)
 {
     const CsvTable table = read_csv(file, limits);
+    for (const char* column : {"plane", "curve", "s_mm", "z_mm"})
+        if (std::ranges::find(table.columns(), column) == table.columns().end())
+            throw FormatError{"E_CSV",
+                              {shown_path(file), "1", std::string{"no column "} + column,
+                               "plane,curve,point,s_mm,x_mm,y_mm,z_mm"}};
     points += table.rows();
     if (points > most_section_points)
         throw LimitError{shown_path(file) + ": with it the sections have " +

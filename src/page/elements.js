@@ -30,16 +30,23 @@ export function button(text, onClick, attributes = {}) {
   return node;
 }
 
+const measured = []; // functions that look at the width of an element
+
 // Calls `then` with the width of an element in pixels when it is placed or its width changes.
 export function onWidth(node, then) {
   let last = 0;
-  new ResizeObserver(() => {
+  const measure = () => {
     const width = Math.round(node.getBoundingClientRect().width);
     if (width === 0 || width === last) return;
     last = width;
     then(width);
-  }).observe(node);
+  };
+  measured.push(measure);
+  new ResizeObserver(measure).observe(node);
 }
+
+// Does so at once, before a page is printed.
+export const measureAll = () => measured.forEach((measure) => measure());
 
 // A number with a fixed number of digits after the point, never "-0.000".
 export function fixed(value, decimals) {

@@ -3,7 +3,7 @@
 
 import { readContent } from "./content.js";
 import { CutView } from "./cut.js";
-import { button, element } from "./elements.js";
+import { button, element, measureAll } from "./elements.js";
 import { hasWebGL } from "./scene.js";
 import { SectionsView } from "./sections.js";
 import { SphereView } from "./sphere.js";
@@ -71,15 +71,25 @@ function start() {
     choose(views[next][0]);
     tabs.children[next].focus();
   });
-  // In print all tabs follow each other.
+  // In print all tabs follow each other, in light colours and with the width of a sheet.
+  const drawAll = () => {
+    measureAll();
+    for (const view of made.values()) for (const stage of view.stages ?? []) stage.redraw();
+  };
   window.addEventListener("beforeprint", () => {
     const shownTab = state.tab;
     for (const [name] of views) if (!made.has(name)) choose(name);
     choose(shownTab);
+    document.documentElement.classList.add("printing");
     for (const view of made.values()) view.node.hidden = false;
-    for (const view of made.values()) for (const stage of view.stages ?? []) stage.resizeNow();
+    drawAll();
+    for (const view of made.values()) for (const stage of view.stages ?? []) stage.keepPicture();
   });
-  window.addEventListener("afterprint", () => choose(state.tab));
+  window.addEventListener("afterprint", () => {
+    document.documentElement.classList.remove("printing");
+    choose(state.tab);
+    drawAll();
+  });
   choose(views[0][0]);
   state.isReady = true;
 }

@@ -38,7 +38,7 @@ export class View3d {
   // description: the text alternative of the view. hasScale: whether lengths are mm, for a scale bar.
   constructor(description, { hasScale = false } = {}) {
     this.node = element("div", { class: "stage" });
-    // The browser prints a canvas only if its picture is kept.
+    // The picture is kept for print.
     this.renderer = new WebGLRenderer({ antialias: !isSoftware(), preserveDrawingBuffer: true });
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
@@ -47,7 +47,8 @@ export class View3d {
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", description);
     this.axes = new Axes({ hasScale });
-    this.node.append(canvas, this.axes.node);
+    this.printed = element("canvas", { class: "printed", "aria-hidden": "true" });
+    this.node.append(canvas, this.printed, this.axes.node);
     this.scene = new Scene();
     this.content = new Group();
     this.scene.add(this.content, new AmbientLight(0xffffff, 1.6));
@@ -69,9 +70,13 @@ export class View3d {
   }
 
   takeColours() {
+    this.takeGround();
+    this.draw();
+  }
+
+  takeGround() {
     const panel = getComputedStyle(document.documentElement).getPropertyValue("--panel").trim();
     this.scene.background = new Color(panel);
-    this.draw();
   }
 
   resize() {
@@ -79,9 +84,18 @@ export class View3d {
     this.draw();
   }
 
-  resizeNow() {
+  // Draws at once, with the size and colours of now.
+  redraw() {
+    this.takeGround();
     this.fitCamera();
     this.drawNow();
+  }
+
+  // Copies what is drawn to a picture for print: browsers may print a canvas of WebGL empty.
+  keepPicture() {
+    const { domElement: drawn } = this.renderer;
+    Object.assign(this.printed, { width: drawn.width, height: drawn.height });
+    this.printed.getContext("2d").drawImage(drawn, 0, 0);
   }
 
   fitCamera() {

@@ -8,7 +8,11 @@ export class SummaryView {
     const table = (rows) => element("table", {}, ...rows.map(([key, value]) =>
       element("tr", {}, element("th", { scope: "row" }, ...breakable(key)), element("td", {}, value))));
     this.node = element("section", { class: "view" });
-    for (const { title, rows } of summaries) this.node.append(element("h2", {}, title), table(rows));
+    for (const { title, rows, is_folded: isFolded } of summaries) {
+      if (rows.length === 0) continue;
+      if (isFolded) this.node.append(element("details", {}, element("summary", {}, title), table(rows)));
+      else this.node.append(element("h2", {}, title), table(rows));
+    }
     this.node.append(element("h2", {}, "Made from"), table(provenance));
     const works = citations.map((work) => element("li", {}, work));
     if (works.length > 0) this.node.append(element("h2", {}, "Please cite"), element("ul", {}, ...works));

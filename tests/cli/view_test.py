@@ -361,6 +361,29 @@ class View(ProgramTest):
             self.assertEqual(done.returncode, 3)
             self.assertRegex(done.stderr, f"sections.csv:2: plane {value}; expected a whole number")
 
+    def test_sections_of_all_methods_with_the_path_of_the_exact_one(self):
+        for options in ([], ["--figure", "worst"]):
+            folder = self.folder / f"methods{len(options)}"
+            done = endmill("trim", SURFACES / "valley.json", "--cutter", "ball:20", "--planes", "3", "--method", "all", *options,
+                           "-o", folder, cwd=self.folder)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            content, numbers = self.view(folder)
+            self.assertEqual(content["sections"]["methods"], ["1", "2", "3", "3r", "envelope", "winding"])
+            with open(folder / "envelope/toolpath.csv", encoding="utf-8") as file:
+                rows = list(csv.DictReader(file))
+            last = array(content["path"]["tips"], numbers)[-3:]
+            self.assertEqual(list(last), [float(rows[-1][f"tip_{axis}_mm"]) for axis in "xyz"])
+            self.assertTrue(all(plane["position_mm"] > 0 for plane in content["sections"]["planes"]))
+        (folder / "1/trimmed.csv").write_text("x\n", encoding="utf-8")
+        (self.folder / "page.html").unlink()
+        self.refused(3, "1/trimmed.csv:1: no column plane; expected plane,curve", folder)
+        for method in content["sections"]["methods"]:
+            shutil.rmtree(folder / method)
+        (folder / "sections.csv").unlink()
+        done = endmill("view", folder, "-o", self.folder / "page.html", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, "warning: the sources hold nothing that can be drawn")
+
     def test_a_build_without_the_page_refuses_html_before_the_work(self):
         program = self.folder / "alone/endmill"
         program.parent.mkdir()

@@ -207,8 +207,10 @@ describe("part and path", () => {
     assert.deepEqual(last, ["x", "y", "z"].map((axis) => Number(rows.at(-1)[`tip_${axis}_mm`])));
     await page.click("#tab-summary");
     const passes = JSON.parse(readFileSync(join(folder, "both-ways/u/summary.json"), "utf8")).passes;
-    const shown = await page.locator("tr").evaluateAll((lines) => lines.map((line) => [...line.cells].map((cell) => cell.textContent)));
-    assert.deepEqual(shown.filter(([key]) => key === "u.passes"), [["u.passes", String(passes)]]);
+    const folded = page.locator("details", { has: page.locator("summary", { hasText: /: u$/ }) });
+    await folded.locator("summary").click();
+    const shown = await folded.locator("tr").evaluateAll((lines) => lines.map((line) => [...line.cells].map((cell) => cell.innerText)));
+    assert.deepEqual(shown.filter(([key]) => key === "passes"), [["passes", String(passes)]]);
   });
 
   test("the worst places stand where the summary says", async () => {
@@ -325,7 +327,7 @@ describe("directions", () => {
     const page = await open("setup/page.html");
     await page.click("#tab-sphere");
     const { facets, cells, reaches } = visibility("setup/visibility.bsm");
-    const [part, sphere] = await page.locator(".pair canvas").all();
+    const [part, sphere] = await page.locator(".pair canvas:not(.printed)").all();
     const state = () => page.evaluate(() => ({ ...window.endmill.views.sphere.state }));
     await part.click();
     const { facet, cone } = await state();
@@ -425,6 +427,48 @@ describe("every screen", () => {
     assert.equal(await page.locator("main section:not([hidden])").count(), 1);
     assert.equal(await page.evaluate(() => window.endmill.tab), "cut");
     assert.deepEqual(page.faults, []);
+  });
+
+  test("the printed page has its figures, light, whole and with texts of their size", async () => {
+    for (const [name, tab, figures] of [["saddle.html", "cut", 1], ["setup/page.html", "sphere", 2], ["trimmed.html", "sections", 1]]) {
+      const page = await open(name, { colorScheme: "dark" });
+      await page.click(`#tab-${tab}`);
+      // The pictures of the file: those of the 3D views have the size of a stage.
+      const file = (await page.pdf()).toString("latin1");
+      const images = [...file.matchAll(/\/Subtype \/Image\s+\/Width (\d+)\s+\/Height (\d+)/g)].map(([, ...size]) => size.map(Number));
+      const stages = images.filter(([width, height]) => width > 300 && height > 410 && height < 425);
+      assert.equal(stages.length, figures, `${name}: ${JSON.stringify(images)}`);
+      // The same layout on the screen.
+      await page.evaluate(() => { window.dispatchEvent(new Event("beforeprint")); });
+      await page.emulateMedia({ media: "print" });
+      const found = await page.evaluate(() => {
+        const boxes = [...document.querySelectorAll(".stage, svg.plot, table, figure img")].map((node) => node.getBoundingClientRect());
+        const [canvas] = document.querySelectorAll(".printed");
+        const data = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+        const colours = new Set();
+        for (let k = 0; k < data.length; k += 4) colours.add(data.slice(k, k + 3).join());
+        return {
+          widest: Math.max(...boxes.map(({ left, right }) => Math.max(right, 680 - left))),
+          shapes: [...document.querySelectorAll(".printed")].map(({ width, height, clientWidth, clientHeight }) => [width, height, clientWidth, clientHeight]),
+          corner: [...data.slice(0, 3)],
+          colours: colours.size,
+          rows: document.querySelectorAll("tr").length,
+          texts: [...document.querySelectorAll("svg text")].map((text) => text.getBoundingClientRect().height).filter((height) => height > 0),
+          controls: [...document.querySelectorAll("nav, .bar")].filter((node) => node.getBoundingClientRect().height > 0).length,
+        };
+      });
+      assert.ok(found.widest <= 1280 / 2 + 680 / 2 + 1, `${name}: ${found.widest}`);
+      for (const [width, height, shownWidth, shownHeight] of found.shapes)
+        assert.ok(Math.abs(width - shownWidth) <= 1 && Math.abs(height - shownHeight) <= 1, `${name}: ${found.shapes}`);
+      assert.deepEqual(found.corner, [255, 255, 255], "white though the screen is dark");
+      assert.ok(found.colours > 50, `${found.colours} colours`);
+      assert.ok(found.rows > 20 && found.controls === 0);
+      assert.ok(Math.min(...found.texts) >= 12, `${found.texts}`);
+      await page.emulateMedia({ media: null });
+      await page.evaluate(() => { window.dispatchEvent(new Event("afterprint")); });
+      assert.equal(await page.locator("main section:not([hidden])").count(), 1);
+      assert.deepEqual(page.faults, []);
+    }
   });
 
   test("pictures replace views where the browser has no WebGL", async () => {

@@ -73,8 +73,8 @@ public:
 
     /// A stretch of a line, by its parameter.
     struct Stretch {
-        double from;
-        double to;
+        double from;  ///< parameter of its begin
+        double to;    ///< parameter of its end
     };
 
     /// Returns a stretch of the line start + s direction outside which every place is farther

@@ -74,8 +74,8 @@ enum class ChildEnd {
 
 /// How a child process ended.
 struct ChildResult {
-    ChildEnd end;
-    int code;  ///< number of the signal if one ended it, else the exit code
+    ChildEnd end;  ///< what ended it
+    int code;      ///< number of the signal if one ended it, else the exit code
 };
 
 /// Runs a program without a shell, and waits for its end.

@@ -66,10 +66,10 @@ public:
     explicit TriangleTree(TriangleMesh&&) = delete;
     // in the source, where the nodes are complete
     ~TriangleTree();
-    TriangleTree(const TriangleTree& other);
-    TriangleTree(TriangleTree&& other) noexcept;
-    TriangleTree& operator=(const TriangleTree& other);
-    TriangleTree& operator=(TriangleTree&& other) noexcept;
+    TriangleTree(const TriangleTree& other);                 ///< a tree of the same mesh
+    TriangleTree(TriangleTree&& other) noexcept;             ///< the same
+    TriangleTree& operator=(const TriangleTree& other);      ///< the same
+    TriangleTree& operator=(TriangleTree&& other) noexcept;  ///< the same
 
     /// The point of the mesh that is nearest to `place`.
     /// \param place in mm.

@@ -89,8 +89,8 @@ OrientedPath plan_oriented(const TriangleMesh& mesh, const Cutter& cutter,
 
 /// An oriented path and its simulated cut.
 struct JudgedOrientedPath {
-    OrientedPath plan;
-    Verification verification;
+    OrientedPath plan;          ///< the path
+    Verification verification;  ///< its simulated cut
 };
 
 /// Plans an oriented path on surfaces or a mesh and verifies it. Stock on the skipped facets of a

@@ -42,8 +42,8 @@ std::string base64(std::string_view bytes);
 
 /// The parts of a page that do not depend on its content.
 struct PageShell {
-    /// The whole page, with @TITLE@, @STYLE@, @STYLE_HASH@, @SCRIPT@, @SCRIPT_HASH@, @CONTENT@
-    /// and @NUMBERS@ where the other texts belong.
+    /// The whole page, with the words TITLE, STYLE, STYLE_HASH, SCRIPT, SCRIPT_HASH, CONTENT and
+    /// NUMBERS between two signs \@ each where the other texts belong.
     std::string html;
     std::string style;        ///< CSS
     std::string style_hash;   ///< SHA-256 of the style in base64, for the security policy

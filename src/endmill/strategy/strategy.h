@@ -87,7 +87,7 @@ CoveringPath covering_by_strategy(Strategy strategy, const Part& part,
 
 /// The shortest path that is judged good, and the strategies that were compared.
 struct BestPlan {
-    StrategyPlan plan;
+    StrategyPlan plan;                 ///< the path
     std::vector<TriedStrategy> tried;  ///< in the order of Strategy
 };
 

@@ -92,7 +92,7 @@ struct CoveringPath {
 
 /// A strategy that was tried, and its result.
 struct TriedStrategy {
-    Strategy strategy;
+    Strategy strategy;                ///< that was tried
     std::optional<double> travel_mm;  ///< of its cuts; nothing if it made no path
     /// Length of its cuts by trials; set if it was not planned for that reason.
     std::optional<double> estimated_mm;
