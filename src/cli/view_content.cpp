@@ -173,7 +173,7 @@ private:
             for (const auto& [key, value] : values.items()) {
                 const std::string name = outer + printable(key);
                 if (value.is_object() && value.flatten().size() > large)
-                    add_table(list, title + ": " + name, value, true);
+                    add_table(list, fmt::format("{}: {}", title, name), value, true);
                 else if (value.is_object() && !value.empty())
                     self(self, name + ".", value);
                 else

@@ -260,6 +260,7 @@ Json plots_json(const ToolPath& path, const Engagement& engagement,
     const std::vector<std::size_t> chosen = plotted_points(series, path.points.size());
     const auto picked = [&](const auto& values) {
         std::vector<float> shown;
+        shown.reserve(chosen.size());
         for (const std::size_t k : chosen)
             shown.push_back(static_cast<float>(values[k]));
         return array_json(frame.numbers.add(shown));
@@ -278,40 +279,40 @@ Json plots_json(const ToolPath& path, const Engagement& engagement,
     return plots;
 }
 
-// The pose of the part and the lines of the rotary axes. A line of the table is given in the
-// machine, one of the head relative to the position of the tool (X, Y, Z).
-Json machine_json(const PartOnMachine& setup, const Vec3& origin)
+// A point of a rotary axis: in the machine for an axis of the table, relative to the position of
+// the tool (X, Y, Z) for one of the head. Of two axes on one side the offset separates them.
+Vec3 point_of_axis(const PartOnMachine& setup, std::size_t number)
 {
     const Machine& machine = setup.machine;
     const auto& axes = machine.configuration.rotary;
-    const Vec3 arm = (machine.pivot + setup.tool_length) * Vec3::UnitZ();
-    const auto has_both = [&](MachineSide side) {
-        return axes.size() == 2 && axes[0].side == side && axes[1].side == side;
-    };
+    const bool is_on_table = axes[number].side == MachineSide::Table;
+    const bool are_on_one_side = axes.size() == 2 && axes[0].side == axes[1].side;
+    const bool is_moved = are_on_one_side && number == (is_on_table ? 1 : 0);
+    const Vec3 offset = is_moved ? machine.axis_offset : Vec3{0, 0, 0};
+    if (is_on_table)
+        return machine.table_offset + offset;
+    return (machine.pivot + setup.tool_length) * Vec3::UnitZ() - offset;
+}
+
+// The pose of the part and the lines of the rotary axes.
+Json machine_json(const PartOnMachine& setup, const Vec3& origin)
+{
+    const MachineConfiguration& configuration = setup.machine.configuration;
     Json rotary = Json::array();
-    for (std::size_t k = 0; k < axes.size(); ++k) {
-        const bool is_table = axes[k].side == MachineSide::Table;
-        Vec3 point = is_table ? machine.table_offset : arm;
-        if (is_table && k == 1 && has_both(MachineSide::Table))
-            point += machine.axis_offset;
-        if (!is_table && k == 0 && has_both(MachineSide::Head))
-            point -= machine.axis_offset;
-        rotary.push_back({{"letter", std::string{axes[k].letter}},
-                          {"side", is_table ? "table" : "head"},
-                          {"point_mm", vector_json(point)}});
+    for (std::size_t k = 0; k < configuration.rotary.size(); ++k) {
+        const auto& [letter, side] = configuration.rotary[k];
+        rotary.push_back({{"letter", std::string{letter}},
+                          {"side", side == MachineSide::Table ? "table" : "head"},
+                          {"point_mm", vector_json(point_of_axis(setup, k))}});
     }
     // Points of the page are relative to its origin. The matrix is stored by columns.
-    const Eigen::Matrix3d& turn = setup.part_to_machine;
-    const Vec3 shift = clamped_point(setup, origin);
-    Json columns = Json::array();
-    for (int j = 0; j < 4; ++j)
-        for (int i = 0; i < 4; ++i)
-            columns.push_back(j < 3 && i < 3    ? turn(i, j)
-                              : j == 3 && i < 3 ? shift[i]
-                                                : (i == j ? 1.0 : 0.0));
-    return {{"word", machine.configuration.word},
-            {"rotary", std::move(rotary)},
-            {"part_to_machine", std::move(columns)}};
+    Eigen::Matrix4d pose = Eigen::Matrix4d::Identity();
+    pose.topLeftCorner<3, 3>() = setup.part_to_machine;
+    pose.topRightCorner<3, 1>() = clamped_point(setup, origin);
+    return {
+        {"word", configuration.word},
+        {"rotary", std::move(rotary)},
+        {"part_to_machine", std::vector<double>(pose.data(), pose.data() + pose.size())}};
 }
 
 }  // namespace
