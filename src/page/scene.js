@@ -202,7 +202,11 @@ export function facetMesh({ points, triangles }, colour, colours = null, isLit =
   geometry.setAttribute("position", new BufferAttribute(corners, 3));
   geometry.computeVertexNormals();
   if (colours) geometry.setAttribute("color", new BufferAttribute(new Float32Array(corners.length), 3));
-  const look = { side: DoubleSide, vertexColors: Boolean(colours), color: colours ? 0xffffff : colour };
+  // Drawn a little behind: the mesh is reduced, and points and lines on the part must not sink into it.
+  const look = {
+    side: DoubleSide, vertexColors: Boolean(colours), color: colours ? 0xffffff : colour,
+    polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 512,
+  };
   const materials = [new MeshLambertMaterial(look), new MeshBasicMaterial(look)];
   const count = triangles.length / 3;
   if (isLit)
