@@ -9,7 +9,7 @@ usage() {
 scripts/test.sh [--all] [--no-install]
 
 Installs missing packages (Debian, root) and runs the tests:
-  1. builds the preset release (g++) and runs all tests;
+  1. builds the preset release (g++) with all experiments, and runs all tests;
   2. builds the program and the fuzzers by the preset asan (clang, address and
      undefined-behaviour sanitizers), runs the tests of bad input and of short commands,
      and fuzzes each reader for 3 s (scripts/fuzz.sh);
@@ -19,14 +19,12 @@ It takes about 35 minutes on two cores, beginning with an empty clone.
 
   --all          also runs all tests under sanitizers, builds the program by the preset
                  tsan (clang, thread sanitizer) and runs every command that writes on 2
-                 and on 8 threads, fuzzes each reader for 60 s,
-                 repeats the tests of faults many times as often, compiles all experiments
-                 and benchmarks, compiles every installed
-                 header alone, builds and tests the Debian package, installs the Python package by
-                 pip, builds the
-                 documentation, runs an experiment by scripts/reproduce.sh, compares every
-                 picture of docs/images with what its commands make, and runs clang-tidy
-                 on every file; takes hours on two cores
+                 and on 8 threads, fuzzes each reader for 60 s, repeats the tests of
+                 faults many times as often, compiles all benchmarks and every installed
+                 header alone, builds and tests the Debian package, installs the Python
+                 package by pip, builds the documentation, runs an experiment by
+                 scripts/reproduce.sh, compares every picture of docs/images with what its
+                 commands make, and runs clang-tidy on every file; takes hours on two cores
   --no-install   installs nothing and checks that every program and library is there
 
 Build folders: build/release, build/asan, build/fuzz, with --all also build/tsan. Rebuilds only changed files.
@@ -40,7 +38,7 @@ fuzz_seconds=3
 tidy_options=()
 setup_options=()
 groups=(build mpi cad python page figures tests sanitizers)
-release_targets=(all endmill_tests)
+release_targets=(all endmill_tests endmill_experiments)
 asan_targets=(endmill endmill_fuzzers)
 # The commands that read files; the others take minutes under sanitizers.
 asan_tests=(--tests-regex '^cli\.(bad_input|coefficients|eval|feed|import|info|mesh_part|post|sample|toollife)_test$')
@@ -50,7 +48,7 @@ for argument in "$@"; do
             export ENDMILL_FAULTS=long
             all=true fuzz_seconds=60 tidy_options=(--all)
             groups+=(benchmarks docs packaging)
-            release_targets+=(endmill_experiments endmill_benchmarks)
+            release_targets+=(endmill_benchmarks)
             asan_targets+=(endmill_tests)
             asan_tests=(--label-exclude '^scripts$') ;;
         --no-install) setup_options=(--no-install) ;;

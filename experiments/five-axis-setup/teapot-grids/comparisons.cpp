@@ -25,11 +25,6 @@ const FittedPose& best(const GridSetups& grid, const std::string& family,
     return result_of(grid.setups, family, mode).least.value();
 }
 
-double angle_between(const Vec3& a, const Vec3& b)
-{
-    return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 double apart(const Vec3& a, const Vec3& b)
 {
     return std::min(angle_between(a, b), angle_between(a, {b.x(), -b.y(), b.z()}));
