@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <vector>
 
 #include "endmill/core/parallel.h"
@@ -198,6 +199,21 @@ Candidate refined(const Surface& surface, double side, PrincipalValue function,
     return {found.value, start.i, start.j, {found.at[0], found.at[1]}};
 }
 
+// Whether a minimum is taken in place of another one. Of equal ones, such as those of a symmetric
+// surface, it is the one in the first patch and nearest to its first corner, so that rounding
+// does not choose.
+bool is_preferred(const Candidate& found, const Candidate& known)
+{
+    constexpr double equal_share = 1e-9;
+    const double apart = found.value - known.value;
+    if (std::abs(apart) > equal_share * std::abs(known.value))
+        return apart < 0;
+    const auto place = [](const Candidate& one) {
+        return std::tuple{one.j, one.i, one.at.u + one.at.v};
+    };
+    return place(found) < place(known);
+}
+
 // The least value of each of `functions` over all patches; nothing if no sample of the
 // surface has a normal. The minima are refined in the order of their values. A minimum is
 // skipped if it cannot fall below the best one found.
@@ -220,10 +236,10 @@ std::vector<std::optional<Candidate>> least_values(
             starts.insert(starts.end(), patch[f].begin(), patch[f].end());
         std::ranges::stable_sort(starts, {}, &Candidate::value);
         for (const Candidate& start : starts) {
-            if (least[f] && start.value - start.rise >= least[f]->value)
+            if (least[f] && start.value - start.rise > least[f]->value)
                 continue;
             const Candidate found = refined(surface, side, functions[f], start);
-            if (!least[f] || found.value < least[f]->value)
+            if (!least[f] || is_preferred(found, *least[f]))
                 least[f] = found;
         }
     }
