@@ -33,13 +33,15 @@ constexpr int most_steps = 2000;
 constexpr int most_iterations = 8;
 constexpr double most_pieces_a_step = 0.3;
 constexpr double residual_share = 1e-12;
+// Newton's steps square their error: after a step of this many pieces it is rounding.
+constexpr double last_step = 1e-8;
+// A step of this many pieces is in the region of convergence.
+constexpr double small_step = 0.1;
 // As in iso_parametric.cpp.
 constexpr double least_advance = 1e-4;
 constexpr int dense_samples = 16;
 // A start value is off by a small part of its own correction.
 constexpr double sure_corrections = 4;
-
-using DirectionRuns = std::array<std::array<TableRun, 3>, 3>;
 
 // The curvature of the pass at a parameter; negative if there is none.
 template <typename Curvature>
@@ -117,11 +119,27 @@ struct ProjectedInterval {
     std::optional<double> distance;
 };
 
+// The projected interval of path_interval where its status is Ok, which is certain if the
+// curvature is small enough; nothing elsewhere.
+std::optional<double> plain_interval(double R, double k, double h)
+{
+    const double closing = 1 + 2 * k * R;
+    const double highest = 2 * R / h - 1;  // h is below its limit for closing < highest^2
+    const double g2 = h * (2 * R - h) / ((1 + k * R) * (1 + k * h));
+    const double kg2 = k * k * g2;
+    if (closing < 0 || closing > highest * highest / 2 || kg2 > 0.5)
+        return std::nullopt;
+    return 2 * std::sqrt(g2 * (1 - kg2 / 4)) * (1 - kg2 / 2);
+}
+
 ProjectedInterval projected_interval(double R, double k, double h,
                                      IntervalArithmetic arithmetic)
 {
     if (!(1 + k * R > 0))
         return {false, std::nullopt};
+    if (arithmetic == IntervalArithmetic::Exact)
+        if (const auto plain = plain_interval(R, k, h))
+            return {true, plain};
     const PathInterval exact = path_interval(BallCutter{R}, k, h);
     if (exact.status == LengthStatus::Unlimited)
         return {true, std::nullopt};
@@ -294,38 +312,62 @@ private:
     std::optional<double> next_candidate(const PassPoints& pass, double v,
                                          const CurveJet& across, double radius) const
     {
-        const bool least = options_.governing == Governing::Min ||
-                           options_.governing == Governing::DenseMin;
-        double best = options_.governing == Governing::Max ? -infinity : infinity;
+        switch (options_.governing) {
+            case Governing::Min:
+            case Governing::DenseMin:
+                return least_candidate(pass, v, across, radius);
+            case Governing::Max:
+            case Governing::First:
+            case Governing::Mean:
+                break;
+        }
+        double most = -infinity;
         double sum = 0;
         int count = 0;
-        for (const std::vector<AlongFrame>* frames : {&pass.frames, &dense_})
-            for (const AlongFrame& frame : *frames) {
-                double candidate = infinity;
-                if (!add_candidate(frame, v, across, radius, least ? best : infinity,
-                                   candidate))
-                    return std::nullopt;
-                if (!std::isfinite(candidate))
-                    continue;
-                ++count;
-                sum += candidate;
-                switch (options_.governing) {
-                    case Governing::Min:
-                    case Governing::DenseMin:
-                        best = std::min(best, candidate);
-                        break;
-                    case Governing::Max:
-                        best = std::max(best, candidate);
-                        break;
-                    case Governing::First:
-                        return candidate;
-                    case Governing::Mean:
-                        break;
-                }
-            }
+        for (const AlongFrame& frame : pass.frames) {
+            double candidate = infinity;
+            if (!add_candidate(frame, v, across, radius, infinity, candidate))
+                return std::nullopt;
+            if (!std::isfinite(candidate))
+                continue;
+            if (options_.governing == Governing::First)
+                return candidate;
+            ++count;
+            sum += candidate;
+            most = std::max(most, candidate);
+        }
         if (count == 0)
             return infinity;
-        return options_.governing == Governing::Mean ? sum / count : best;
+        return options_.governing == Governing::Mean ? sum / count : most;
+    }
+
+    // Begins with the contact that governed the pass before: most others are then certain to
+    // lie further away.
+    std::optional<double> least_candidate(const PassPoints& pass, double v,
+                                          const CurveJet& across, double radius) const
+    {
+        double best = infinity;
+        const auto consider = [&](const AlongFrame& frame) {
+            double candidate = infinity;
+            if (!add_candidate(frame, v, across, radius, best, candidate))
+                return false;
+            best = std::min(best, candidate);
+            return true;
+        };
+        const std::size_t likely = std::min(likely_, pass.frames.size() - 1);
+        if (!consider(pass.frames[likely]))
+            return std::nullopt;
+        for (std::size_t i = 0; i < pass.frames.size(); ++i) {
+            const double before = best;
+            if (!consider(pass.frames[i]))
+                return std::nullopt;
+            if (best < before)
+                likely_ = i;
+        }
+        for (const AlongFrame& frame : dense_)
+            if (!consider(frame))
+                return std::nullopt;
+        return best;
     }
 
     // Computes the candidate of a contact, infinite if it does not limit the next pass or
@@ -335,12 +377,12 @@ private:
     {
         const Vec3& p = frame.jet.first;
         const Vec3& q = across.first;
-        const Vec3 normal = turn_ * p.cross(q).normalized();
-        if (!(normal.z() > 0))
-            return false;
         const double q_along = q.dot(frame.feed);
         const Vec3 sideways = q - q_along * frame.feed;
         const double w = sideways.norm();
+        const Vec3 normal = turn_ / (frame.speed * w) * p.cross(q);
+        if (!(normal.z() > 0))
+            return false;
         const Vec3 cross_feed = sideways / w;
         const double b = 1 / w;
         const double a = -q_along / (frame.speed * w);
@@ -412,6 +454,11 @@ private:
                 pieces <= most_pieces_a_step ? 1 : most_pieces_a_step / pieces;
             u += share * step_u;
             v += share * step_v;
+            if (pieces <= last_step)
+                return {u, v};
+            // Converging steps at least halve: the others add up to at most this one.
+            if (pieces <= small_step && v - pieces > most_v)
+                return {u, infinity};
         }
         return {u_linear, v_linear};
     }
@@ -440,6 +487,8 @@ private:
     double residual_ = 0;
     std::vector<AlongFrame> dense_;
     std::array<PassPoints, 2> equal_;
+    // The contact that governed the last pass. It affects the time only.
+    mutable std::size_t likely_ = 0;
 };
 
 }  // namespace
@@ -461,42 +510,41 @@ std::optional<MarchedCurve> march_curve(const CompositeCurve& curve,
                       [](double, const CurveJet& jet) { return curvature_of(jet); });
 }
 
-std::optional<DirectionRuns> direction_runs(const TranslationalSurface& surface,
-                                            const RunPolicies& policies,
-                                            Parameter direction)
+bool visit_runs(const TranslationalSurface& surface, const RunPolicies& policies,
+                const std::function<bool(const RunPlace&, const TableRun&)>& visit)
 {
-    const bool is_u = direction == Parameter::U;
-    const CompositeCurve& along = is_u ? surface.along_u : surface.along_v;
-    const CompositeCurve& across = is_u ? surface.along_v : surface.along_u;
-    const Vec3 normal = along.jet(0).first.cross(across.jet(0).first);
-    DirectionRuns runs;
+    const CompositeCurve& a = surface.along_u;
+    const CompositeCurve& b = surface.along_v;
+    const double turn = a.jet(0).first.cross(b.jet(0).first).z() > 0 ? 1 : -1;
     for (int i = 0; i < 3; ++i) {
-        PassPlanner planner{along, across, normal.z() > 0 ? 1.0 : -1.0, policies,
-                            table_tolerances_mm[i]};
-        if (!planner.prepare())
-            return std::nullopt;
-        for (int j = 0; j < 3; ++j) {
-            const auto run =
-                planner.run(policies.radius_per_diameter * table_diameters_mm[j]);
-            if (!run)
-                return std::nullopt;
-            runs[i][j] = *run;
-        }
+        std::array planners{PassPlanner{a, b, turn, policies, table_tolerances_mm[i]},
+                            PassPlanner{b, a, -turn, policies, table_tolerances_mm[i]}};
+        if (!planners[0].prepare() || !planners[1].prepare())
+            return false;
+        for (int j = 2; j >= 0; --j)
+            for (int k = 0; k < 2; ++k) {
+                const auto run =
+                    planners[k].run(policies.radius_per_diameter * table_diameters_mm[j]);
+                if (!run)
+                    return false;
+                if (!visit({k, i, j}, *run))
+                    return true;
+            }
     }
-    return runs;
+    return true;
 }
 
 std::optional<TableRuns> table_runs(const TranslationalSurface& surface,
                                     const RunPolicies& policies)
 {
-    TableRuns both;
-    for (int k = 0; k < 2; ++k) {
-        const auto runs = direction_runs(surface, policies, table_directions[k]);
-        if (!runs)
-            return std::nullopt;
-        both[k] = *runs;
-    }
-    return both;
+    TableRuns runs{};
+    const auto keep = [&](const RunPlace& at, const TableRun& run) {
+        runs[at.direction][at.tolerance][at.diameter] = run;
+        return true;
+    };
+    if (!visit_runs(surface, policies, keep))
+        return std::nullopt;
+    return runs;
 }
 
 EconomyTables tables_of(const TableRuns& runs)
