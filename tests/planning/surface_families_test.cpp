@@ -122,8 +122,8 @@ TEST(SurfaceFamilies, FergusonHasNoTwists)
 TEST(SurfaceFamilies, TensHasHeightsInWholeTens)
 {
     const std::vector<double> values(12, 14.0);
-    const FamilySurface rounded = family_surface(SurfaceFamily::Tens, values);
-    const FamilySurface ten =
+    const FamilyMember rounded = family_surface(SurfaceFamily::Tens, values);
+    const FamilyMember ten =
         family_surface(SurfaceFamily::Translational, std::vector(12, 10.0));
     EXPECT_NEAR((as_surface(rounded).tangents(1.3, 0.4).point -
                  as_surface(ten).tangents(1.3, 0.4).point)
@@ -156,8 +156,8 @@ TEST(SurfaceFamilies, RuledHasStraightLines)
 TEST(SurfaceFamilies, RunsAreThoseOfThePlanner)
 {
     const SurfaceFamily family = SurfaceFamily::Uneven;
-    const FamilySurface two_curves = family_surface(family, random_values(family, 9));
-    const FamilySurface net = as_surface(two_curves);
+    const FamilyMember two_curves = family_surface(family, random_values(family, 9));
+    const FamilyMember net = as_surface(two_curves);
     RunPolicies policies;
     policies.table.plan.march = March::Alternate;
     std::vector<TableRun> runs;

@@ -333,7 +333,7 @@ std::vector<Interval> value_ranges(SurfaceFamily family)
     return ranges;
 }
 
-FamilySurface family_surface(SurfaceFamily family, std::span<const double> values)
+FamilyMember family_surface(SurfaceFamily family, std::span<const double> values)
 {
     Reader reader{values};
     switch (family) {
@@ -373,14 +373,14 @@ FamilySurface family_surface(SurfaceFamily family, std::span<const double> value
     return ruled_surface(reader);
 }
 
-Surface as_surface(const FamilySurface& surface)
+Surface as_surface(const FamilyMember& surface)
 {
     if (const auto* translational = std::get_if<TranslationalSurface>(&surface))
         return as_surface(*translational);
     return std::get<Surface>(surface);
 }
 
-bool visit_runs(const FamilySurface& surface, const RunPolicies& policies,
+bool visit_runs(const FamilyMember& surface, const RunPolicies& policies,
                 const std::function<bool(const RunPlace&, const TableRun&)>& visit)
 {
     if (const auto* translational = std::get_if<TranslationalSurface>(&surface))

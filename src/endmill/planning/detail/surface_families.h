@@ -46,18 +46,18 @@ SurfaceFamily family_named(std::string_view name);
 std::vector<Interval> value_ranges(SurfaceFamily family);
 
 /// A surface, as two curves if it is translational.
-using FamilySurface = std::variant<TranslationalSurface, Surface>;
+using FamilyMember = std::variant<TranslationalSurface, Surface>;
 
 /// The surface of `values`. \pre there are as many values as ranges.
-FamilySurface family_surface(SurfaceFamily family, std::span<const double> values);
+FamilyMember family_surface(SurfaceFamily family, std::span<const double> values);
 
 /// The same as a surface.
-Surface as_surface(const FamilySurface& surface);
+Surface as_surface(const FamilyMember& surface);
 
 /// Computes the 18 runs until `visit` returns false, see visit_runs of a translational surface. Other
 /// surfaces are planned by `table_plan`; `passes_real` is then 0, and `policies` must have
 /// IntervalArithmetic::Exact and no `points_of_first_pass`.
-bool visit_runs(const FamilySurface& surface, const RunPolicies& policies,
+bool visit_runs(const FamilyMember& surface, const RunPolicies& policies,
                 const std::function<bool(const RunPlace&, const TableRun&)>& visit);
 
 }  // namespace endmill

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "endmill/planning/detail/table_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "endmill/core/error.h"
+
+namespace endmill {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr Interval scallop_range{0.3, 1.1};  // h / delta
+// Ratios h / delta that a pair of curves is tried with.
+constexpr int tried_ratios = 12;
+constexpr Interval tried_range{0.36, 0.69};
+// Weight of squared percents of deviation against bits.
+constexpr double percent_weight = 2;
+// Penalty of a square millimetre of height beyond the limit.
+constexpr double height_weight = 0.01;
+constexpr int height_samples = 30;  // a piece
+// Shares of the ranges in which pairs are refined, one after the other.
+constexpr std::array refinement_shares{0.1, 0.01};
+
+double percent(double value, double target)
+{
+    return 100 * (value / target - 1);
+}
+
+double run_loss(const DirectionCost& run, const DirectionCost& target)
+{
+    const double points =
+        percent(static_cast<double>(run.ncl), static_cast<double>(target.ncl));
+    const double travel = percent(run.tcd_mm, target.tcd_mm);
+    return deviation_bits(run, target) +
+           percent_weight * (points * points + travel * travel);
+}
+
+FamilyMember member_of(SurfaceFamily family, std::span<const double> values)
+{
+    return family_surface(family, values.first(values.size() - 1));
+}
+
+// Positions in the values of a translational family that belong to one of the curves.
+std::vector<std::size_t> positions(SurfaceFamily family, int curve)
+{
+    // Runs of values: a, b, then a, b again where the family has more.
+    std::vector<std::size_t> lengths{7, 5};
+    if (family == SurfaceFamily::Uneven)
+        lengths.insert(lengths.end(), {6, 4});
+    if (family == SurfaceFamily::Skew)
+        lengths.insert(lengths.end(), {7, 5});
+    std::vector<std::size_t> own;
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+        for (std::size_t i = 0; i < lengths[k]; ++i)
+            if (static_cast<int>(k % 2) == curve)
+                own.push_back(first + i);
+        first += lengths[k];
+    }
+    return own;
+}
+
+const CompositeCurve& curve_of(const TranslationalSurface& surface, int curve)
+{
+    return curve == 0 ? surface.along_u : surface.along_v;
+}
+
+double height_of(const CompositeCurve& curve)
+{
+    double low = infinity;
+    double high = -infinity;
+    for (int i = 0; i <= height_samples * curve.pieces(); ++i) {
+        const double z = curve.point(i / double(height_samples)).z();
+        low = std::min(low, z);
+        high = std::max(high, z);
+    }
+    return high - low;
+}
+
+// Values of one of the curves that fulfil its target, one list for each search that succeeded.
+class CurveSearch {
+public:
+    CurveSearch(SurfaceFamily family, int curve, const CurveTarget& target,
+                const StagedSearch& search)
+        : family_{family},
+          curve_{curve},
+          positions_{positions(family, curve)},
+          all_(value_ranges(family).size(), 0.0),
+          target_{target},
+          search_{search}
+    {
+        const std::vector<Interval> ranges = value_ranges(family);
+        for (const std::size_t position : positions_)
+            ranges_.push_back(ranges[position]);
+    }
+
+    std::vector<std::vector<double>> found() const
+    {
+        const auto loss = [this](std::span<const double> values, double) {
+            return curve_loss_of(values);
+        };
+        std::vector<std::vector<double>> curves;
+        for (int i = 0; i < search_.curves; ++i) {
+            const FoundValues best =
+                minimise(ranges_, loss,
+                         {.evaluations = search_.curve_evaluations,
+                          .seed = search_.seed + static_cast<std::uint32_t>(i)});
+            if (best.loss == 0)
+                curves.push_back(best.values);
+        }
+        return curves;
+    }
+
+private:
+    double curve_loss_of(std::span<const double> values) const
+    {
+        std::vector<double> all = all_;
+        for (std::size_t i = 0; i < positions_.size(); ++i)
+            all[positions_[i]] = values[i];
+        const FamilyMember member = family_surface(family_, all);
+        const CompositeCurve& curve =
+            curve_of(std::get<TranslationalSurface>(member), curve_);
+        const auto march = march_both_ways(curve);
+        if (!march)
+            return infinity;
+        const double excess = std::max(0.0, height_of(curve) - search_.most_height);
+        return curve_loss(*march, target_) + height_weight * excess * excess;
+    }
+
+    SurfaceFamily family_;
+    int curve_;
+    std::vector<std::size_t> positions_;
+    std::vector<double> all_;
+    const CurveTarget& target_;
+    const StagedSearch& search_;
+    std::vector<Interval> ranges_;
+};
+
+// Percent of N by which the real number of passes misses the interval that gives N passes.
+double missing_passes(double passes_real, int passes, LastPath last_path)
+{
+    // With a pass on the border N is the next whole number, without one the last.
+    const double high = last_path == LastPath::Border ? passes : passes + 1;
+    const double low = high - 1;
+    return 100 * std::max({0.0, low - passes_real, passes_real - high}) / passes;
+}
+
+struct Pair {
+    double squares;  // of missing passes in percent
+    std::vector<double> values;
+};
+
+Pair best_ratio(SurfaceFamily family, RunPolicies policies, std::vector<double> values,
+                const DecodedTables& decoded)
+{
+    const FamilyMember member = family_surface(family, values);
+    Pair pair{infinity, values};
+    pair.values.push_back(scallop_range.low);
+    for (int i = 0; i < tried_ratios; ++i) {
+        policies.table.scallop_per_tolerance =
+            std::lerp(tried_range.low, tried_range.high, i / (tried_ratios - 1.0));
+        double squares = 0;
+        const bool exists =
+            visit_runs(member, policies, [&](const RunPlace& at, const TableRun& run) {
+                const double missing = missing_passes(
+                    run.passes_real,
+                    decoded.counts[at.direction][at.tolerance][at.diameter],
+                    policies.table.plan.last_path);
+                squares += missing * missing;
+                return squares < pair.squares;
+            });
+        if (exists && squares < pair.squares) {
+            pair.squares = squares;
+            pair.values.back() = policies.table.scallop_per_tolerance;
+        }
+    }
+    return pair;
+}
+
+// `minimise` about `values` in smaller and smaller boxes.
+TableFit refined(SurfaceFamily family, const RunPolicies& policies,
+                 const EconomyTables& target, std::vector<double> values,
+                 const StagedSearch& search)
+{
+    const std::vector<Interval> ranges = fit_ranges(family);
+    const auto loss = [&](std::span<const double> trial, double give_up) {
+        return table_loss(family, policies, target, trial, give_up);
+    };
+    TableFit fit{std::move(values), infinity, 0};
+    for (const double share : refinement_shares) {
+        std::vector<Interval> box;
+        for (std::size_t i = 0; i < ranges.size(); ++i) {
+            const double half = share / 2 * ranges[i].length();
+            box.push_back({std::max(ranges[i].low, fit.values[i] - half),
+                           std::min(ranges[i].high, fit.values[i] + half)});
+        }
+        const int evaluations =
+            search.refined_evaluations / static_cast<int>(refinement_shares.size());
+        const FoundValues found = minimise(
+            box, loss,
+            {.evaluations = evaluations, .seed = search.seed, .start = {fit.values}});
+        fit.evaluations += found.evaluations;
+        if (found.loss <= fit.loss) {
+            fit.values = found.values;
+            fit.loss = found.loss;
+        }
+    }
+    return fit;
+}
+
+}  // namespace
+
+std::vector<Interval> fit_ranges(SurfaceFamily family)
+{
+    std::vector<Interval> ranges = value_ranges(family);
+    ranges.push_back(scallop_range);
+    return ranges;
+}
+
+std::optional<EconomyTables> fitted_tables(SurfaceFamily family, RunPolicies policies,
+                                           std::span<const double> values)
+{
+    policies.table.scallop_per_tolerance = values.back();
+    EconomyTables tables;
+    const auto keep = [&](const RunPlace& at, const TableRun& run) {
+        tables.runs[at.direction][at.tolerance][at.diameter] = run.cost;
+        return true;
+    };
+    if (!visit_runs(member_of(family, values), policies, keep))
+        return std::nullopt;
+    return tables;
+}
+
+double table_loss(SurfaceFamily family, RunPolicies policies, const EconomyTables& target,
+                  std::span<const double> values, double give_up)
+{
+    policies.table.scallop_per_tolerance = values.back();
+    double loss = 0;
+    const auto add = [&](const RunPlace& at, const TableRun& run) {
+        loss += run_loss(run.cost, target.runs[at.direction][at.tolerance][at.diameter]);
+        return loss <= give_up;
+    };
+    return visit_runs(member_of(family, values), policies, add) ? loss : infinity;
+}
+
+TableFit search_cells(SurfaceFamily family, const RunPolicies& policies,
+                      const EconomyTables& target, const BoundedSearch& search)
+{
+    const auto loss = [&](std::span<const double> values, double give_up) {
+        return table_loss(family, policies, target, values, give_up);
+    };
+    FoundValues found = minimise(fit_ranges(family), loss, search);
+    return {std::move(found.values), found.loss, found.evaluations};
+}
+
+StagedFit search_in_stages(SurfaceFamily family, const RunPolicies& policies,
+                           const EconomyTables& target, const DecodedTables& decoded,
+                           const StagedSearch& search)
+{
+    require(family == SurfaceFamily::Translational || family == SurfaceFamily::Uneven ||
+                family == SurfaceFamily::Skew,
+            "search_in_stages: need a family with free curves");
+    std::array<std::vector<std::vector<double>>, 2> curves;
+    for (int k = 0; k < 2; ++k)
+        curves[k] = CurveSearch{family, k, decoded.passes[k], search}.found();
+    StagedFit fit{
+        {static_cast<int>(curves[0].size()), static_cast<int>(curves[1].size())},
+        infinity,
+        {{}, infinity, 0}};
+
+    std::vector<Pair> pairs;
+    const std::array own{positions(family, 0), positions(family, 1)};
+    std::vector<double> values(value_ranges(family).size());
+    for (const std::vector<double>& a : curves[0])
+        for (const std::vector<double>& b : curves[1]) {
+            for (std::size_t i = 0; i < a.size(); ++i)
+                values[own[0][i]] = a[i];
+            for (std::size_t i = 0; i < b.size(); ++i)
+                values[own[1][i]] = b[i];
+            pairs.push_back(best_ratio(family, policies, values, decoded));
+        }
+    std::ranges::stable_sort(pairs, {}, &Pair::squares);
+    if (pairs.empty())
+        return fit;
+    constexpr int cells = 18;
+    fit.passes_percent = std::sqrt(pairs.front().squares / cells);
+
+    const auto last = std::min<std::size_t>(pairs.size(), search.refined);
+    for (std::size_t i = 0; i < last && std::isfinite(pairs[i].squares); ++i) {
+        TableFit found = refined(family, policies, target, pairs[i].values, search);
+        found.evaluations += fit.best.evaluations;
+        if (found.loss < fit.best.loss)
+            fit.best = std::move(found);
+        else
+            fit.best.evaluations = found.evaluations;
+    }
+    return fit;
+}
+
+}  // namespace endmill
