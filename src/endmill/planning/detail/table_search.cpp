@@ -43,102 +43,6 @@ FamilyMember member_of(SurfaceFamily family, std::span<const double> values)
     return family_surface(family, values.first(values.size() - 1));
 }
 
-// Positions in the values of a translational family that belong to one of the curves.
-std::vector<std::size_t> positions(SurfaceFamily family, int curve)
-{
-    // Runs of values: a, b, then a, b again where the family has more.
-    std::vector<std::size_t> lengths{7, 5};
-    if (family == SurfaceFamily::Uneven)
-        lengths.insert(lengths.end(), {6, 4});
-    if (family == SurfaceFamily::Skew)
-        lengths.insert(lengths.end(), {7, 5});
-    std::vector<std::size_t> own;
-    std::size_t first = 0;
-    for (std::size_t k = 0; k < lengths.size(); ++k) {
-        for (std::size_t i = 0; i < lengths[k]; ++i)
-            if (static_cast<int>(k % 2) == curve)
-                own.push_back(first + i);
-        first += lengths[k];
-    }
-    return own;
-}
-
-const CompositeCurve& curve_of(const TranslationalSurface& surface, int curve)
-{
-    return curve == 0 ? surface.along_u : surface.along_v;
-}
-
-double height_of(const CompositeCurve& curve)
-{
-    double low = infinity;
-    double high = -infinity;
-    for (int i = 0; i <= height_samples * curve.pieces(); ++i) {
-        const double z = curve.point(i / double(height_samples)).z();
-        low = std::min(low, z);
-        high = std::max(high, z);
-    }
-    return high - low;
-}
-
-// Values of one of the curves that fulfil its target, one list for each search that succeeded.
-class CurveSearch {
-public:
-    CurveSearch(SurfaceFamily family, int curve, const CurveTarget& target,
-                const StagedSearch& search)
-        : family_{family},
-          curve_{curve},
-          positions_{positions(family, curve)},
-          all_(value_ranges(family).size(), 0.0),
-          target_{target},
-          search_{search}
-    {
-        const std::vector<Interval> ranges = value_ranges(family);
-        for (const std::size_t position : positions_)
-            ranges_.push_back(ranges[position]);
-    }
-
-    std::vector<std::vector<double>> found() const
-    {
-        const auto loss = [this](std::span<const double> values, double) {
-            return curve_loss_of(values);
-        };
-        std::vector<std::vector<double>> curves;
-        for (int i = 0; i < search_.curves; ++i) {
-            const FoundValues best =
-                minimise(ranges_, loss,
-                         {.evaluations = search_.curve_evaluations,
-                          .seed = search_.seed + static_cast<std::uint32_t>(i)});
-            if (best.loss == 0)
-                curves.push_back(best.values);
-        }
-        return curves;
-    }
-
-private:
-    double curve_loss_of(std::span<const double> values) const
-    {
-        std::vector<double> all = all_;
-        for (std::size_t i = 0; i < positions_.size(); ++i)
-            all[positions_[i]] = values[i];
-        const FamilyMember member = family_surface(family_, all);
-        const CompositeCurve& curve =
-            curve_of(std::get<TranslationalSurface>(member), curve_);
-        const auto march = march_both_ways(curve);
-        if (!march)
-            return infinity;
-        const double excess = std::max(0.0, height_of(curve) - search_.most_height);
-        return curve_loss(*march, target_) + height_weight * excess * excess;
-    }
-
-    SurfaceFamily family_;
-    int curve_;
-    std::vector<std::size_t> positions_;
-    std::vector<double> all_;
-    const CurveTarget& target_;
-    const StagedSearch& search_;
-    std::vector<Interval> ranges_;
-};
-
 // Percent of N by which the real number of passes misses the interval that gives N passes.
 double missing_passes(double passes_real, int passes, LastPath last_path)
 {
@@ -220,6 +124,77 @@ std::vector<Interval> fit_ranges(SurfaceFamily family)
     return ranges;
 }
 
+std::vector<std::size_t> curve_positions(SurfaceFamily family, int curve)
+{
+    // Runs of values: those of A, those of B, and again where the family has more.
+    std::vector<std::size_t> lengths{7, 5};
+    if (family == SurfaceFamily::Uneven)
+        lengths.insert(lengths.end(), {6, 4});
+    if (family == SurfaceFamily::Skew)
+        lengths.insert(lengths.end(), {7, 5});
+    std::vector<std::size_t> own;
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+        for (std::size_t i = 0; i < lengths[k]; ++i)
+            if (static_cast<int>(k % 2) == curve)
+                own.push_back(first + i);
+        first += lengths[k];
+    }
+    return own;
+}
+
+CompositeCurve family_curve(SurfaceFamily family, int curve,
+                            std::span<const double> values)
+{
+    const std::vector<std::size_t> positions = curve_positions(family, curve);
+    std::vector<double> all(value_ranges(family).size(), 0.0);
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        all[positions[i]] = values[i];
+    const FamilyMember member = family_surface(family, all);
+    const auto& surface = std::get<TranslationalSurface>(member);
+    return curve == 0 ? surface.along_u : surface.along_v;
+}
+
+double height_of(const CompositeCurve& curve)
+{
+    double low = infinity;
+    double high = -infinity;
+    for (int i = 0; i <= height_samples * curve.pieces(); ++i) {
+        const double z = curve.point(i / double(height_samples)).z();
+        low = std::min(low, z);
+        high = std::max(high, z);
+    }
+    return high - low;
+}
+
+std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
+                                               const CurveTarget& target,
+                                               const StagedSearch& search)
+{
+    const std::vector<Interval> all_ranges = value_ranges(family);
+    std::vector<Interval> ranges;
+    for (const std::size_t position : curve_positions(family, curve))
+        ranges.push_back(all_ranges[position]);
+    const auto loss = [&](std::span<const double> values, double) {
+        const CompositeCurve trial = family_curve(family, curve, values);
+        const auto march = march_both_ways(trial);
+        if (!march)
+            return infinity;
+        const double excess = std::max(0.0, height_of(trial) - search.most_height);
+        return curve_loss(*march, target) + height_weight * excess * excess;
+    };
+    std::vector<std::vector<double>> curves;
+    for (int i = 0; i < search.curves; ++i) {
+        FoundValues best =
+            minimise(ranges, loss,
+                     {.evaluations = search.curve_evaluations,
+                      .seed = search.seed + static_cast<std::uint32_t>(i)});
+        if (best.loss == 0)
+            curves.push_back(std::move(best.values));
+    }
+    return curves;
+}
+
 std::optional<EconomyTables> fitted_tables(SurfaceFamily family, RunPolicies policies,
                                            std::span<const double> values)
 {
@@ -265,14 +240,14 @@ StagedFit search_in_stages(SurfaceFamily family, const RunPolicies& policies,
             "search_in_stages: need a family with free curves");
     std::array<std::vector<std::vector<double>>, 2> curves;
     for (int k = 0; k < 2; ++k)
-        curves[k] = CurveSearch{family, k, decoded.passes[k], search}.found();
+        curves[k] = search_curves(family, k, decoded.passes[k], search);
     StagedFit fit{
         {static_cast<int>(curves[0].size()), static_cast<int>(curves[1].size())},
         infinity,
         {{}, infinity, 0}};
 
     std::vector<Pair> pairs;
-    const std::array own{positions(family, 0), positions(family, 1)};
+    const std::array own{curve_positions(family, 0), curve_positions(family, 1)};
     std::vector<double> values(value_ranges(family).size());
     for (const std::vector<double>& a : curves[0])
         for (const std::vector<double>& b : curves[1]) {

@@ -60,6 +60,24 @@ struct StagedSearch {
     std::uint32_t seed = 1;            ///< first of the seeds
 };
 
+/// Values of the family that belong to its curve A (0) or B (1), in their order.
+/// \pre the family is Translational, Uneven or Skew
+std::vector<std::size_t> curve_positions(SurfaceFamily family, int curve);
+
+/// The curve A (0) or B (1) with these of the values, see curve_positions.
+CompositeCurve family_curve(SurfaceFamily family, int curve,
+                            std::span<const double> values);
+
+/// The first stage: searches for curves that have the points and the lengths of `target` by themselves.
+/// \return the values of those found, at most one for each of `search.curves` searches; see
+///         family_curve.
+std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
+                                               const CurveTarget& target,
+                                               const StagedSearch& search);
+
+/// Difference of the highest and the lowest point of 31 a piece, mm.
+double height_of(const CompositeCurve& curve);
+
 /// Result of the staged search.
 struct StagedFit {
     std::array<int, 2> curves_found;  ///< curves along u and v that fulfil their target
