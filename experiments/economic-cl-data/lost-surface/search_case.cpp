@@ -13,6 +13,7 @@
 #include "endmill/core/text.h"
 #include "endmill/planning/detail/portable_uniform.h"
 #include "endmill/planning/detail/structureless_tables.h"
+#include "endmill/surface/extent.h"
 #include "support/experiment.h"
 #include "support/printed_tables.h"
 
@@ -187,9 +188,9 @@ EconomyTables shifted_tables(std::uint32_t seed)
 
 CsvCell list_of(const std::vector<double>& values)
 {
-    std::string text;
+    std::string text = "values";  // a text that begins with a sign would be quoted
     for (const double value : values)
-        text += (text.empty() ? "" : " ") + to_text(value);
+        text += " " + to_text(value);
     return text;
 }
 
@@ -197,17 +198,7 @@ double height_of(SurfaceFamily family, std::span<const double> values)
 {
     const Surface surface =
         as_surface(family_surface(family, values.first(values.size() - 1)));
-    double low = surface.tangents(0, 0).point.z();
-    double high = low;
-    constexpr int samples = 40;
-    for (int i = 0; i <= 3 * samples; ++i)
-        for (int j = 0; j <= 2 * samples; ++j) {
-            const double z =
-                surface.tangents(i / double(samples), j / double(samples)).point.z();
-            low = std::min(low, z);
-            high = std::max(high, z);
-        }
-    return high - low;
+    return extent(surface, Vec3::UnitZ()).length();
 }
 
 }  // namespace
