@@ -117,8 +117,12 @@ TEST(TableSearch, SplitsTheValuesBetweenTheCurves)
 TEST(TableSearch, InStagesComesNearThePlantedCells)
 {
     const EconomyTables cells = fitted_tables(family, alternate(), wave).value();
-    const StagedSearch search{
-        .curves = 4, .curve_evaluations = 6000, .refined = 1, .refined_evaluations = 400};
+    const StagedSearch search{.curves = 4,
+                              .curve_evaluations = 6000,
+                              .fitted = 1,
+                              .fit_iterations = 4,
+                              .refined = 1,
+                              .refined_evaluations = 400};
     const StagedFit fit = search_in_stages(family, alternate(), cells,
                                            decoding_of(wave, alternate()), search);
     ASSERT_FALSE(fit.best.values.empty());

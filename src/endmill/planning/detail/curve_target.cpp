@@ -29,14 +29,6 @@ double chord_length(const CompositeCurve& curve, const MarchedCurve& pass)
     return length;
 }
 
-// Steps that are missing or too many for `points` points.
-double missing_steps(double steps, int points)
-{
-    const double low = points - 2 + least_share;
-    const double high = points - 1;
-    return std::max({0.0, low - steps, steps - high});
-}
-
 double count_loss(const CurveMarch& march, int forward, int backward)
 {
     const double f = missing_steps(march.steps_forward, forward);
@@ -51,6 +43,13 @@ double length_excess(const CurveMarch& march, const PassPair& target)
 }
 
 }  // namespace
+
+double missing_steps(double steps, int points)
+{
+    const double low = points - 2 + least_share;
+    const double high = points - 1;
+    return std::max({0.0, low - steps, steps - high});
+}
 
 std::optional<std::array<CurveMarch, 3>> march_both_ways(const CompositeCurve& curve)
 {

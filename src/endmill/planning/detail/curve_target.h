@@ -37,6 +37,10 @@ struct CurveMarch {
 /// \return nothing if a step makes no progress.
 std::optional<std::array<CurveMarch, 3>> march_both_ways(const CompositeCurve& curve);
 
+/// Steps that are missing or too many for `points` points, counted with the share of the last step: 0 if
+/// the pass has that number of points and its last step is at least 0.001 of a step.
+double missing_steps(double steps, int points);
+
 /// Distance of `march` from `target`: zero exactly if all numbers are equal and all lengths within
 /// their tolerance, or a last step is within 0.001 steps of it. Squares of the missing steps, with weight
 /// 4, and of the missing millimetres.

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "endmill/core/error.h"
+#include "endmill/planning/detail/least_squares.h"
 
 namespace endmill {
 namespace {
@@ -14,15 +15,17 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Interval scallop_range{0.3, 1.1};  // h / delta
 // Ratios h / delta that a pair of curves is tried with.
-constexpr int tried_ratios = 12;
-constexpr Interval tried_range{0.36, 0.69};
+constexpr int tried_ratios = 6;
+constexpr Interval tried_range{0.36, 0.66};
 // Weight of squared percents of deviation against bits.
 constexpr double percent_weight = 2;
 // Penalty of a square millimetre of height beyond the limit.
 constexpr double height_weight = 0.01;
 constexpr int height_samples = 30;  // a piece
+// Residuals of the fit: a millimetre of travel weighs as much as this part of a pass or a step.
+constexpr double count_unit = 0.01;
 // Shares of the ranges in which pairs are refined, one after the other.
-constexpr std::array refinement_shares{0.1, 0.01};
+constexpr std::array refinement_shares{0.02, 0.002};
 
 double percent(double value, double target)
 {
@@ -43,13 +46,13 @@ FamilyMember member_of(SurfaceFamily family, std::span<const double> values)
     return family_surface(family, values.first(values.size() - 1));
 }
 
-// Percent of N by which the real number of passes misses the interval that gives N passes.
-double missing_passes(double passes_real, int passes, LastPath last_path)
+// Passes by which the real number of passes misses the interval that gives N passes.
+double missing_pass_count(double passes_real, int passes, LastPath last_path)
 {
     // With a pass on the border N is the next whole number, without one the last.
     const double high = last_path == LastPath::Border ? passes : passes + 1;
     const double low = high - 1;
-    return 100 * std::max({0.0, low - passes_real, passes_real - high}) / passes;
+    return std::max({0.0, low - passes_real, passes_real - high});
 }
 
 struct Pair {
@@ -69,10 +72,12 @@ Pair best_ratio(SurfaceFamily family, RunPolicies policies, std::vector<double> 
         double squares = 0;
         const bool exists =
             visit_runs(member, policies, [&](const RunPlace& at, const TableRun& run) {
-                const double missing = missing_passes(
-                    run.passes_real,
-                    decoded.counts[at.direction][at.tolerance][at.diameter],
-                    policies.table.plan.last_path);
+                const int passes =
+                    decoded.counts[at.direction][at.tolerance][at.diameter];
+                const double missing = 100 *
+                                       missing_pass_count(run.passes_real, passes,
+                                                          policies.table.plan.last_path) /
+                                       passes;
                 squares += missing * missing;
                 return squares < pair.squares;
             });
@@ -83,6 +88,76 @@ Pair best_ratio(SurfaceFamily family, RunPolicies policies, std::vector<double> 
     }
     return pair;
 }
+
+// Real numbers of steps by which a march misses the counts of its target.
+void add_missing_steps(std::vector<double>& residuals,
+                       const std::array<CurveMarch, 3>& marches,
+                       const CurveTarget& target)
+{
+    for (int i = 0; i < 3; ++i) {
+        const PassPair& pair = target[i];
+        // Without f, the present one, as far as the sum allows.
+        const int forward = pair.points_forward.value_or(
+            std::clamp(marches[i].points_forward, pair.points_a_pair / 2 - 1,
+                       pair.points_a_pair / 2 + 2));
+        residuals.push_back(missing_steps(marches[i].steps_forward, forward) /
+                            count_unit);
+        residuals.push_back(
+            missing_steps(marches[i].steps_backward, pair.points_a_pair - forward) /
+            count_unit);
+    }
+}
+
+// Residuals that are continuous in the values while the counts are near the decoded ones: travel as if
+// the number of passes were the decoded one, missing passes, missing steps.
+class DecodedResiduals {
+public:
+    DecodedResiduals(SurfaceFamily family, const RunPolicies& policies,
+                     const EconomyTables& target, const DecodedTables& decoded)
+        : family_{family},
+          policies_{policies},
+          target_{target},
+          decoded_{decoded}
+    {
+    }
+
+    std::optional<Eigen::VectorXd> operator()(std::span<const double> values) const
+    {
+        RunPolicies policies = policies_;
+        policies.table.scallop_per_tolerance = values.back();
+        const FamilyMember member = member_of(family_, values);
+        const auto& surface = std::get<TranslationalSurface>(member);
+        const std::array marches{march_both_ways(surface.along_u),
+                                 march_both_ways(surface.along_v)};
+        if (!marches[0] || !marches[1])
+            return std::nullopt;
+        std::vector<double> residuals;
+        const auto add = [&](const RunPlace& at, const TableRun& run) {
+            const auto [k, i, j] = at;
+            const int passes = decoded_.counts[k][i][j];
+            const CurveMarch& march = (*marches[k])[i];
+            const double chord = (march.forward_mm + march.backward_mm) / 2;
+            residuals.push_back(run.cost.tcd_mm + (passes - run.passes) * chord -
+                                target_.runs[k][i][j].tcd_mm);
+            residuals.push_back(missing_pass_count(run.passes_real, passes,
+                                                   policies.table.plan.last_path) /
+                                count_unit);
+            return true;
+        };
+        if (!visit_runs(member, policies, add))
+            return std::nullopt;
+        for (int k = 0; k < 2; ++k)
+            add_missing_steps(residuals, *marches[k], decoded_.passes[k]);
+        return Eigen::VectorXd{Eigen::Map<const Eigen::VectorXd>(
+            residuals.data(), static_cast<Eigen::Index>(residuals.size()))};
+    }
+
+private:
+    SurfaceFamily family_;
+    const RunPolicies& policies_;
+    const EconomyTables& target_;
+    const DecodedTables& decoded_;
+};
 
 // `minimise` about `values` in smaller and smaller boxes.
 TableFit refined(SurfaceFamily family, const RunPolicies& policies,
@@ -263,15 +338,31 @@ StagedFit search_in_stages(SurfaceFamily family, const RunPolicies& policies,
     constexpr int cells = 18;
     fit.passes_percent = std::sqrt(pairs.front().squares / cells);
 
-    const auto last = std::min<std::size_t>(pairs.size(), search.refined);
-    for (std::size_t i = 0; i < last && std::isfinite(pairs[i].squares); ++i) {
-        TableFit found = refined(family, policies, target, pairs[i].values, search);
-        found.evaluations += fit.best.evaluations;
+    // The pairs with the best numbers of passes, fitted by least squares.
+    const DecodedResiduals residuals{family, policies, target, decoded};
+    std::vector<TableFit> fits;
+    for (const Pair& pair : pairs) {
+        if (static_cast<int>(fits.size()) >= search.fitted ||
+            !std::isfinite(pair.squares))
+            break;
+        const LeastSquares found = least_squares(fit_ranges(family), residuals,
+                                                 pair.values, search.fit_iterations);
+        fits.push_back({found.values,
+                        table_loss(family, policies, target, found.values, infinity),
+                        found.evaluations});
+    }
+    std::ranges::stable_sort(fits, {}, &TableFit::loss);
+    int evaluations = 0;
+    for (const TableFit& found : fits)
+        evaluations += found.evaluations;
+    for (std::size_t i = 0; i < fits.size() && static_cast<int>(i) < search.refined;
+         ++i) {
+        TableFit found = refined(family, policies, target, fits[i].values, search);
+        evaluations += found.evaluations;
         if (found.loss < fit.best.loss)
             fit.best = std::move(found);
-        else
-            fit.best.evaluations = found.evaluations;
     }
+    fit.best.evaluations = evaluations;
     return fit;
 }
 

@@ -54,7 +54,9 @@ struct DecodedTables {
 struct StagedSearch {
     int curves = 60;                   ///< searches for each of the two curves
     int curve_evaluations = 15'000;    ///< of each of them
-    int refined = 4;                   ///< best pairs of curves that are refined
+    int fitted = 20;                   ///< best pairs of curves, fitted by least squares
+    int fit_iterations = 40;           ///< of each of them
+    int refined = 2;                   ///< best of these that are refined
     int refined_evaluations = 20'000;  ///< of each of them
     double most_height = 220;          ///< of a curve, mm; higher ones are penalised
     std::uint32_t seed = 1;            ///< first of the seeds
@@ -87,8 +89,9 @@ struct StagedFit {
 };
 
 /// The search for a translational surface in stages: curves A and B that have the points and the lengths
-/// of `decoded` by themselves, pairs of them and h / delta that have its numbers of passes, and
-/// `minimise` of table_loss about the best pairs, in boxes of 10 % and then 1 % of the ranges.
+/// of `decoded` by themselves, pairs of them and h / delta that have its numbers of passes, `least_squares`
+/// of the travel from the best pairs with the counts held, and `minimise` of table_loss about the best
+/// of these, in boxes of 2 % and then 0.2 % of the ranges.
 /// \pre the family is Translational, Uneven or Skew, and steps follow the curvature of the curve
 StagedFit search_in_stages(SurfaceFamily family, const RunPolicies& policies,
                            const EconomyTables& target, const DecodedTables& decoded,
