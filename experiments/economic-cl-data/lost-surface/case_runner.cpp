@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "economic-cl-data/lost-surface/case_runner.h"
 
-#include <algorithm>
+#include <optional>
 #include <string>
-
-#include "endmill/files/output_folder.h"
 
 namespace endmill {
 namespace {
@@ -26,7 +24,7 @@ std::optional<NumberRange> range_at_end(const std::string& text)
                        std::stoi(text.substr(dots + 2))};
 }
 
-std::filesystem::path file_of(const SearchCase& search)
+std::string file_of(const SearchCase& search)
 {
     return search.name + ".csv";
 }
@@ -65,20 +63,14 @@ std::vector<SearchCase> read_cases(const std::filesystem::path& file)
     return cases;
 }
 
-int run_missing_cases(const std::vector<SearchCase>& cases, const Shard& shard,
+int run_missing_cases(const std::vector<SearchCase>& cases, const CaseShard& shard,
                       const std::filesystem::path& folder)
 {
-    int run = 0;
-    for (std::size_t i = shard.number - 1; i < cases.size(); i += shard.count) {
-        if (std::filesystem::exists(folder / file_of(cases[i])))
-            continue;
-        const std::string text = run_case(cases[i]).text();
-        OutputFolder output{folder, FullFolder::Accept};
-        output.write(file_of(cases[i]), text);
-        output.publish();
-        ++run;
-    }
-    return run;
+    std::vector<std::string> files;
+    for (const SearchCase& search : cases)
+        files.push_back(file_of(search));
+    return write_missing_results(
+        files, shard, folder, [&](std::size_t i) { return run_case(cases[i]).text(); });
 }
 
 CsvTable collected_results(const std::vector<SearchCase>& cases,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "economic-cl-data/lost-surface/search_case.h"
+#include "endmill/files/detail/case_results.h"
 
 namespace endmill {
 
@@ -14,17 +15,10 @@ namespace endmill {
 /// \throws FormatError for a malformed file.
 std::vector<SearchCase> read_cases(const std::filesystem::path& file);
 
-/// Part of the cases: every `count`-th from `number` (1 to count) on.
-struct Shard {
-    int number = 1;
-    int count = 1;
-};
-
-/// Runs the cases of a shard whose results are not yet in `folder`, one after the other. Each is
-/// written as a whole to `folder`/NAME.csv when it ends, so that an interrupted run goes on where it
-/// ended, and shards may share the folder.
+/// Runs the cases of a shard whose results are not yet in `folder`, as write_missing_results. The result
+/// of a case is the file NAME.csv.
 /// \return number of cases run.
-int run_missing_cases(const std::vector<SearchCase>& cases, const Shard& shard,
+int run_missing_cases(const std::vector<SearchCase>& cases, const CaseShard& shard,
                       const std::filesystem::path& folder);
 
 /// The results of all cases in `folder`, in the order of the cases.

@@ -23,7 +23,7 @@ namespace {
 const char* const name = "economic-cl-data/lost-surface";
 
 int run_search(const std::filesystem::path& output, const std::filesystem::path& file,
-               const Shard& shard)
+               const CaseShard& shard)
 {
     try {
         const std::vector<SearchCase> cases = read_cases(file);

@@ -293,6 +293,8 @@ CsvTable run_case(const SearchCase& search)
         stages.refined_evaluations = search.evaluations;
         stages.most_height = search.most_height;
         stages.seed = search.seed;
+        stages.accepted_loss = 0.5;  // the fit of pairs corrects the rest
+        stages.fitted = std::max(10, search.curves / 5);
         StagedFit found = search_in_stages(family, policies, target, decoded, stages);
         curves_u = std::int64_t{found.curves_found[0]};
         curves_v = std::int64_t{found.curves_found[1]};

@@ -264,7 +264,7 @@ std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
             minimise(ranges, loss,
                      {.evaluations = search.curve_evaluations,
                       .seed = search.seed + static_cast<std::uint32_t>(i)});
-        if (best.loss == 0)
+        if (best.loss <= search.accepted_loss)
             curves.push_back(std::move(best.values));
     }
     return curves;

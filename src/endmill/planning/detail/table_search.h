@@ -54,6 +54,7 @@ struct DecodedTables {
 struct StagedSearch {
     int curves = 60;                   ///< searches for each of the two curves
     int curve_evaluations = 15'000;    ///< of each of them
+    double accepted_loss = 0;          ///< of a curve, see curve_loss
     int fitted = 20;                   ///< best pairs of curves, fitted by least squares
     int fit_iterations = 40;           ///< of each of them
     int refined = 2;                   ///< best of these that are refined
