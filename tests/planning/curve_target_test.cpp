@@ -82,6 +82,7 @@ TEST(CurveTarget, LossVanishesOnTheNumbersOfTheCurveItself)
 
     target[2].chord_mm += 1.01;
     EXPECT_NEAR(curve_loss(*march, target), 1, 1e-9);
+    EXPECT_EQ(curve_loss(circle(60, 2), target, 100), curve_loss(*march, target));
     EXPECT_EQ(curve_matches(*march, target), 8);
     target[2].chord_mm -= 1.01;
     target[0].points_a_pair += 1;

@@ -36,10 +36,38 @@ double count_loss(const CurveMarch& march, int forward, int backward)
     return step_weight * (f * f + b * b);
 }
 
+std::optional<CurveMarch> march_both_ways(const CompositeCurve& curve,
+                                          const CompositeCurve& back,
+                                          double chord_tolerance)
+{
+    const auto forward = march_curve(curve, chord_tolerance);
+    const auto backward = march_curve(back, chord_tolerance);
+    if (!forward || !backward)
+        return std::nullopt;
+    return CurveMarch{static_cast<int>(forward->parameters.size()),
+                      static_cast<int>(backward->parameters.size()),
+                      forward->steps,
+                      backward->steps,
+                      chord_length(curve, *forward),
+                      chord_length(back, *backward)};
+}
+
 double length_excess(const CurveMarch& march, const PassPair& target)
 {
     const double mean = (march.forward_mm + march.backward_mm) / 2;
     return std::max(0.0, std::abs(mean - target.chord_mm) - target.chord_tolerance_mm);
+}
+
+double pair_loss(const CurveMarch& march, const PassPair& pair)
+{
+    double counts = std::numeric_limits<double>::infinity();
+    const int half = pair.points_a_pair / 2;
+    const int first = pair.points_forward.value_or(half - most_difference);
+    const int last = pair.points_forward.value_or(half + most_difference);
+    for (int f = first; f <= last; ++f)
+        counts = std::min(counts, count_loss(march, f, pair.points_a_pair - f));
+    const double excess = length_excess(march, pair);
+    return counts + excess * excess;
 }
 
 }  // namespace
@@ -56,16 +84,10 @@ std::optional<std::array<CurveMarch, 3>> march_both_ways(const CompositeCurve& c
     const CompositeCurve back = reversed(curve);
     std::array<CurveMarch, 3> marches{};
     for (int i = 0; i < 3; ++i) {
-        const auto forward = march_curve(curve, table_tolerances_mm[i]);
-        const auto backward = march_curve(back, table_tolerances_mm[i]);
-        if (!forward || !backward)
+        const auto march = march_both_ways(curve, back, table_tolerances_mm[i]);
+        if (!march)
             return std::nullopt;
-        marches[i] = {static_cast<int>(forward->parameters.size()),
-                      static_cast<int>(backward->parameters.size()),
-                      forward->steps,
-                      backward->steps,
-                      chord_length(curve, *forward),
-                      chord_length(back, *backward)};
+        marches[i] = *march;
     }
     return marches;
 }
@@ -73,16 +95,20 @@ std::optional<std::array<CurveMarch, 3>> march_both_ways(const CompositeCurve& c
 double curve_loss(const std::array<CurveMarch, 3>& march, const CurveTarget& target)
 {
     double loss = 0;
-    for (int i = 0; i < 3; ++i) {
-        const PassPair& pair = target[i];
-        double counts = std::numeric_limits<double>::infinity();
-        const int half = pair.points_a_pair / 2;
-        const int first = pair.points_forward.value_or(half - most_difference);
-        const int last = pair.points_forward.value_or(half + most_difference);
-        for (int f = first; f <= last; ++f)
-            counts = std::min(counts, count_loss(march[i], f, pair.points_a_pair - f));
-        const double excess = length_excess(march[i], pair);
-        loss += counts + excess * excess;
+    for (int i = 0; i < 3; ++i)
+        loss += pair_loss(march[i], target[i]);
+    return loss;
+}
+
+double curve_loss(const CompositeCurve& curve, const CurveTarget& target, double give_up)
+{
+    const CompositeCurve back = reversed(curve);
+    double loss = 0;
+    for (int i = 0; i < 3 && loss <= give_up; ++i) {
+        const auto march = march_both_ways(curve, back, table_tolerances_mm[i]);
+        if (!march)
+            return std::numeric_limits<double>::infinity();
+        loss += pair_loss(*march, target[i]);
     }
     return loss;
 }

@@ -46,6 +46,10 @@ double missing_steps(double steps, int points);
 /// 4, and of the missing millimetres.
 double curve_loss(const std::array<CurveMarch, 3>& march, const CurveTarget& target);
 
+/// The same, marched one tolerance after the other, those with few points first, and given up as soon as the
+/// loss exceeds `give_up`. Infinite if a step makes no progress.
+double curve_loss(const CompositeCurve& curve, const CurveTarget& target, double give_up);
+
 /// Number of the up to nine numbers of `target` that `march` has: f and b, or their sum twice if f is
 /// not known, and the length.
 int curve_matches(const std::array<CurveMarch, 3>& march, const CurveTarget& target);

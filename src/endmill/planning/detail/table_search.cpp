@@ -250,13 +250,11 @@ std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
     std::vector<Interval> ranges;
     for (const std::size_t position : curve_positions(family, curve))
         ranges.push_back(all_ranges[position]);
-    const auto loss = [&](std::span<const double> values, double) {
+    const auto loss = [&](std::span<const double> values, double give_up) {
         const CompositeCurve trial = family_curve(family, curve, values);
-        const auto march = march_both_ways(trial);
-        if (!march)
-            return infinity;
         const double excess = std::max(0.0, height_of(trial) - search.most_height);
-        return curve_loss(*march, target) + height_weight * excess * excess;
+        const double penalty = height_weight * excess * excess;
+        return penalty + curve_loss(trial, target, give_up - penalty);
     };
     std::vector<std::vector<double>> curves;
     for (int i = 0; i < search.curves; ++i) {
