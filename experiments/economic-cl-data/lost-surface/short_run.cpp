@@ -21,6 +21,10 @@ namespace endmill {
 namespace {
 
 constexpr SurfaceFamily curves_family = SurfaceFamily::Translational;
+// Extent of the paper's part and what another extent costs. Source: [KimChoi, fig. 2], criterion.md.
+constexpr double printed_height_mm = 220;
+constexpr double height_tolerance_mm = 1;
+constexpr double wrong_extent_bits = 10;
 
 // A row of the result; empty cells are unknown.
 struct ResultRow {
@@ -209,6 +213,12 @@ std::vector<BestSurface> read_best(const std::filesystem::path& file)
     return surfaces;
 }
 
+// The values of the family: all but the last, h / delta.
+std::span<const double> without_ratio(const std::vector<double>& values)
+{
+    return std::span<const double>{values}.first(values.size() - 1);
+}
+
 // The cells of a target of criterion.md.
 struct Target {
     std::string name;
@@ -241,8 +251,8 @@ void add_score(CsvTable& table, const BestSurface& best, const Target& target,
 // The contacts of the run of [KimChoi, fig. 12 and 13] in cutting order.
 std::string passes_svg(const BestSurface& best, Parameter direction)
 {
-    const Surface surface = as_surface(family_surface(
-        best.family, std::span<const double>{best.values}.first(best.values.size() - 1)));
+    const Surface surface =
+        as_surface(family_surface(best.family, without_ratio(best.values)));
     TablePolicies policies = best.policies.table;
     policies.scallop_per_tolerance = best.values.back();
     constexpr int middle = 1;  // 0.5 mm and 15 mm

@@ -15,8 +15,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Interval scallop_range{0.3, 1.1};  // h / delta
 // Ratios h / delta that a pair of curves is tried with.
-constexpr int tried_ratios = 6;
-constexpr Interval tried_range{0.36, 0.66};
+constexpr int tried_ratios = 7;
+constexpr Interval tried_range{0.36, 0.96};
 // Weight of squared percents of deviation against bits.
 constexpr double percent_weight = 2;
 // Penalty of a square millimetre of height beyond the limit.
@@ -49,8 +49,11 @@ FamilyMember member_of(SurfaceFamily family, std::span<const double> values)
 // Passes by which the real number of passes misses the interval that gives N passes.
 double missing_pass_count(double passes_real, int passes, LastPath last_path)
 {
-    // With a pass on the border N is the next whole number, without one the last.
-    const double high = last_path == LastPath::Border ? passes : passes + 1;
+    // With a pass on the border N is the next whole number, without one the last, with the
+    // rule of half an interval the nearest.
+    const double high = last_path == LastPath::Border ? passes
+                        : last_path == LastPath::Half ? passes + 0.5
+                                                      : passes + 1;
     const double low = high - 1;
     return std::max({0.0, low - passes_real, passes_real - high});
 }
