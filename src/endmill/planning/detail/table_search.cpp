@@ -14,9 +14,10 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Interval scallop_range{0.3, 1.1};  // h / delta
-// Ratios h / delta that a pair of curves is tried with.
-constexpr int tried_ratios = 7;
-constexpr Interval tried_range{0.36, 0.96};
+// Ratios h / delta that a pair of curves is tried with: a first one, and those predicted from it.
+constexpr double first_ratio = 0.5;
+constexpr int ratio_rounds = 3;
+constexpr int predicted_ratios = 400;
 // Weight of squared percents of deviation against bits.
 constexpr double percent_weight = 2;
 // Penalty of a square millimetre of height beyond the limit.
@@ -24,8 +25,9 @@ constexpr double height_weight = 0.01;
 constexpr int height_samples = 30;  // a piece
 // Residuals of the fit: a millimetre of travel weighs as much as this part of a pass or a step.
 constexpr double count_unit = 0.01;
-// Shares of the ranges in which pairs are refined, one after the other.
-constexpr std::array refinement_shares{0.02, 0.002};
+// Sides of the boxes in which fits are refined, as shares of the ranges.
+constexpr double wide_box = 0.1;
+constexpr double narrow_box = 0.002;
 
 double percent(double value, double target)
 {
@@ -63,31 +65,70 @@ struct Pair {
     std::vector<double> values;
 };
 
-Pair best_ratio(SurfaceFamily family, RunPolicies policies, std::vector<double> values,
-                const DecodedTables& decoded)
+// Real numbers of passes of the 18 runs; nothing if a run does not exist.
+std::optional<std::vector<double>> real_passes(const FamilyMember& member,
+                                               RunPolicies policies, double ratio)
+{
+    policies.table.scallop_per_tolerance = ratio;
+    std::vector<double> passes(18);
+    const auto keep = [&](const RunPlace& at, const TableRun& run) {
+        passes[9 * at.direction + 3 * at.tolerance + at.diameter] = run.passes_real;
+        return true;
+    };
+    if (!visit_runs(member, policies, keep))
+        return std::nullopt;
+    return passes;
+}
+
+// Squares of the missing passes in percent, if N - 1 were multiplied by `factor`.
+double missing_squares(std::span<const double> passes, double factor,
+                       const DecodedTables& decoded, LastPath last_path)
+{
+    double squares = 0;
+    for (int k = 0; k < 2; ++k)
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                const int count = decoded.counts[k][i][j];
+                const double real = 1 + factor * (passes[9 * k + 3 * i + j] - 1);
+                const double missing =
+                    100 * missing_pass_count(real, count, last_path) / count;
+                squares += missing * missing;
+            }
+    return squares;
+}
+
+// The ratio with the fewest missing passes. The interval grows about with the root of the ratio; each
+// round predicts the best ratio from the last one.
+Pair best_ratio(SurfaceFamily family, const RunPolicies& policies,
+                std::vector<double> values, const DecodedTables& decoded)
 {
     const FamilyMember member = family_surface(family, values);
-    Pair pair{infinity, values};
-    pair.values.push_back(scallop_range.low);
-    for (int i = 0; i < tried_ratios; ++i) {
-        policies.table.scallop_per_tolerance =
-            std::lerp(tried_range.low, tried_range.high, i / (tried_ratios - 1.0));
-        double squares = 0;
-        const bool exists =
-            visit_runs(member, policies, [&](const RunPlace& at, const TableRun& run) {
-                const int passes =
-                    decoded.counts[at.direction][at.tolerance][at.diameter];
-                const double missing = 100 *
-                                       missing_pass_count(run.passes_real, passes,
-                                                          policies.table.plan.last_path) /
-                                       passes;
-                squares += missing * missing;
-                return squares < pair.squares;
-            });
-        if (exists && squares < pair.squares) {
+    const LastPath last_path = policies.table.plan.last_path;
+    Pair pair{infinity, std::move(values)};
+    pair.values.push_back(first_ratio);
+    double ratio = first_ratio;
+    for (int round = 0; round < ratio_rounds; ++round) {
+        const auto passes = real_passes(member, policies, ratio);
+        if (!passes)
+            return pair;
+        const double squares = missing_squares(*passes, 1, decoded, last_path);
+        if (squares < pair.squares) {
             pair.squares = squares;
-            pair.values.back() = policies.table.scallop_per_tolerance;
+            pair.values.back() = ratio;
         }
+        double best = infinity;
+        double predicted = ratio;
+        for (int i = 0; i <= predicted_ratios; ++i) {
+            const double trial = std::lerp(scallop_range.low, scallop_range.high,
+                                           i / double(predicted_ratios));
+            const double found =
+                missing_squares(*passes, std::sqrt(ratio / trial), decoded, last_path);
+            if (found < best) {
+                best = found;
+                predicted = trial;
+            }
+        }
+        ratio = predicted;
     }
     return pair;
 }
@@ -162,35 +203,44 @@ private:
     const DecodedTables& decoded_;
 };
 
-// `minimise` about `values` in smaller and smaller boxes.
+// The part of `ranges` about `values` whose sides are `share` of theirs.
+std::vector<Interval> box_about(std::span<const double> values,
+                                std::span<const Interval> ranges, double share)
+{
+    std::vector<Interval> box;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        const double half = share / 2 * ranges[i].length();
+        box.push_back({std::max(ranges[i].low, values[i] - half),
+                       std::min(ranges[i].high, values[i] + half)});
+    }
+    return box;
+}
+
+// Refines a fit: first the continuous residuals, in a wide box and then by least squares, and last the
+// cells themselves in a narrow box.
 TableFit refined(SurfaceFamily family, const RunPolicies& policies,
-                 const EconomyTables& target, std::vector<double> values,
-                 const StagedSearch& search)
+                 const EconomyTables& target, const DecodedResiduals& residuals,
+                 const TableFit& start, const StagedSearch& search)
 {
     const std::vector<Interval> ranges = fit_ranges(family);
+    const auto squares = [&](std::span<const double> trial, double) {
+        const auto found = residuals(trial);
+        return found ? found->squaredNorm() : infinity;
+    };
     const auto loss = [&](std::span<const double> trial, double give_up) {
         return table_loss(family, policies, target, trial, give_up);
     };
-    TableFit fit{std::move(values), infinity, 0};
-    for (const double share : refinement_shares) {
-        std::vector<Interval> box;
-        for (std::size_t i = 0; i < ranges.size(); ++i) {
-            const double half = share / 2 * ranges[i].length();
-            box.push_back({std::max(ranges[i].low, fit.values[i] - half),
-                           std::min(ranges[i].high, fit.values[i] + half)});
-        }
-        const int evaluations =
-            search.refined_evaluations / static_cast<int>(refinement_shares.size());
-        const FoundValues found = minimise(
-            box, loss,
-            {.evaluations = evaluations, .seed = search.seed, .start = {fit.values}});
-        fit.evaluations += found.evaluations;
-        if (found.loss <= fit.loss) {
-            fit.values = found.values;
-            fit.loss = found.loss;
-        }
-    }
-    return fit;
+    const int evaluations = search.refined_evaluations / 2;
+    const FoundValues wide = minimise(
+        box_about(start.values, ranges, wide_box), squares,
+        {.evaluations = evaluations, .seed = search.seed, .start = {start.values}});
+    LeastSquares fitted =
+        least_squares(ranges, residuals, wide.values, search.fit_iterations);
+    const FoundValues narrow = minimise(
+        box_about(fitted.values, ranges, narrow_box), loss,
+        {.evaluations = evaluations, .seed = search.seed, .start = {fitted.values}});
+    return {narrow.values, narrow.loss,
+            wide.evaluations + fitted.evaluations + narrow.evaluations};
 }
 
 }  // namespace
@@ -358,7 +408,7 @@ StagedFit search_in_stages(SurfaceFamily family, const RunPolicies& policies,
         evaluations += found.evaluations;
     for (std::size_t i = 0; i < fits.size() && static_cast<int>(i) < search.refined;
          ++i) {
-        TableFit found = refined(family, policies, target, fits[i].values, search);
+        TableFit found = refined(family, policies, target, residuals, fits[i], search);
         evaluations += found.evaluations;
         if (found.loss < fit.best.loss)
             fit.best = std::move(found);

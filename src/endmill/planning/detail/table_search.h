@@ -89,10 +89,13 @@ struct StagedFit {
     TableFit best;  ///< values empty if one of the curves was not found
 };
 
-/// The search for a translational surface in stages: curves A and B that have the points and the lengths
-/// of `decoded` by themselves, pairs of them and h / delta that have its numbers of passes, `least_squares`
-/// of the travel from the best pairs with the counts held, and `minimise` of table_loss about the best
-/// of these, in boxes of 2 % and then 0.2 % of the ranges.
+/// The search for a translational surface in stages:
+/// 1. curves A and B that have the points and the lengths of `decoded` by themselves;
+/// 2. pairs of them and ratios h / delta, ordered by the passes that they miss;
+/// 3. `least_squares` from the best pairs, with residuals that are continuous: travel as if the numbers of
+///    passes were those of `decoded`, missing passes and missing steps;
+/// 4. from the best fits, `minimise` of the same residuals in boxes of 10 % of the ranges, and
+/// 5. `minimise` of table_loss in boxes of 0.2 %.
 /// \pre the family is Translational, Uneven or Skew, and steps follow the curvature of the curve
 StagedFit search_in_stages(SurfaceFamily family, const RunPolicies& policies,
                            const EconomyTables& target, const DecodedTables& decoded,
