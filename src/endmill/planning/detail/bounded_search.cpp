@@ -78,13 +78,25 @@ private:
             if (i < static_cast<int>(search_.start.size()))
                 values = search_.start[i];
             else
-                for (const Interval& range : ranges_)
-                    values.push_back(uniform_(range.low, range.high));
+                values = random_member();
             const double found = evaluate(values, infinity);
             members_.push_back({std::move(values), found});
         }
         if (best_.values.empty())
             best_.values = members_.front().values;
+    }
+
+    // Random values in a part of the box about its middle, whose size differs from member to member:
+    // where the loss is not defined for most values, it often is near the middle.
+    std::vector<double> random_member()
+    {
+        const double share = uniform_(0, 1);
+        std::vector<double> values;
+        for (const auto [low, high] : ranges_) {
+            const double half = share * (high - low) / 2;
+            values.push_back((low + high) / 2 + uniform_(-half, half));
+        }
+        return values;
     }
 
     void explore()

@@ -21,7 +21,8 @@ struct BoundedSearch {
     std::uint32_t seed = 1;    ///< of MT19937
     int population = 0;  ///< number of candidates; 0: four for each value, at least 20
     double enough = 0;   ///< the search ends at this loss
-    /// Members of the first population, within the ranges; the others are random.
+    /// Members of the first population, within the ranges; the others are random, each in a part of the
+    /// box about its middle.
     std::vector<std::vector<double>> start = {};
 };
 
