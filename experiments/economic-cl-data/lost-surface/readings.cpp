@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "endmill/planning/path_interval.h"
+
 namespace endmill {
 namespace {
 
@@ -102,6 +104,20 @@ Surplus surplus_points(const EconomyTables& printed, const DecodedTables& decode
                          decoded.counts[direction][tolerance][j] / 2.0;
     const auto [low, high] = std::ranges::minmax(surplus);
     return {low, high};
+}
+
+double interval_spread(const EconomyTables& printed, int direction, int tolerance,
+                       double ratio)
+{
+    std::array<double, 3> products{};
+    for (int j = 0; j < 3; ++j) {
+        const BallCutter ball{table_diameters_mm[j] / 2};
+        const double h = ratio * table_tolerances_mm[tolerance];
+        products[j] = printed.runs[direction][tolerance][j].tcd_mm *
+                      path_interval(ball, 0, h).chord;
+    }
+    const auto [low, high] = std::ranges::minmax(products);
+    return high / low - 1;
 }
 
 LinkContradiction link_contradiction(const EconomyTables& printed,

@@ -21,6 +21,12 @@ struct Surplus {
 Surplus surplus_points(const EconomyTables& printed, const DecodedTables& decoded,
                        int direction, int tolerance);
 
+/// Largest over smallest product of printed TCD and interval on a plane of the three balls of a row, less
+/// 1. With governing curvatures near zero the products are equal up to an interval in N.
+/// \param ratio h / delta.
+double interval_spread(const EconomyTables& printed, int direction, int tolerance,
+                       double ratio);
+
 /// The smallest contradiction in mm between the printed TCD and a translational surface with the decoded
 /// numbers of passes: each row needs lengths L_f and L_b of its passes, at most the arc of their curve, and
 /// links W = TCD - n_f L_f - n_b L_b between what the last pass leaves and the arc of the other curve.

@@ -84,6 +84,13 @@ void add_readings(CsvTable& table, Experiment& run)
                         .low = surplus.low,
                         .high = surplus.high});
         }
+    const double ratio = run.number("scallop_per_tolerance");
+    for (int k = 0; k < 2; ++k)
+        for (int i = 0; i < 3; ++i)
+            add(table,
+                {.name = table_row_label("spread of TCD times interval, %",
+                                         table_tolerances_mm[i], table_directions[k]),
+                 .low = 100 * interval_spread(printed, k, i, ratio)});
     const double factor = run.number("interval_factor");
     for (const auto& [name, last_path] :
          {std::pair{"border", LastPath::Border}, std::pair{"half", LastPath::Half},
