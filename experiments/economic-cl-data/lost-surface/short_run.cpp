@@ -248,11 +248,16 @@ void add_score(CsvTable& table, const BestSurface& best, const Target& target,
                                                  const TableMatch moved = match_of(v);
                                                  return moved.ncl + moved.tcd;
                                              });
-    add(table,
-        {.name = best.name + ": " + target.name,
-         .match = match,
-         .value_bits = value_bits,
-         .score_bits = match.information - match.choice - value_bits - choice_bits});
+    const double height =
+        extent(as_surface(family_surface(best.family, without_ratio(best.values))),
+               Vec3::UnitZ())
+            .length();
+    const bool has_extent = std::abs(height - printed_height_mm) <= height_tolerance_mm;
+    add(table, {.name = best.name + ": " + target.name,
+                .match = match,
+                .value_bits = value_bits,
+                .score_bits = match.information - match.choice - value_bits -
+                              choice_bits - (has_extent ? 0 : wrong_extent_bits)});
 }
 
 // The contacts of the run of [KimChoi, fig. 12 and 13] in cutting order.

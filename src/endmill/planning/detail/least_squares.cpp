@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <Eigen/Cholesky>
 
@@ -15,6 +16,8 @@ constexpr double least_step = 1e-9;  // of a range
 constexpr double first_damping = 1e-2;
 constexpr double most_damping = 1e10;
 constexpr double damping_factor = 5;
+// Added to the normal matrix: a value without effect must not make it singular.
+constexpr double least_diagonal = 1e-12;
 
 // Derivatives by the values as shares of their ranges; nothing if the residuals do not exist
 // on either side.
@@ -46,56 +49,88 @@ std::optional<Eigen::MatrixXd> jacobian(std::span<const Interval> ranges,
     return derivatives;
 }
 
+// A search that keeps the residuals at its best values.
+class DampedSearch {
+public:
+    DampedSearch(std::span<const Interval> ranges, const Residuals& residuals,
+                 std::vector<double> start)
+        : ranges_{ranges},
+          residuals_{residuals},
+          best_{std::move(start), std::numeric_limits<double>::infinity(), 1},
+          here_{residuals(best_.values)}
+    {
+        if (here_)
+            best_.squares = here_->squaredNorm();
+    }
+
+    const LeastSquares& best() const { return best_; }
+
+    // One step that lowers the squares; false if none was found.
+    bool improve()
+    {
+        if (!here_ || best_.squares <= least_squares_sum)
+            return false;
+        const auto derivatives =
+            jacobian(ranges_, residuals_, best_.values, *here_, best_.evaluations);
+        if (!derivatives)
+            return false;
+        const Eigen::MatrixXd normal = derivatives->transpose() * *derivatives;
+        const Eigen::VectorXd gradient = derivatives->transpose() * *here_;
+        for (; damping_ < most_damping; damping_ *= damping_factor) {
+            Eigen::MatrixXd damped = normal;
+            damped.diagonal() += damping_ * normal.diagonal();
+            damped.diagonal().array() += least_diagonal;
+            const Eigen::VectorXd step = -damped.ldlt().solve(gradient);
+            if (!(step.cwiseAbs().maxCoeff() > least_step))
+                return false;
+            if (accepts(moved(step))) {
+                damping_ /= damping_factor;
+                return true;
+            }
+        }
+        return false;
+    }
+
+private:
+    // The best values moved by shares of the ranges, within the ranges.
+    std::vector<double> moved(const Eigen::VectorXd& step) const
+    {
+        std::vector<double> trial = best_.values;
+        for (std::size_t k = 0; k < trial.size(); ++k)
+            trial[k] = std::clamp(
+                trial[k] + step[static_cast<Eigen::Index>(k)] * ranges_[k].length(),
+                ranges_[k].low, ranges_[k].high);
+        return trial;
+    }
+
+    bool accepts(std::vector<double> trial)
+    {
+        ++best_.evaluations;
+        std::optional<Eigen::VectorXd> there = residuals_(trial);
+        if (!there || there->squaredNorm() >= best_.squares)
+            return false;
+        best_.squares = there->squaredNorm();
+        best_.values = std::move(trial);
+        here_ = std::move(there);
+        return true;
+    }
+
+    std::span<const Interval> ranges_;
+    const Residuals& residuals_;
+    LeastSquares best_;
+    std::optional<Eigen::VectorXd> here_;
+    double damping_ = first_damping;
+};
+
 }  // namespace
 
 LeastSquares least_squares(std::span<const Interval> ranges, const Residuals& residuals,
                            std::vector<double> start, int iterations)
 {
-    LeastSquares best{std::move(start), std::numeric_limits<double>::infinity(), 1};
-    std::optional<Eigen::VectorXd> here = residuals(best.values);
-    if (!here)
-        return best;
-    best.squares = here->squaredNorm();
-    double damping = first_damping;
-    for (int i = 0; i < iterations && best.squares > least_squares_sum; ++i) {
-        const auto derivatives =
-            jacobian(ranges, residuals, best.values, *here, best.evaluations);
-        if (!derivatives)
-            return best;
-        const Eigen::MatrixXd normal = derivatives->transpose() * *derivatives;
-        const Eigen::VectorXd gradient = derivatives->transpose() * *here;
-        bool is_better = false;
-        while (!is_better && damping < most_damping) {
-            Eigen::MatrixXd damped = normal;
-            damped.diagonal() += damping * normal.diagonal();
-            damped.diagonal().array() += 1e-12;
-            const Eigen::VectorXd step = -damped.ldlt().solve(gradient);
-            std::vector<double> trial = best.values;
-            double longest = 0;
-            for (std::size_t k = 0; k < trial.size(); ++k) {
-                const double share = step[static_cast<Eigen::Index>(k)];
-                trial[k] = std::clamp(trial[k] + share * ranges[k].length(),
-                                      ranges[k].low, ranges[k].high);
-                longest = std::max(longest, std::abs(share));
-            }
-            if (!(longest > least_step))
-                return best;
-            ++best.evaluations;
-            const auto there = residuals(trial);
-            is_better = there && there->squaredNorm() < best.squares;
-            if (is_better) {
-                best.values = std::move(trial);
-                best.squares = there->squaredNorm();
-                here = there;
-                damping /= damping_factor;
-            } else {
-                damping *= damping_factor;
-            }
-        }
-        if (!is_better)
-            return best;
+    DampedSearch search{ranges, residuals, std::move(start)};
+    for (int i = 0; i < iterations && search.improve(); ++i) {
     }
-    return best;
+    return search.best();
 }
 
 }  // namespace endmill

@@ -113,12 +113,6 @@ struct PassPoints {
     double chord_mm = 0;
 };
 
-// The projected interval; nothing if it is unlimited.
-struct ProjectedInterval {
-    bool fits;
-    std::optional<double> distance;
-};
-
 // The projected interval of path_interval where its status is Ok, which is certain if the
 // curvature is small enough; nothing elsewhere.
 std::optional<double> plain_interval(double R, double k, double h)
@@ -132,26 +126,32 @@ std::optional<double> plain_interval(double R, double k, double h)
     return 2 * std::sqrt(g2 * (1 - kg2 / 4)) * (1 - kg2 / 2);
 }
 
-ProjectedInterval projected_interval(double R, double k, double h,
-                                     IntervalArithmetic arithmetic)
+// The projected interval; infinite if it is unlimited, nothing if the ball does not fit.
+std::optional<double> projected_interval(double R, double k, double h,
+                                         IntervalArithmetic arithmetic)
 {
     if (!(1 + k * R > 0))
-        return {false, std::nullopt};
+        return std::nullopt;
     if (arithmetic == IntervalArithmetic::Exact)
         if (const auto plain = plain_interval(R, k, h))
-            return {true, plain};
+            return plain;
     const PathInterval exact = path_interval(BallCutter{R}, k, h);
-    if (exact.status == LengthStatus::Unlimited)
-        return {true, std::nullopt};
     if (arithmetic == IntervalArithmetic::Exact || k == 0 ||
         exact.status != LengthStatus::Ok)
-        return {true, exact.projected};
+        return exact.projected;
     const double rho = 1 / k;
     const double l =
         std::abs(printed_interval({R, h, rho}, IntervalForm::Printed, Precision::Single));
     const double d = l * std::sqrt(4 * rho * rho - l * l) / (2 * std::abs(rho));
-    return {true, d > 0 && std::isfinite(d) ? d : exact.projected};
+    return d > 0 && std::isfinite(d) ? d : exact.projected;
 }
+
+// Where a pass lies on the other curve, and the ball.
+struct PassPlace {
+    double v;
+    CurveJet across;
+    double radius;
+};
 
 // The runs of one tolerance with passes along `along`.
 class PassPlanner {
@@ -199,31 +199,26 @@ public:
     std::optional<TableRun> run(double radius) const
     {
         const double end = across_.end();
-        TableRun run{{0, 0}, 0, 0};
-        std::optional<Tip> last;
+        Travelled travelled{{{0, 0}, 0, 0}, std::nullopt};
+        TableRun& run = travelled.run;
         std::optional<double> v = 0;
-        PassPoints own;
+        std::optional<PassPoints> own;
         while (v) {
-            const bool is_back =
-                options_.march == March::Alternate && run.passes % 2 == 1;
-            const PassPoints* pass = &equal_[is_back ? 1 : 0];
-            if (!has_equal_passes() &&
-                !(policies_.points_of_first_pass && run.passes > 0)) {
-                auto found = points(is_back, *v);
-                if (!found)
+            const bool is_back = options_.march == March::Alternate &&
+                                 run.passes % 2 == 1 && !policies_.points_of_first_pass;
+            if (!has_equal_passes() && !(policies_.points_of_first_pass && own)) {
+                own = points(is_back, *v);
+                if (!own)
                     return std::nullopt;
-                own = std::move(*found);
             }
-            if (!has_equal_passes())
-                pass = &own;
-            const CurveJet across = across_.jet(*v);
+            const PassPoints& pass = has_equal_passes() ? equal_[is_back ? 1 : 0] : *own;
+            const PassPlace place{*v, across_.jet(*v), radius};
             // A pass of zig-zag is cut with rising parameter if its number is even.
             const bool is_marched_as_cut = is_back == (run.passes % 2 == 1);
-            add_pass(run, *pass, across, radius, is_marched_as_cut, last);
-            ++run.passes;
+            add_pass(travelled, pass, place, is_marched_as_cut);
             if (*v == end)
                 break;
-            const auto candidate = next_candidate(*pass, *v, across, radius);
+            const auto candidate = next_candidate(pass, place);
             if (!candidate || run.passes > most_passes ||
                 !(*candidate - *v >= least_advance))
                 return std::nullopt;
@@ -236,10 +231,15 @@ public:
     }
 
 private:
-    // The end of the path so far.
     struct Tip {
         Vec3 contact;
         Vec3 tip;
+    };
+
+    // The path so far and its end.
+    struct Travelled {
+        TableRun run;
+        std::optional<Tip> last;
     };
 
     bool has_equal_passes() const
@@ -275,47 +275,50 @@ private:
     }
 
     // Adds points and travel of a pass.
-    void add_pass(TableRun& run, const PassPoints& pass, const CurveJet& across,
-                  double radius, bool is_marched_as_cut, std::optional<Tip>& last) const
+    void add_pass(Travelled& travelled, const PassPoints& pass, const PassPlace& place,
+                  bool is_marched_as_cut) const
     {
         const bool counts_links = policies_.table.counted == CountedMoves::CutsAndLinks;
-        const auto tip_at = [&](const AlongFrame& frame) -> Tip {
-            const Vec3 contact = frame.jet.point + across.point;
-            const Vec3 normal = turn_ * frame.jet.first.cross(across.first).normalized();
-            return {contact, contact + radius * normal};
-        };
-        const AlongFrame& first =
-            is_marched_as_cut ? pass.frames.front() : pass.frames.back();
-        const AlongFrame& end =
-            is_marched_as_cut ? pass.frames.back() : pass.frames.front();
-        run.cost.ncl += pass.frames.size();
         const bool by_tips = policies_.table.distance == TravelKind::Tip;
-        const Tip start = tip_at(first);
-        if (last && counts_links)
-            run.cost.tcd_mm += by_tips ? (start.tip - last->tip).norm()
-                                       : (start.contact - last->contact).norm();
-        if (by_tips) {
-            Tip before = tip_at(pass.frames.front());
-            for (std::size_t i = 1; i < pass.frames.size(); ++i) {
-                const Tip here = tip_at(pass.frames[i]);
-                run.cost.tcd_mm += (here.tip - before.tip).norm();
-                before = here;
-            }
-        } else {
-            run.cost.tcd_mm += pass.chord_mm;
+        const auto tip_at = [&](const AlongFrame& frame) -> Tip {
+            const Vec3 contact = frame.jet.point + place.across.point;
+            const Vec3 normal =
+                turn_ * frame.jet.first.cross(place.across.first).normalized();
+            return {contact, contact + place.radius * normal};
+        };
+        const auto distance = [&](const Tip& from, const Tip& to) {
+            return by_tips ? (to.tip - from.tip).norm()
+                           : (to.contact - from.contact).norm();
+        };
+        DirectionCost& cost = travelled.run.cost;
+        ++travelled.run.passes;
+        cost.ncl += pass.frames.size();
+        const Tip front = tip_at(pass.frames.front());
+        const Tip back = tip_at(pass.frames.back());
+        if (travelled.last && counts_links)
+            cost.tcd_mm += distance(*travelled.last, is_marched_as_cut ? front : back);
+        travelled.last = is_marched_as_cut ? back : front;
+        if (!by_tips) {
+            cost.tcd_mm += pass.chord_mm;
+            return;
         }
-        last = tip_at(end);
+        Tip before = front;
+        for (std::size_t i = 1; i < pass.frames.size(); ++i) {
+            const Tip here = tip_at(pass.frames[i]);
+            cost.tcd_mm += distance(before, here);
+            before = here;
+        }
     }
 
     // The parameter of the next pass that the rule `governing` selects; infinite if nothing
-    // limits it, nothing if the ball does not fit.
-    std::optional<double> next_candidate(const PassPoints& pass, double v,
-                                         const CurveJet& across, double radius) const
+    // limits it, nothing if the ball does not fit or a normal is not upward.
+    std::optional<double> next_candidate(const PassPoints& pass,
+                                         const PassPlace& place) const
     {
         switch (options_.governing) {
             case Governing::Min:
             case Governing::DenseMin:
-                return least_candidate(pass, v, across, radius);
+                return least_candidate(pass, place);
             case Governing::Max:
             case Governing::First:
             case Governing::Mean:
@@ -325,16 +328,16 @@ private:
         double sum = 0;
         int count = 0;
         for (const AlongFrame& frame : pass.frames) {
-            double candidate = infinity;
-            if (!add_candidate(frame, v, across, radius, infinity, candidate))
+            const auto found = candidate(frame, place, infinity);
+            if (!found)
                 return std::nullopt;
-            if (!std::isfinite(candidate))
+            if (!std::isfinite(*found))
                 continue;
             if (options_.governing == Governing::First)
-                return candidate;
+                return found;
             ++count;
-            sum += candidate;
-            most = std::max(most, candidate);
+            sum += *found;
+            most = std::max(most, *found);
         }
         if (count == 0)
             return infinity;
@@ -343,74 +346,67 @@ private:
 
     // Begins with the contact that governed the pass before: most others are then certain to
     // lie further away.
-    std::optional<double> least_candidate(const PassPoints& pass, double v,
-                                          const CurveJet& across, double radius) const
+    std::optional<double> least_candidate(const PassPoints& pass,
+                                          const PassPlace& place) const
     {
-        double best = infinity;
-        const auto consider = [&](const AlongFrame& frame) {
-            double candidate = infinity;
-            if (!add_candidate(frame, v, across, radius, best, candidate))
-                return false;
-            best = std::min(best, candidate);
-            return true;
-        };
         const std::size_t likely = std::min(likely_, pass.frames.size() - 1);
-        if (!consider(pass.frames[likely]))
-            return std::nullopt;
-        for (std::size_t i = 0; i < pass.frames.size(); ++i) {
-            const double before = best;
-            if (!consider(pass.frames[i]))
-                return std::nullopt;
-            if (best < before)
+        auto best = candidate(pass.frames[likely], place, infinity);
+        for (std::size_t i = 0; best && i < pass.frames.size(); ++i) {
+            const auto found = candidate(pass.frames[i], place, *best);
+            if (found && *found < *best)
                 likely_ = i;
+            best = lesser(best, found);
         }
-        for (const AlongFrame& frame : dense_)
-            if (!consider(frame))
-                return std::nullopt;
+        for (std::size_t i = 0; best && i < dense_.size(); ++i)
+            best = lesser(best, candidate(dense_[i], place, *best));
         return best;
     }
 
-    // Computes the candidate of a contact, infinite if it does not limit the next pass or
-    // lies beyond `most_v`; false if the ball does not fit or the normal is not upward.
-    bool add_candidate(const AlongFrame& frame, double v, const CurveJet& across,
-                       double radius, double most_v, double& candidate) const
+    // The smaller of two; nothing if the second one is nothing.
+    static std::optional<double> lesser(const std::optional<double>& best,
+                                        const std::optional<double>& found)
+    {
+        return found ? std::optional{std::min(*best, *found)} : std::nullopt;
+    }
+
+    // The candidate of a contact, infinite if it does not limit the next pass or lies beyond
+    // `most_v`; nothing if the ball does not fit or the normal is not upward.
+    std::optional<double> candidate(const AlongFrame& frame, const PassPlace& place,
+                                    double most_v) const
     {
         const Vec3& p = frame.jet.first;
-        const Vec3& q = across.first;
+        const Vec3& q = place.across.first;
         const double q_along = q.dot(frame.feed);
         const Vec3 sideways = q - q_along * frame.feed;
         const double w = sideways.norm();
         const Vec3 normal = turn_ / (frame.speed * w) * p.cross(q);
         if (!(normal.z() > 0))
-            return false;
+            return std::nullopt;
         const Vec3 cross_feed = sideways / w;
         const double b = 1 / w;
         const double a = -q_along / (frame.speed * w);
-        double k = -(a * a * frame.jet.second + b * b * across.second).dot(normal);
-        const CrossFrame cross{frame, across, cross_feed, a, b, w, v};
+        double k = -(a * a * frame.jet.second + b * b * place.across.second).dot(normal);
+        const CrossFrame cross{frame, place, cross_feed, a, b, w};
         if (options_.cross_curvature == CrossCurvature::Chord) {
             const auto [u_eps, v_eps] = partner(cross, options_.cross_step, infinity);
             const Vec3 chord = along_.point(u_eps) - frame.jet.point +
-                               across_.point(v_eps) - across.point;
+                               across_.point(v_eps) - place.across.point;
             k = -2 * normal.dot(chord) / chord.squaredNorm();
         }
-        const ProjectedInterval interval =
-            projected_interval(radius, k, scallop_, policies_.interval);
-        if (!interval.fits)
-            return false;
-        if (interval.distance)
-            candidate = partner(cross, *interval.distance, most_v).second;
-        return true;
+        const auto distance =
+            projected_interval(place.radius, k, scallop_, policies_.interval);
+        if (!distance || std::isinf(*distance))
+            return distance;
+        return partner(cross, *distance, most_v).second;
     }
 
     struct CrossFrame {
         const AlongFrame& along;
-        const CurveJet& across;
+        const PassPlace& place;
         const Vec3& cross_feed;
         double a;  // components of T_c
         double b;
         double w;  // B' . T_c
-        double v;
     };
 
     // The parameters of the point at `distance` in the check plane; v infinite if it is
@@ -420,18 +416,19 @@ private:
     {
         const AlongFrame& at = frame.along;
         const double u_linear = at.parameter + frame.a * distance;
-        const double v_linear = frame.v + frame.b * distance;
+        const CurveJet& from = frame.place.across;
+        const double v_linear = frame.place.v + frame.b * distance;
         const Vec3 bend =
             distance * distance / 2 *
-            (frame.a * frame.a * at.jet.second + frame.b * frame.b * frame.across.second);
+            (frame.a * frame.a * at.jet.second + frame.b * frame.b * from.second);
         const double back_v = bend.dot(frame.cross_feed) / frame.w;
         const double back_u =
-            (bend.dot(at.feed) - back_v * frame.across.first.dot(at.feed)) / at.speed;
+            (bend.dot(at.feed) - back_v * from.first.dot(at.feed)) / at.speed;
         double u = u_linear - back_u;
         double v = v_linear - back_v;
         if (v - sure_corrections * (std::abs(back_v) + std::abs(back_u)) > most_v)
             return {u, infinity};
-        const Vec3 start = at.jet.point + frame.across.point;
+        const Vec3 start = at.jet.point + from.point;
         for (int iteration = 0; iteration <= most_iterations; ++iteration) {
             const CurveJet along = along_.jet(u);
             const CurveJet across = across_.jet(v);
