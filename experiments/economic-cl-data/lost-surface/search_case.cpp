@@ -88,46 +88,10 @@ EconomyTables tables_near_net(const std::string& text)
     }
 }
 
-// A random surface of the family with tables of the size of the print.
-struct Planted {
-    std::vector<double> values;
-    EconomyTables tables;
-};
-
-Planted planted(const SearchCase& search)
-{
-    const SurfaceFamily family = family_named(search.family);
-    const RunPolicies policies = policies_of(search.policies);
-    const EconomyTables printed = printed_tables();
-    PortableUniform uniform{number_at_end(search.table)};
-    while (true) {
-        std::vector<double> values;
-        for (const auto [low, high] : fit_ranges(family)) {
-            const double middle = (low + high) / 2;
-            const double half = planted_share * (high - low) / 2;
-            values.push_back(uniform(middle - half, middle + half));
-        }
-        auto tables = fitted_tables(family, policies, values);
-        if (!tables)
-            continue;
-        bool is_similar = true;
-        for (const Parameter direction : table_directions)
-            for (const TableQuantity quantity : table_quantities) {
-                const double share = tables->cell(quantity, direction, 1, 1) /
-                                     printed.cell(quantity, direction, 1, 1);
-                is_similar = is_similar && 0.7 < share && share < 1.4;
-            }
-        if (!is_similar)
-            continue;
-        round_as_printed(*tables);
-        return {values, *tables};
-    }
-}
-
 // What an interpretation of the planted tables without error would give.
 DecodedTables planted_decoding(const SearchCase& search)
 {
-    const Planted truth = planted(search);
+    const PlantedSurface truth = planted_surface(search);
     const SurfaceFamily family = family_named(search.family);
     RunPolicies policies = policies_of(search.policies);
     policies.table.scallop_per_tolerance = truth.values.back();
@@ -203,6 +167,36 @@ double height_of(SurfaceFamily family, std::span<const double> values)
 
 }  // namespace
 
+PlantedSurface planted_surface(const SearchCase& search)
+{
+    const SurfaceFamily family = family_named(search.family);
+    const RunPolicies policies = policies_of(search.policies);
+    const EconomyTables printed = printed_tables();
+    PortableUniform uniform{number_at_end(search.table)};
+    while (true) {
+        std::vector<double> values;
+        for (const auto [low, high] : fit_ranges(family)) {
+            const double middle = (low + high) / 2;
+            const double half = planted_share * (high - low) / 2;
+            values.push_back(uniform(middle - half, middle + half));
+        }
+        auto tables = fitted_tables(family, policies, values);
+        if (!tables)
+            continue;
+        bool is_similar = true;
+        for (const Parameter direction : table_directions)
+            for (const TableQuantity quantity : table_quantities) {
+                const double share = tables->cell(quantity, direction, 1, 1) /
+                                     printed.cell(quantity, direction, 1, 1);
+                is_similar = is_similar && 0.7 < share && share < 1.4;
+            }
+        if (!is_similar)
+            continue;
+        round_as_printed(*tables);
+        return {values, *tables};
+    }
+}
+
 RunPolicies policies_of(const std::string& text)
 {
     RunPolicies policies;
@@ -259,7 +253,7 @@ EconomyTables searched_tables(const SearchCase& search)
     if (starts_with(search.table, "net-"))
         return tables_near_net(search.table);
     if (starts_with(search.table, "planted-"))
-        return planted(search).tables;
+        return planted_surface(search).tables;
     if (starts_with(search.table, "shifted-"))
         return shifted_tables(number_at_end(search.table));
     throw DomainError{"searched_tables: unknown table " + search.table};

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "endmill/files/csv.h"
 #include "endmill/planning/detail/table_search.h"
@@ -37,6 +38,15 @@ DecodedTables printed_decoding();
 
 /// The cells that a case searches.
 EconomyTables searched_tables(const SearchCase& search);
+
+/// A random surface of a family whose tables have about the size of the print.
+struct PlantedSurface {
+    std::vector<double> values;  ///< of the family, then h / delta
+    EconomyTables tables;        ///< its cells, TCD rounded as in print
+};
+
+/// The planted surface of a case whose table is "planted-N".
+PlantedSurface planted_surface(const SearchCase& search);
 
 /// A table of results, without rows.
 CsvTable search_table();

@@ -233,13 +233,13 @@ struct Target {
     std::span<const TableQuantity> quantities;
 };
 
-void add_score(CsvTable& table, const BestSurface& best, const Target& target,
-               double choice_bits)
+// Adds the score of a surface against the cells `wanted`.
+void add_score(CsvTable& table, const BestSurface& best, const EconomyTables& wanted,
+               const Target& target, double choice_bits)
 {
-    const EconomyTables printed = printed_tables();
     const auto match_of = [&](std::span<const double> values) -> TableMatch {
         const auto cells = fitted_tables(best.family, best.policies, values);
-        return cells ? table_match(*cells, printed, target.directions, target.quantities)
+        return cells ? table_match(*cells, wanted, target.directions, target.quantities)
                      : TableMatch{};
     };
     const TableMatch match = match_of(best.values);
@@ -309,9 +309,17 @@ void add_best_surfaces(CsvTable& result, Experiment& run,
     CsvTable cells{{"surface", "direction", "tolerance_mm", "diameter_mm", "ncl",
                     "printed_ncl", "tcd_mm", "printed_tcd_mm"}};
     const EconomyTables printed = printed_tables();
+    // The criterion can be passed: a surface against its own cells.
+    const SearchCase own{
+        "", "cells", "planted-1", "translational", run.text("policies"), 1, 0, 0, 0};
+    PlantedSurface planted = planted_surface(own);
+    add_score(result,
+              {"a random surface, its own cells", family_named(own.family),
+               policies_of(own.policies), std::move(planted.values)},
+              planted.tables, targets.back(), choice_bits);
     for (const BestSurface& best : read_best(surfaces)) {
         for (const Target& target : targets)
-            add_score(result, best, target, choice_bits);
+            add_score(result, best, printed, target, choice_bits);
         for (const Parameter direction : table_directions)
             run.write(best.name + (direction == Parameter::U ? "-u.svg" : "-v.svg"),
                       passes_svg(best, direction));

@@ -12,8 +12,8 @@ namespace {
 constexpr double expected_share = 0.04;
 // Printed with one decimal: 20 809.3 and 20 809.4 differ by one unit and rounding.
 constexpr double travel_rounding_mm = 1e-6;
-// Smallest step of the search for a width, as a share of the range: 2^-40.
-constexpr double least_step = 0x1p-40;
+// Smallest step of the search for a width, as a share of the range: 5e-6 mm of a height.
+constexpr double least_step = 0x1p-26;
 constexpr int bisections = 4;
 
 double cell_width(TableQuantity quantity)
