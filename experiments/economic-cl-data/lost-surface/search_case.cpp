@@ -22,8 +22,6 @@ namespace {
 
 // Changes of the heights of a fitted net for null B, mm.
 constexpr double net_change_mm = 5;
-// Passes by which the numbers of a shifted table differ from the decoded ones.
-constexpr int most_shift = 2;
 // Planted surfaces lie in this share of the ranges about their middle, which holds those of the
 // size of the paper's tables.
 constexpr double planted_share = 0.6;
@@ -117,22 +115,29 @@ DecodedTables planted_decoding(const SearchCase& search)
     return decoded;
 }
 
-DecodedTables shifted_decoding(std::uint32_t seed)
+// Numbers of passes by the power law of the decoded ones, with the scatter of its residuals.
+DecodedTables renumbered_decoding(std::uint32_t seed)
 {
     DecodedTables decoded = printed_decoding();
-    PortableUniform uniform{seed};
-    for (auto& direction : decoded.counts)
-        for (auto& row : direction)
-            for (int& passes : row)
-                passes += uniform.below(2 * most_shift + 1) - most_shift;
+    EconomyTables numbers = printed_tables();
+    for (int k = 0; k < 2; ++k)
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                numbers.runs[k][i][j].ncl =
+                    static_cast<std::size_t>(decoded.counts[k][i][j]);
+    const EconomyTables drawn = structureless_tables(numbers, seed);
+    for (int k = 0; k < 2; ++k)
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                decoded.counts[k][i][j] = static_cast<int>(drawn.runs[k][i][j].ncl);
     return decoded;
 }
 
 // The cells that equal passes of the print have with the numbers of passes of `decoded`: f, b and L as
 // decoded, W of the row kept.
-EconomyTables shifted_tables(std::uint32_t seed)
+EconomyTables renumbered_tables(std::uint32_t seed)
 {
-    const DecodedTables moved = shifted_decoding(seed);
+    const DecodedTables moved = renumbered_decoding(seed);
     const DecodedTables decoded = printed_decoding();
     EconomyTables tables = printed_tables();
     for (int k = 0; k < 2; ++k)
@@ -254,8 +259,8 @@ EconomyTables searched_tables(const SearchCase& search)
         return tables_near_net(search.table);
     if (starts_with(search.table, "planted-"))
         return planted_surface(search).tables;
-    if (starts_with(search.table, "shifted-"))
-        return shifted_tables(number_at_end(search.table));
+    if (starts_with(search.table, "renumbered-"))
+        return renumbered_tables(number_at_end(search.table));
     throw DomainError{"searched_tables: unknown table " + search.table};
 }
 
@@ -277,11 +282,11 @@ CsvTable run_case(const SearchCase& search)
     CsvCell curves_v;
     CsvCell passes_off;
     if (search.method == "stages") {
-        const DecodedTables decoded = starts_with(search.table, "planted-")
-                                          ? planted_decoding(search)
-                                      : starts_with(search.table, "shifted-")
-                                          ? shifted_decoding(number_at_end(search.table))
-                                          : printed_decoding();
+        const DecodedTables decoded =
+            starts_with(search.table, "planted-") ? planted_decoding(search)
+            : starts_with(search.table, "renumbered-")
+                ? renumbered_decoding(number_at_end(search.table))
+                : printed_decoding();
         StagedSearch stages;
         stages.curves = search.curves;
         stages.refined_evaluations = search.evaluations;

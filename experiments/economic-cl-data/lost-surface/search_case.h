@@ -22,7 +22,8 @@ struct SearchCase {
     std::string method;  ///< "cells" or "stages"
     /// The cells that are searched: "print"; "null-N", without structure (null A); "net-NAME-N", of a
     /// fitted net with heights changed by up to 5 mm (null B); "planted-N", of a random surface of the family;
-    /// "shifted-N", the print with numbers of passes moved by up to 2 (stages only).
+    /// "renumbered-N", the interpretation of the print with numbers of passes that follow the power law of the
+    /// decoded ones, with its scatter (stages only).
     std::string table;
     std::string family;    ///< see family_name
     std::string policies;  ///< see policies_of
