@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
+#include "endmill/planning/detail/portable_uniform.h"
 #include "endmill/planning/path_interval.h"
 
 namespace endmill {
@@ -61,24 +61,6 @@ Decoding fitted(const Counts& counts, int points_a_pair,
     return {points_a_pair, counts.points_forward, counts.passes, chord, link, residual};
 }
 
-// Uniform random numbers that do not depend on the standard library: its generators are
-// specified exactly, its distributions are not.
-class Uniform {
-public:
-    explicit Uniform(std::uint32_t seed) : generator_{seed} {}
-
-    // A number in [low, high) from 53 random bits.
-    double operator()(double low, double high)
-    {
-        const auto upper = static_cast<double>(generator_() >> 5U);
-        const auto lower = static_cast<double>(generator_() >> 6U);
-        return low + (high - low) * (upper * 0x1p26 + lower) * 0x1p-53;
-    }
-
-private:
-    std::mt19937 generator_;
-};
-
 // Extent of the part along the passes, mm.
 double width_along(Parameter direction)
 {
@@ -93,7 +75,7 @@ struct SyntheticPart {
 };
 
 CostRow synthetic_row(const EconomyTables& printed, const SyntheticPart& part,
-                      int tolerance, Uniform& uniform)
+                      int tolerance, PortableUniform& uniform)
 {
     constexpr int middle = 1;  // index of the ball whose printed cell sets the size
     const auto cell = [&](TableQuantity quantity) {
@@ -164,7 +146,7 @@ Interval chord_bounds(Parameter direction, const DecodingRules& rules)
 NullTest null_test(const EconomyTables& printed, const DecodingRules& rules, int triples,
                    std::uint32_t seed)
 {
-    Uniform uniform{seed};
+    PortableUniform uniform{seed};
     NullTest test{3 * triples, 0, triples, 0};
     for (int k = 0; k < triples; ++k) {
         const Parameter direction = table_directions[k % 2];

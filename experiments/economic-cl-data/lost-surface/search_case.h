@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "endmill/files/csv.h"
+#include "endmill/planning/detail/table_search.h"
+
+namespace endmill {
+
+/// The policies of a text such as "alternate none": words for the choices that differ from the planner's
+/// defaults. alternate; none, half; free; stop; normal, first-pass; dense-min, mean, first, max; tip;
+/// cuts; single; diameter (taken for the radius); chord.
+/// \throws DomainError for another word.
+RunPolicies policies_of(const std::string& text);
+
+/// One search.
+struct SearchCase {
+    std::string name;    ///< unique, also a file name
+    std::string method;  ///< "cells" or "stages"
+    /// The cells that are searched: "print"; "null-N", without structure (null A); "net-NAME-N", of a
+    /// fitted net with heights changed by up to 5 mm (null B); "planted-N", of a random surface of the family;
+    /// "renumbered-N", the interpretation of the print with numbers of passes that follow the power law of the
+    /// decoded ones, with its scatter (stages only).
+    std::string table;
+    std::string family;    ///< see family_name
+    std::string policies;  ///< see policies_of
+    std::uint32_t seed;    ///< of the search
+    int evaluations;       ///< of surfaces, per search or per refined pair
+    int curves;            ///< searches for each curve; stages only
+    double most_height;    ///< of a curve, mm; stages only
+};
+
+/// The interpretation of the printed tables by experiments/economic-cl-data/decode, with the tolerances of
+/// the lengths of criterion.md.
+DecodedTables printed_decoding();
+
+/// The cells that a case searches.
+EconomyTables searched_tables(const SearchCase& search);
+
+/// A random surface of a family whose tables have about the size of the print.
+struct PlantedSurface {
+    std::vector<double> values;  ///< of the family, then h / delta
+    EconomyTables tables;        ///< its cells, TCD rounded as in print
+};
+
+/// The planted surface of a case whose table is "planted-N".
+PlantedSurface planted_surface(const SearchCase& search);
+
+/// A table of results, without rows.
+CsvTable search_table();
+
+/// Runs a case. \return search_table with one row.
+CsvTable run_case(const SearchCase& search);
+
+}  // namespace endmill

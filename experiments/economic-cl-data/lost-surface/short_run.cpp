@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "economic-cl-data/lost-surface/short_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <sstream>
+
+#include "economic-cl-data/lost-surface/readings.h"
+#include "economic-cl-data/lost-surface/search_case.h"
+#include "endmill/core/text.h"
+#include "endmill/figures/tool_path_svg.h"
+#include "endmill/planning/detail/integer_decoding.h"
+#include "endmill/planning/detail/structureless_tables.h"
+#include "endmill/surface/extent.h"
+#include "support/printed_tables.h"
+
+namespace endmill {
+namespace {
+
+constexpr SurfaceFamily curves_family = SurfaceFamily::Translational;
+// Extent of the paper's part and what another extent costs. Source: [KimChoi, fig. 2], criterion.md.
+constexpr double printed_height_mm = 220;
+constexpr double height_tolerance_mm = 1;
+constexpr double wrong_extent_bits = 10;
+
+// A row of the result; empty cells are unknown.
+struct ResultRow {
+    std::string name;
+    std::optional<int> count = {};
+    std::optional<int> tried = {};
+    std::optional<double> low = {};
+    std::optional<double> high = {};
+    std::optional<TableMatch> match = {};
+    std::optional<double> value_bits = {};
+    std::optional<double> score_bits = {};
+};
+
+CsvTable empty_result()
+{
+    return CsvTable{{"row", "count", "tried", "low", "high", "ncl_matched", "tcd_matched",
+                     "rms_percent", "worst_percent", "deviation_bits", "information_bits",
+                     "choice_bits", "value_bits", "score_bits"}};
+}
+
+template <typename Number>
+CsvCell cell_of(const std::optional<Number>& number)
+{
+    if (!number)
+        return {};
+    if constexpr (std::is_same_v<Number, int>)
+        return std::int64_t{*number};
+    else
+        return *number;
+}
+
+void add(CsvTable& table, const ResultRow& row)
+{
+    std::vector<CsvCell> cells{row.name, cell_of(row.count), cell_of(row.tried),
+                               cell_of(row.low), cell_of(row.high)};
+    if (row.match)
+        cells.insert(cells.end(),
+                     {std::int64_t{row.match->ncl}, std::int64_t{row.match->tcd},
+                      row.match->rms_percent, row.match->worst_percent,
+                      row.match->deviation, row.match->information, row.match->choice});
+    else
+        cells.insert(cells.end(), 7, CsvCell{});
+    cells.push_back(cell_of(row.value_bits));
+    cells.push_back(cell_of(row.score_bits));
+    table.add_row(cells);
+}
+
+void add_readings(CsvTable& table, Experiment& run)
+{
+    const EconomyTables printed = printed_tables();
+    const DecodedTables decoded = printed_decoding();
+    for (int k = 0; k < 2; ++k)
+        for (int i = 0; i < 3; ++i) {
+            const Surplus surplus = surplus_points(printed, decoded, k, i);
+            add(table, {.name = table_row_label("surplus points", table_tolerances_mm[i],
+                                                table_directions[k]),
+                        .low = surplus.low,
+                        .high = surplus.high});
+        }
+    const double ratio = run.number("scallop_per_tolerance");
+    for (int k = 0; k < 2; ++k)
+        for (int i = 0; i < 3; ++i)
+            add(table,
+                {.name = table_row_label("spread of TCD times interval, %",
+                                         table_tolerances_mm[i], table_directions[k]),
+                 .low = 100 * interval_spread(printed, k, i, ratio)});
+    const double factor = run.number("interval_factor");
+    for (const auto& [name, last_path] :
+         {std::pair{"border", LastPath::Border}, std::pair{"half", LastPath::Half},
+          std::pair{"none", LastPath::None}}) {
+        const LinkContradiction least =
+            link_contradiction(printed, decoded, last_path, factor);
+        add(table,
+            {.name = std::string{"contradiction of the links, mm: last path "} + name,
+             .low = least.excess_mm});
+    }
+}
+
+void add_null_readings(CsvTable& table, Experiment& run)
+{
+    const EconomyTables printed = printed_tables();
+    const DecodingRules rules{run.number("decoding_tolerance_mm"),
+                              run.number("chord_spread"), run.number("longest_chord")};
+    const int tables = static_cast<int>(run.number("null_tables"));
+    std::array<int, 2> triples{};
+    int rows = 0;
+    int both = 0;
+    for (int seed = 1; seed <= tables; ++seed) {
+        const EconomyTables null =
+            structureless_tables(printed, static_cast<std::uint32_t>(seed));
+        int directions = 0;
+        for (int k = 0; k < 2; ++k) {
+            std::array<std::vector<Decoding>, 3> readings;
+            for (int i = 0; i < 3; ++i) {
+                CostRow row{};
+                for (int j = 0; j < 3; ++j) {
+                    row.ncl[j] = static_cast<int>(null.runs[k][i][j].ncl);
+                    row.tcd_mm[j] = null.runs[k][i][j].tcd_mm;
+                }
+                readings[i] = decodings(row, rules.tolerance_mm,
+                                        chord_bounds(table_directions[k], rules));
+                rows += readings[i].empty() ? 0 : 1;
+            }
+            const bool is_read = one_chord_triples(readings, rules.chord_spread) > 0;
+            triples[k] += is_read ? 1 : 0;
+            directions += is_read ? 1 : 0;
+        }
+        both += directions == 2 ? 1 : 0;
+    }
+    add(table,
+        {.name = "null A rows with a reading", .count = rows, .tried = 6 * tables});
+    add(table, {.name = "null A triples with a reading, u",
+                .count = triples[0],
+                .tried = tables});
+    add(table, {.name = "null A triples with a reading, v",
+                .count = triples[1],
+                .tried = tables});
+    add(table,
+        {.name = "null A tables with a reading of both", .count = both, .tried = tables});
+}
+
+void add_curves(CsvTable& table, Experiment& run)
+{
+    StagedSearch search;
+    search.curves = static_cast<int>(run.number("curve_searches"));
+    search.curve_evaluations = static_cast<int>(run.number("curve_evaluations"));
+    const DecodedTables decoded = printed_decoding();
+    for (int k = 0; k < 2; ++k) {
+        const auto curves = search_curves(curves_family, k, decoded.passes[k], search);
+        const std::string name = k == 0 ? "target 1 u: " : "target 1 v: ";
+        add(table, {.name = name + "curves found",
+                    .count = static_cast<int>(curves.size()),
+                    .tried = search.curves});
+        std::array<Interval, 4> ranges;
+        ranges.fill({1e9, -1e9});
+        for (const std::vector<double>& values : curves) {
+            const CompositeCurve curve = family_curve(curves_family, k, values);
+            const CurveIntegrals integrals = curve_integrals(curve);
+            const std::array numbers{integrals.arc_mm, integrals.turning,
+                                     integrals.root_curvature, height_of(curve)};
+            for (int n = 0; n < 4; ++n)
+                ranges[n] = {std::min(ranges[n].low, numbers[n]),
+                             std::max(ranges[n].high, numbers[n])};
+        }
+        constexpr std::array names{"arc, mm", "turning, rad",
+                                   "integral of sqrt(k), sqrt(mm)", "height, mm"};
+        for (int n = 0; n < 4 && !curves.empty(); ++n)
+            add(table,
+                {.name = name + names[n], .low = ranges[n].low, .high = ranges[n].high});
+    }
+}
+
+void add_small_search(CsvTable& table, Experiment& run)
+{
+    const int evaluations = static_cast<int>(run.number("evaluations"));
+    const std::string policies = run.text("policies");
+    for (const std::string& name : run.texts("searched_tables")) {
+        const SearchCase search{"",          "cells", name, "translational", policies, 1,
+                                evaluations, 0,       0};
+        const EconomyTables target = searched_tables(search);
+        const RunPolicies parsed = policies_of(policies);
+        const TableFit fit = search_cells(curves_family, parsed, target,
+                                          {.evaluations = evaluations, .seed = 1});
+        ResultRow row{.name = "search of " + name};
+        if (const auto cells = fitted_tables(curves_family, parsed, fit.values))
+            row.match = table_match(*cells, target);
+        add(table, row);
+    }
+}
+
+// A surface of the file of the best.
+struct BestSurface {
+    std::string name;
+    SurfaceFamily family;
+    RunPolicies policies;
+    std::vector<double> values;
+};
+
+std::vector<BestSurface> read_best(const std::filesystem::path& file)
+{
+    const CsvTable table = read_csv(file);
+    std::vector<BestSurface> surfaces;
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+        std::istringstream text{table.cell(i, "values")};
+        std::string word;  // "values"
+        text >> word;
+        std::vector<double> values;
+        for (double value = 0; text >> value;)
+            values.push_back(value);
+        surfaces.push_back({table.cell(i, "name"), family_named(table.cell(i, "family")),
+                            policies_of(table.cell(i, "policies")), std::move(values)});
+    }
+    return surfaces;
+}
+
+// The values of the family: all but the last, h / delta.
+std::span<const double> without_ratio(const std::vector<double>& values)
+{
+    return std::span<const double>{values}.first(values.size() - 1);
+}
+
+// The cells of a target of criterion.md.
+struct Target {
+    std::string name;
+    std::span<const Parameter> directions;
+    std::span<const TableQuantity> quantities;
+};
+
+// Adds the score of a surface against the cells `wanted`.
+void add_score(CsvTable& table, const BestSurface& best, const EconomyTables& wanted,
+               const Target& target, double choice_bits)
+{
+    const auto match_of = [&](std::span<const double> values) -> TableMatch {
+        const auto cells = fitted_tables(best.family, best.policies, values);
+        return cells ? table_match(*cells, wanted, target.directions, target.quantities)
+                     : TableMatch{};
+    };
+    const TableMatch match = match_of(best.values);
+    const double value_bits = bits_of_values(best.values, fit_ranges(best.family),
+                                             [&](std::span<const double> v) {
+                                                 const TableMatch moved = match_of(v);
+                                                 return moved.ncl + moved.tcd;
+                                             });
+    const double height =
+        extent(as_surface(family_surface(best.family, without_ratio(best.values))),
+               Vec3::UnitZ())
+            .length();
+    const bool has_extent = std::abs(height - printed_height_mm) <= height_tolerance_mm;
+    add(table, {.name = best.name + ": " + target.name,
+                .match = match,
+                .value_bits = value_bits,
+                .score_bits = match.information - match.choice - value_bits -
+                              choice_bits - (has_extent ? 0 : wrong_extent_bits)});
+}
+
+// The contacts of the run of [KimChoi, fig. 12 and 13] in cutting order.
+std::string passes_svg(const BestSurface& best, Parameter direction)
+{
+    const Surface surface =
+        as_surface(family_surface(best.family, without_ratio(best.values)));
+    TablePolicies policies = best.policies.table;
+    policies.scallop_per_tolerance = best.values.back();
+    constexpr int middle = 1;  // 0.5 mm and 15 mm
+    const IsoParametricPlan plan =
+        table_plan(surface, policies, direction, table_tolerances_mm[middle],
+                   table_diameters_mm[middle]);
+    const DirectionCost cost = path_cost(plan.path, policies);
+    const char* letter = direction == Parameter::U ? "u" : "v";
+    FigureOptions options;
+    options.title = std::string{"Passes along "} + letter + " on " + best.name +
+                    ", a fit and not the authors' surface";
+    options.captions = {
+        "tolerance 0.5 mm, ball of 15 mm: NCL " + to_text(double(cost.ncl)) + ", TCD " +
+        to_text(std::round(10 * cost.tcd_mm) / 10) + " mm, " +
+        to_text(double(plan.governing.size())) + " passes; 200 x 120 x " +
+        to_text(std::round(extent(surface, Vec3::UnitZ()).length())) + " mm"};
+    return tool_path_svg(plan.path, options);
+}
+
+}  // namespace
+
+CsvTable short_result(Experiment& run)
+{
+    CsvTable table = empty_result();
+    add_readings(table, run);
+    add_null_readings(table, run);
+    add_curves(table, run);
+    add_small_search(table, run);
+    return table;
+}
+
+void add_best_surfaces(CsvTable& result, Experiment& run,
+                       const std::filesystem::path& surfaces)
+{
+    static constexpr std::array u{Parameter::U};
+    static constexpr std::array v{Parameter::V};
+    static constexpr std::array ncl{TableQuantity::Ncl};
+    const std::array targets{Target{"target 2, NCL of u", u, ncl},
+                             Target{"target 3, NCL of v", v, ncl},
+                             Target{"target 4, all", table_directions, table_quantities}};
+    const double choice_bits = std::log2(run.number("cases_searched"));
+    CsvTable cells{{"surface", "direction", "tolerance_mm", "diameter_mm", "ncl",
+                    "printed_ncl", "tcd_mm", "printed_tcd_mm"}};
+    const EconomyTables printed = printed_tables();
+    // The criterion can be passed: a surface against its own cells.
+    const SearchCase own{
+        "", "cells", "planted-1", "translational", run.text("policies"), 1, 0, 0, 0};
+    PlantedSurface planted = planted_surface(own);
+    add_score(result,
+              {"a random surface, its own cells", family_named(own.family),
+               policies_of(own.policies), std::move(planted.values)},
+              planted.tables, targets.back(), choice_bits);
+    for (const BestSurface& best : read_best(surfaces)) {
+        for (const Target& target : targets)
+            add_score(result, best, printed, target, choice_bits);
+        for (const Parameter direction : table_directions)
+            run.write(best.name + (direction == Parameter::U ? "-u.svg" : "-v.svg"),
+                      passes_svg(best, direction));
+        const auto tables = fitted_tables(best.family, best.policies, best.values);
+        for (int k = 0; tables && k < 2; ++k)
+            for (int i = 0; i < 3; ++i)
+                for (int j = 0; j < 3; ++j) {
+                    const DirectionCost& run_cost = tables->runs[k][i][j];
+                    const DirectionCost& print = printed.runs[k][i][j];
+                    cells.add_row({best.name, std::string{k == 0 ? "u" : "v"},
+                                   table_tolerances_mm[i], table_diameters_mm[j],
+                                   static_cast<std::int64_t>(run_cost.ncl),
+                                   static_cast<std::int64_t>(print.ncl), run_cost.tcd_mm,
+                                   print.tcd_mm});
+                }
+    }
+    run.write("best-cells.csv", cells.text());
+}
+
+}  // namespace endmill

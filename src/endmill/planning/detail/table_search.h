@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "endmill/planning/detail/bounded_search.h"
+#include "endmill/planning/detail/curve_target.h"
+#include "endmill/planning/detail/surface_families.h"
+#include "endmill/planning/detail/table_match.h"
+
+/// \file
+/// Searches for a surface of a family whose 18 runs have given cells.
+
+namespace endmill {
+
+/// A surface of a family with its ratio of scallop height to chord tolerance.
+struct TableFit {
+    std::vector<double> values;  ///< of the family, then the ratio h / delta
+    double loss;                 ///< see table_loss
+    int evaluations;             ///< of surfaces
+};
+
+/// The ranges of a fit: value_ranges of the family, then 0.3 to 1.1 for h / delta.
+std::vector<Interval> fit_ranges(SurfaceFamily family);
+
+/// The cells of a fit. \return nothing if a run does not exist.
+/// \param values   as TableFit::values.
+/// \param policies with any `scallop_per_tolerance`.
+std::optional<EconomyTables> fitted_tables(SurfaceFamily family, RunPolicies policies,
+                                           std::span<const double> values);
+
+/// Loss of a fit: the deviation_bits of all cells, and 2 e^2 for a deviation of e percent, which leads
+/// the search from afar. Gives up beyond `give_up`; infinite if a run does not exist.
+double table_loss(SurfaceFamily family, RunPolicies policies, const EconomyTables& target,
+                  std::span<const double> values, double give_up);
+
+/// The search that is given the cells only: `minimise` of table_loss.
+TableFit search_cells(SurfaceFamily family, const RunPolicies& policies,
+                      const EconomyTables& target, const BoundedSearch& search);
+
+/// Whole numbers that an interpretation by `decodings` assigns to a table, or those of a known surface.
+struct DecodedTables {
+    /// Points and lengths of the passes along u and v.
+    std::array<CurveTarget, 2> passes;
+    /// Numbers of passes. Indices: direction, tolerance, diameter.
+    std::array<std::array<std::array<int, 3>, 3>, 2> counts;
+};
+
+/// Effort of the staged search.
+struct StagedSearch {
+    int curves = 60;                   ///< searches for each of the two curves
+    int curve_evaluations = 15'000;    ///< of each of them
+    double accepted_loss = 0;          ///< of a curve, see curve_loss
+    int fitted = 20;                   ///< best pairs of curves, fitted by least squares
+    int fit_iterations = 40;           ///< of each of them
+    int refined = 2;                   ///< best of these that are refined
+    int refined_evaluations = 20'000;  ///< of each of them
+    double most_height = 220;          ///< of a curve, mm; higher ones are penalised
+    std::uint32_t seed = 1;            ///< first of the seeds
+};
+
+/// Values of the family that belong to its curve A (0) or B (1), in their order.
+/// \pre the family is Translational, Uneven or Skew
+std::vector<std::size_t> curve_positions(SurfaceFamily family, int curve);
+
+/// The curve A (0) or B (1) with these of the values, see curve_positions.
+CompositeCurve family_curve(SurfaceFamily family, int curve,
+                            std::span<const double> values);
+
+/// The first stage: searches for curves that have the points and the lengths of `target` by themselves.
+/// \return the values of those found, at most one for each of `search.curves` searches; see
+///         family_curve.
+std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
+                                               const CurveTarget& target,
+                                               const StagedSearch& search);
+
+/// Difference of the highest and the lowest point of 31 a piece, mm.
+double height_of(const CompositeCurve& curve);
+
+/// Result of the staged search.
+struct StagedFit {
+    std::array<int, 2> curves_found;  ///< curves along u and v that fulfil their target
+    double
+        passes_percent;  ///< root mean square of the missing passes of the best pair, in percent
+    TableFit best;  ///< values empty if one of the curves was not found
+};
+
+/// The search for a translational surface in stages:
+/// 1. curves A and B that have the points and the lengths of `decoded` by themselves;
+/// 2. pairs of them and ratios h / delta, ordered by the passes that they miss;
+/// 3. `least_squares` from the best pairs, with residuals that are continuous: travel as if the numbers of
+///    passes were those of `decoded`, missing passes and missing steps;
+/// 4. from the best fits, `minimise` of the same residuals in boxes of 10 % of the ranges, and
+/// 5. `minimise` of table_loss in boxes of 0.2 %.
+/// \pre the family is Translational, Uneven or Skew, and steps follow the curvature of the curve
+StagedFit search_in_stages(SurfaceFamily family, const RunPolicies& policies,
+                           const EconomyTables& target, const DecodedTables& decoded,
+                           const StagedSearch& search);
+
+}  // namespace endmill
