@@ -147,8 +147,9 @@ EconomyTables renumbered_tables(std::uint32_t seed)
                 const int passes = moved.counts[k][i][j];
                 const int forward = pair.points_forward.value_or(pair.points_a_pair / 2);
                 DirectionCost& run = tables.runs[k][i][j];
-                run.ncl = static_cast<std::size_t>(pair.points_a_pair * (passes / 2) +
-                                                   (passes % 2 == 1 ? forward : 0));
+                const int points =
+                    pair.points_a_pair * (passes / 2) + (passes % 2 == 1 ? forward : 0);
+                run.ncl = static_cast<std::size_t>(points);
                 run.tcd_mm += pair.chord_mm * (passes - decoded.counts[k][i][j]);
             }
     round_as_printed(tables);
