@@ -75,8 +75,9 @@ double row_excess(const Row& row, LastPath last_path, double interval_factor)
         double worst = std::max({0.0, forward - row.arc_mm, backward - row.arc_mm});
         for (int j = 0; j < 3; ++j) {
             const int passes = row.passes[j];
-            const double links =
-                row.tcd_mm[j] - (passes + 1) / 2 * forward - passes / 2 * backward;
+            const int backward_passes = passes / 2;
+            const double links = row.tcd_mm[j] - (passes - backward_passes) * forward -
+                                 backward_passes * backward;
             const double interval = interval_factor * row.other_arc_mm / (passes - 1);
             const double low =
                 row.other_arc_mm - chords_mm - most_rest(last_path) * interval;

@@ -408,7 +408,9 @@ double table_loss(SurfaceFamily family, RunPolicies policies, const EconomyTable
         loss += run_loss(run.cost, target.runs[at.direction][at.tolerance][at.diameter]);
         return loss <= give_up;
     };
-    return visit_runs(member_of(family, values), policies, add) ? loss : infinity;
+    if (!visit_runs(member_of(family, values), policies, add))
+        return infinity;
+    return loss;
 }
 
 TableFit search_cells(SurfaceFamily family, const RunPolicies& policies,
