@@ -20,8 +20,10 @@ constexpr int ratio_rounds = 3;
 constexpr int predicted_ratios = 400;
 // Weight of squared percents of deviation against bits.
 constexpr double percent_weight = 2;
-// Penalty of a square millimetre of height beyond the limit.
+// Penalties of a square millimetre of height beyond the limit, and of the square of a concavity of twice
+// the limit.
 constexpr double height_weight = 0.01;
+constexpr double concavity_weight = 10;
 constexpr int height_samples = 30;  // a piece
 // Residuals of the fit: a millimetre of travel weighs as much as this part of a pass or a step.
 constexpr double count_unit = 0.01;
@@ -359,6 +361,18 @@ double height_of(const CompositeCurve& curve)
     return high - low;
 }
 
+double concavity_of(const CompositeCurve& curve)
+{
+    double most = 0;
+    for (int i = 0; i <= height_samples * curve.pieces(); ++i) {
+        const CurveJet jet = curve.jet(i / double(height_samples));
+        const double speed2 = jet.first.squaredNorm();
+        const Vec3 up = Vec3::UnitZ() - jet.first.z() / speed2 * jet.first;
+        most = std::max(most, jet.second.dot(up) / (speed2 * up.norm()));
+    }
+    return most;
+}
+
 std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
                                                const CurveTarget& target,
                                                const StagedSearch& search)
@@ -370,7 +384,10 @@ std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
     const auto loss = [&](std::span<const double> values, double give_up) {
         const CompositeCurve trial = family_curve(family, curve, values);
         const double excess = std::max(0.0, height_of(trial) - search.most_height);
-        const double penalty = height_weight * excess * excess;
+        const double tight =
+            std::max(0.0, concavity_of(trial) / search.most_concavity - 1);
+        const double penalty =
+            height_weight * excess * excess + concavity_weight * tight * tight;
         return penalty + curve_loss(trial, target, give_up - penalty);
     };
     std::vector<std::vector<double>> curves;
