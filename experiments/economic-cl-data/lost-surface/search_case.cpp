@@ -190,6 +190,42 @@ int curves_found(const SearchCase& search, int curve)
         search_curves(family_named(search.family), curve, target, stage).size());
 }
 
+// The result of the first stage alone.
+CsvTable run_curve_case(const SearchCase& search)
+{
+    CsvTable table = search_table();
+    const int curve = search.method == "curve-u" ? 0 : 1;
+    std::vector<CsvCell> row(table.columns().size());
+    row[0] = search.name;
+    row[1] = search.method;
+    row[2] = search.table;
+    row[3] = search.family;
+    row[5] = std::int64_t{search.seed};
+    row[6] = std::int64_t{search.curves} * search.evaluations;
+    row[7 + curve] = std::int64_t{curves_found(search, curve)};
+    table.add_row(row);
+    return table;
+}
+
+// The staged search of a case.
+StagedFit staged_fit(const SearchCase& search, SurfaceFamily family,
+                     const RunPolicies& policies, const EconomyTables& target)
+{
+    const DecodedTables decoded = starts_with(search.table, "planted-")
+                                      ? planted_decoding(search)
+                                  : starts_with(search.table, "renumbered-")
+                                      ? renumbered_decoding(number_at_end(search.table))
+                                      : printed_decoding();
+    StagedSearch stages;
+    stages.curves = search.curves;
+    stages.refined_evaluations = search.evaluations;
+    stages.most_height = search.most_height;
+    stages.seed = search.seed;
+    stages.accepted_loss = 0.5;  // the fit of pairs corrects the rest
+    stages.fitted = std::max(10, search.curves / 5);
+    return search_in_stages(family, policies, target, decoded, stages);
+}
+
 CsvCell list_of(const std::vector<double>& values)
 {
     std::string text = "values";  // a text that begins with a sign would be quoted
@@ -309,20 +345,9 @@ CsvTable search_table()
 
 CsvTable run_case(const SearchCase& search)
 {
+    if (search.method == "curve-u" || search.method == "curve-v")
+        return run_curve_case(search);
     CsvTable table = search_table();
-    if (search.method == "curve-u" || search.method == "curve-v") {
-        const int curve = search.method == "curve-u" ? 0 : 1;
-        std::vector<CsvCell> row(table.columns().size());
-        row[0] = search.name;
-        row[1] = search.method;
-        row[2] = search.table;
-        row[3] = search.family;
-        row[5] = std::int64_t{search.seed};
-        row[6] = std::int64_t{search.curves} * search.evaluations;
-        row[7 + curve] = std::int64_t{curves_found(search, curve)};
-        table.add_row(row);
-        return table;
-    }
     const SurfaceFamily family = family_named(search.family);
     const RunPolicies policies = policies_of(search.policies);
     const EconomyTables target = searched_tables(search);
@@ -331,19 +356,7 @@ CsvTable run_case(const SearchCase& search)
     CsvCell curves_v;
     CsvCell passes_off;
     if (search.method == "stages") {
-        const DecodedTables decoded =
-            starts_with(search.table, "planted-") ? planted_decoding(search)
-            : starts_with(search.table, "renumbered-")
-                ? renumbered_decoding(number_at_end(search.table))
-                : printed_decoding();
-        StagedSearch stages;
-        stages.curves = search.curves;
-        stages.refined_evaluations = search.evaluations;
-        stages.most_height = search.most_height;
-        stages.seed = search.seed;
-        stages.accepted_loss = 0.5;  // the fit of pairs corrects the rest
-        stages.fitted = std::max(10, search.curves / 5);
-        StagedFit found = search_in_stages(family, policies, target, decoded, stages);
+        StagedFit found = staged_fit(search, family, policies, target);
         curves_u = std::int64_t{found.curves_found[0]};
         curves_v = std::int64_t{found.curves_found[1]};
         if (std::isfinite(found.passes_percent))
