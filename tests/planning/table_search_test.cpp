@@ -85,6 +85,22 @@ TEST(TableSearch, StartsWithCurvesThatHaveTheirNumbers)
     }
 }
 
+// The parabola z = c x^2 / 2 has the curvature c at its vertex; turned over it is convex.
+TEST(TableSearch, MeasuresTheConcavityOfACurve)
+{
+    const double c = 0.05;
+    const auto parabola = [](double bend) {
+        // Control points of z = bend x^2 / 2 over -30 to 30.
+        return CompositeCurve{{{-30, 0, 450 * bend},
+                               {-10, 0, -150 * bend},
+                               {10, 0, -150 * bend},
+                               {30, 0, 450 * bend}}};
+    };
+    EXPECT_NEAR(concavity_of(parabola(c)), c, 1e-12);
+    EXPECT_EQ(concavity_of(parabola(-c)), 0);
+    EXPECT_NEAR(height_of(parabola(c)), 450 * c, 1e-12);
+}
+
 TEST(TableSearch, SplitsTheValuesBetweenTheCurves)
 {
     for (const SurfaceFamily each :

@@ -67,6 +67,7 @@ int run_missing_cases(const std::vector<SearchCase>& cases, const CaseShard& sha
                       const std::filesystem::path& folder)
 {
     std::vector<std::string> files;
+    files.reserve(cases.size());
     for (const SearchCase& search : cases)
         files.push_back(file_of(search));
     return write_missing_results(

@@ -75,8 +75,9 @@ double row_excess(const Row& row, LastPath last_path, double interval_factor)
         double worst = std::max({0.0, forward - row.arc_mm, backward - row.arc_mm});
         for (int j = 0; j < 3; ++j) {
             const int passes = row.passes[j];
-            const double links =
-                row.tcd_mm[j] - (passes + 1) / 2 * forward - passes / 2 * backward;
+            const int backward_passes = passes / 2;
+            const double links = row.tcd_mm[j] - (passes - backward_passes) * forward -
+                                 backward_passes * backward;
             const double interval = interval_factor * row.other_arc_mm / (passes - 1);
             const double low =
                 row.other_arc_mm - chords_mm - most_rest(last_path) * interval;
@@ -124,22 +125,29 @@ LinkContradiction link_contradiction(const EconomyTables& printed,
                                      const DecodedTables& decoded, LastPath last_path,
                                      double interval_factor)
 {
+    // The largest excess of the six rows, given up beyond `enough`.
+    const auto worst_row = [&](const std::array<double, 2>& arcs, double enough) {
+        double worst = 0;
+        for (int row_number = 0; row_number < 6 && worst < enough; ++row_number) {
+            const int k = row_number / 3;
+            const int i = row_number % 3;
+            Row row{decoded.counts[k][i], {}, arcs[k], arcs[1 - k]};
+            for (int j = 0; j < 3; ++j)
+                row.tcd_mm[j] = printed.runs[k][i][j].tcd_mm;
+            worst = std::max(worst, row_excess(row, last_path, interval_factor));
+        }
+        return worst;
+    };
     LinkContradiction least{1e9, 0, 0};
-    for (double arc_u = arcs_u.low; arc_u <= arcs_u.high; arc_u += arc_step_mm)
-        for (double arc_v = arcs_v.low; arc_v <= arcs_v.high; arc_v += arc_step_mm) {
-            double worst = 0;
-            for (int k = 0; k < 2 && worst < least.excess_mm; ++k)
-                for (int i = 0; i < 3 && worst < least.excess_mm; ++i) {
-                    Row row{decoded.counts[k][i],
-                            {},
-                            k == 0 ? arc_u : arc_v,
-                            k == 0 ? arc_v : arc_u};
-                    for (int j = 0; j < 3; ++j)
-                        row.tcd_mm[j] = printed.runs[k][i][j].tcd_mm;
-                    worst = std::max(worst, row_excess(row, last_path, interval_factor));
-                }
+    const int steps_u = static_cast<int>(arcs_u.length() / arc_step_mm);
+    const int steps_v = static_cast<int>(arcs_v.length() / arc_step_mm);
+    for (int a = 0; a <= steps_u; ++a)
+        for (int b = 0; b <= steps_v; ++b) {
+            const std::array arcs{arcs_u.low + a * arc_step_mm,
+                                  arcs_v.low + b * arc_step_mm};
+            const double worst = worst_row(arcs, least.excess_mm);
             if (worst < least.excess_mm)
-                least = {worst, arc_u, arc_v};
+                least = {worst, arcs[0], arcs[1]};
         }
     return least;
 }

@@ -18,12 +18,14 @@ RunPolicies policies_of(const std::string& text);
 
 /// One search.
 struct SearchCase {
-    std::string name;    ///< unique, also a file name
-    std::string method;  ///< "cells" or "stages"
+    std::string name;  ///< unique, also a file name
+    /// "cells", "stages", or "curve-u" and "curve-v" for the first stage alone.
+    std::string method;
     /// The cells that are searched: "print"; "null-N", without structure (null A); "net-NAME-N", of a
     /// fitted net with heights changed by up to 5 mm (null B); "planted-N", of a random surface of the family;
     /// "renumbered-N", the interpretation of the print with numbers of passes that follow the power law of the
-    /// decoded ones, with its scatter (stages only).
+    /// decoded ones, with its scatter (stages only); "targets-N", numbers of points and lengths near those of
+    /// the print (first stage only).
     std::string table;
     std::string family;    ///< see family_name
     std::string policies;  ///< see policies_of

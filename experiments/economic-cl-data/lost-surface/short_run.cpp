@@ -103,6 +103,25 @@ void add_readings(CsvTable& table, Experiment& run)
     }
 }
 
+// Interpretations of the three rows of one direction.
+std::array<std::vector<Decoding>, 3> readings_of(const EconomyTables& tables,
+                                                 int direction,
+                                                 const DecodingRules& rules)
+{
+    std::array<std::vector<Decoding>, 3> readings;
+    for (int i = 0; i < 3; ++i) {
+        CostRow row{};
+        for (int j = 0; j < 3; ++j) {
+            const DirectionCost& run = tables.runs[direction][i][j];
+            row.ncl[j] = static_cast<int>(run.ncl);
+            row.tcd_mm[j] = run.tcd_mm;
+        }
+        readings[i] = decodings(row, rules.tolerance_mm,
+                                chord_bounds(table_directions[direction], rules));
+    }
+    return readings;
+}
+
 void add_null_readings(CsvTable& table, Experiment& run)
 {
     const EconomyTables printed = printed_tables();
@@ -111,28 +130,15 @@ void add_null_readings(CsvTable& table, Experiment& run)
     const int tables = static_cast<int>(run.number("null_tables"));
     std::array<int, 2> triples{};
     int rows = 0;
-    int both = 0;
     for (int seed = 1; seed <= tables; ++seed) {
         const EconomyTables null =
             structureless_tables(printed, static_cast<std::uint32_t>(seed));
-        int directions = 0;
         for (int k = 0; k < 2; ++k) {
-            std::array<std::vector<Decoding>, 3> readings;
-            for (int i = 0; i < 3; ++i) {
-                CostRow row{};
-                for (int j = 0; j < 3; ++j) {
-                    row.ncl[j] = static_cast<int>(null.runs[k][i][j].ncl);
-                    row.tcd_mm[j] = null.runs[k][i][j].tcd_mm;
-                }
-                readings[i] = decodings(row, rules.tolerance_mm,
-                                        chord_bounds(table_directions[k], rules));
-                rows += readings[i].empty() ? 0 : 1;
-            }
-            const bool is_read = one_chord_triples(readings, rules.chord_spread) > 0;
-            triples[k] += is_read ? 1 : 0;
-            directions += is_read ? 1 : 0;
+            const auto readings = readings_of(null, k, rules);
+            for (const std::vector<Decoding>& row : readings)
+                rows += row.empty() ? 0 : 1;
+            triples[k] += one_chord_triples(readings, rules.chord_spread) > 0 ? 1 : 0;
         }
-        both += directions == 2 ? 1 : 0;
     }
     add(table,
         {.name = "null A rows with a reading", .count = rows, .tried = 6 * tables});
@@ -142,8 +148,6 @@ void add_null_readings(CsvTable& table, Experiment& run)
     add(table, {.name = "null A triples with a reading, v",
                 .count = triples[1],
                 .tried = tables});
-    add(table,
-        {.name = "null A tables with a reading of both", .count = both, .tried = tables});
 }
 
 void add_curves(CsvTable& table, Experiment& run)
@@ -284,6 +288,22 @@ std::string passes_svg(const BestSurface& best, Parameter direction)
     return tool_path_svg(plan.path, options);
 }
 
+// The 18 runs of a surface beside the print.
+void add_cells(CsvTable& cells, const BestSurface& best, const EconomyTables& printed)
+{
+    const auto tables = fitted_tables(best.family, best.policies, best.values);
+    for (int k = 0; tables && k < 2; ++k)
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) {
+                const DirectionCost& run = tables->runs[k][i][j];
+                const DirectionCost& print = printed.runs[k][i][j];
+                cells.add_row(
+                    {best.name, std::string{k == 0 ? "u" : "v"}, table_tolerances_mm[i],
+                     table_diameters_mm[j], static_cast<std::int64_t>(run.ncl),
+                     static_cast<std::int64_t>(print.ncl), run.tcd_mm, print.tcd_mm});
+            }
+}
+
 }  // namespace
 
 CsvTable short_result(Experiment& run)
@@ -323,18 +343,7 @@ void add_best_surfaces(CsvTable& result, Experiment& run,
         for (const Parameter direction : table_directions)
             run.write(best.name + (direction == Parameter::U ? "-u.svg" : "-v.svg"),
                       passes_svg(best, direction));
-        const auto tables = fitted_tables(best.family, best.policies, best.values);
-        for (int k = 0; tables && k < 2; ++k)
-            for (int i = 0; i < 3; ++i)
-                for (int j = 0; j < 3; ++j) {
-                    const DirectionCost& run_cost = tables->runs[k][i][j];
-                    const DirectionCost& print = printed.runs[k][i][j];
-                    cells.add_row({best.name, std::string{k == 0 ? "u" : "v"},
-                                   table_tolerances_mm[i], table_diameters_mm[j],
-                                   static_cast<std::int64_t>(run_cost.ncl),
-                                   static_cast<std::int64_t>(print.ncl), run_cost.tcd_mm,
-                                   print.tcd_mm});
-                }
+        add_cells(cells, best, printed);
     }
     run.write("best-cells.csv", cells.text());
 }

@@ -14,7 +14,7 @@ constexpr double expected_share = 0.04;
 constexpr double travel_rounding_mm = 1e-6;
 // Smallest step of the search for a width, as a share of the range: 5e-6 mm of a height.
 constexpr double least_step = 0x1p-26;
-constexpr int bisections = 4;
+constexpr int bisections = 6;
 
 double cell_width(TableQuantity quantity)
 {
@@ -51,7 +51,7 @@ double good_distance(std::span<const double> values, std::size_t index,
     double step = least_step * range.length();
     while (step < most && holds(step)) {
         good = step;
-        step *= 2;
+        step *= 4;
     }
     if (step >= most) {
         if (most <= 0 || holds(most))

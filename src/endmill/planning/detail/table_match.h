@@ -48,7 +48,7 @@ TableMatch table_match(const EconomyTables& tables, const EconomyTables& target,
 
 /// Bits that the free values of a surface cost: for each, log2(range / width), at least 1. The width
 /// is the interval about the value in which `matched` does not fall below its number at `values`, all
-/// other values being fixed. It is found by doubling steps and bisection on either side, to 10 %.
+/// other values being fixed. It is found by growing steps and bisection on either side, to 10 %.
 /// \param values  of the surface.
 /// \param ranges  that the search may use, one for each value.
 /// \param matched number of matched cells for given values.

@@ -20,8 +20,10 @@ constexpr int ratio_rounds = 3;
 constexpr int predicted_ratios = 400;
 // Weight of squared percents of deviation against bits.
 constexpr double percent_weight = 2;
-// Penalty of a square millimetre of height beyond the limit.
+// Penalties of a square millimetre of height beyond the limit, and of the square of a concavity of twice
+// the limit.
 constexpr double height_weight = 0.01;
+constexpr double concavity_weight = 10;
 constexpr int height_samples = 30;  // a piece
 // Residuals of the fit: a millimetre of travel weighs as much as this part of a pass or a step.
 constexpr double count_unit = 0.01;
@@ -216,32 +218,96 @@ std::vector<Interval> box_about(std::span<const double> values,
     return box;
 }
 
-// Refines a fit: first the continuous residuals, in a wide box and then by least squares, and last the
-// cells themselves in a narrow box.
-TableFit refined(SurfaceFamily family, const RunPolicies& policies,
-                 const EconomyTables& target, const DecodedResiduals& residuals,
-                 const TableFit& start, const StagedSearch& search)
-{
-    const std::vector<Interval> ranges = fit_ranges(family);
-    const auto squares = [&](std::span<const double> trial, double) {
-        const auto found = residuals(trial);
-        return found ? found->squaredNorm() : infinity;
-    };
-    const auto loss = [&](std::span<const double> trial, double give_up) {
-        return table_loss(family, policies, target, trial, give_up);
-    };
-    const int evaluations = search.refined_evaluations / 2;
-    const FoundValues wide = minimise(
-        box_about(start.values, ranges, wide_box), squares,
-        {.evaluations = evaluations, .seed = search.seed, .start = {start.values}});
-    LeastSquares fitted =
-        least_squares(ranges, residuals, wide.values, search.fit_iterations);
-    const FoundValues narrow = minimise(
-        box_about(fitted.values, ranges, narrow_box), loss,
-        {.evaluations = evaluations, .seed = search.seed, .start = {fitted.values}});
-    return {narrow.values, narrow.loss,
-            wide.evaluations + fitted.evaluations + narrow.evaluations};
-}
+// The stages after the search for curves.
+class PairSearch {
+public:
+    PairSearch(SurfaceFamily family, const RunPolicies& policies,
+               const EconomyTables& target, const DecodedTables& decoded,
+               const StagedSearch& search)
+        : family_{family},
+          policies_{policies},
+          target_{target},
+          decoded_{decoded},
+          search_{search},
+          ranges_{fit_ranges(family)},
+          residuals_{family, policies, target, decoded}
+    {
+    }
+
+    // All pairs of the curves with their best ratios, those with the fewest missing passes first.
+    std::vector<Pair> pairs(
+        const std::array<std::vector<std::vector<double>>, 2>& curves) const
+    {
+        std::vector<Pair> pairs;
+        const std::array own{curve_positions(family_, 0), curve_positions(family_, 1)};
+        std::vector<double> values(value_ranges(family_).size());
+        for (const std::vector<double>& a : curves[0])
+            for (const std::vector<double>& b : curves[1]) {
+                for (std::size_t i = 0; i < a.size(); ++i)
+                    values[own[0][i]] = a[i];
+                for (std::size_t i = 0; i < b.size(); ++i)
+                    values[own[1][i]] = b[i];
+                pairs.push_back(best_ratio(family_, policies_, values, decoded_));
+            }
+        std::ranges::stable_sort(pairs, {}, &Pair::squares);
+        return pairs;
+    }
+
+    // The first of `pairs` fitted by least squares, those with the smallest loss first.
+    std::vector<TableFit> fits(std::span<const Pair> pairs) const
+    {
+        std::vector<TableFit> fits;
+        for (const Pair& pair : pairs) {
+            if (static_cast<int>(fits.size()) >= search_.fitted ||
+                !std::isfinite(pair.squares))
+                break;
+            const LeastSquares found =
+                least_squares(ranges_, residuals_, pair.values, search_.fit_iterations);
+            fits.push_back(
+                {found.values, loss(found.values, infinity), found.evaluations});
+        }
+        std::ranges::stable_sort(fits, {}, &TableFit::loss);
+        return fits;
+    }
+
+    // Refines a fit: first the continuous residuals, in a wide box and then by least squares,
+    // and last the cells themselves in a narrow box.
+    TableFit refined(const TableFit& start) const
+    {
+        const auto squares = [&](std::span<const double> trial, double) {
+            const auto found = residuals_(trial);
+            return found ? found->squaredNorm() : infinity;
+        };
+        const auto cells = [&](std::span<const double> trial, double give_up) {
+            return loss(trial, give_up);
+        };
+        const int evaluations = search_.refined_evaluations / 2;
+        const FoundValues wide = minimise(
+            box_about(start.values, ranges_, wide_box), squares,
+            {.evaluations = evaluations, .seed = search_.seed, .start = {start.values}});
+        const LeastSquares fitted =
+            least_squares(ranges_, residuals_, wide.values, search_.fit_iterations);
+        const FoundValues narrow = minimise(
+            box_about(fitted.values, ranges_, narrow_box), cells,
+            {.evaluations = evaluations, .seed = search_.seed, .start = {fitted.values}});
+        return {narrow.values, narrow.loss,
+                wide.evaluations + fitted.evaluations + narrow.evaluations};
+    }
+
+private:
+    double loss(std::span<const double> values, double give_up) const
+    {
+        return table_loss(family_, policies_, target_, values, give_up);
+    }
+
+    SurfaceFamily family_;
+    const RunPolicies& policies_;
+    const EconomyTables& target_;
+    const DecodedTables& decoded_;
+    const StagedSearch& search_;
+    std::vector<Interval> ranges_;
+    DecodedResiduals residuals_;
+};
 
 }  // namespace
 
@@ -295,6 +361,18 @@ double height_of(const CompositeCurve& curve)
     return high - low;
 }
 
+double concavity_of(const CompositeCurve& curve)
+{
+    double most = 0;
+    for (int i = 0; i <= height_samples * curve.pieces(); ++i) {
+        const CurveJet jet = curve.jet(i / double(height_samples));
+        const double speed2 = jet.first.squaredNorm();
+        const Vec3 up = Vec3::UnitZ() - jet.first.z() / speed2 * jet.first;
+        most = std::max(most, jet.second.dot(up) / (speed2 * up.norm()));
+    }
+    return most;
+}
+
 std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
                                                const CurveTarget& target,
                                                const StagedSearch& search)
@@ -306,7 +384,10 @@ std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
     const auto loss = [&](std::span<const double> values, double give_up) {
         const CompositeCurve trial = family_curve(family, curve, values);
         const double excess = std::max(0.0, height_of(trial) - search.most_height);
-        const double penalty = height_weight * excess * excess;
+        const double tight =
+            std::max(0.0, concavity_of(trial) / search.most_concavity - 1);
+        const double penalty =
+            height_weight * excess * excess + concavity_weight * tight * tight;
         return penalty + curve_loss(trial, target, give_up - penalty);
     };
     std::vector<std::vector<double>> curves;
@@ -344,7 +425,9 @@ double table_loss(SurfaceFamily family, RunPolicies policies, const EconomyTable
         loss += run_loss(run.cost, target.runs[at.direction][at.tolerance][at.diameter]);
         return loss <= give_up;
     };
-    return visit_runs(member_of(family, values), policies, add) ? loss : infinity;
+    if (!visit_runs(member_of(family, values), policies, add))
+        return infinity;
+    return loss;
 }
 
 TableFit search_cells(SurfaceFamily family, const RunPolicies& policies,
@@ -370,45 +453,21 @@ StagedFit search_in_stages(SurfaceFamily family, const RunPolicies& policies,
     StagedFit fit{
         {static_cast<int>(curves[0].size()), static_cast<int>(curves[1].size())},
         infinity,
-        {{}, infinity, 0}};
-
-    std::vector<Pair> pairs;
-    const std::array own{curve_positions(family, 0), curve_positions(family, 1)};
-    std::vector<double> values(value_ranges(family).size());
-    for (const std::vector<double>& a : curves[0])
-        for (const std::vector<double>& b : curves[1]) {
-            for (std::size_t i = 0; i < a.size(); ++i)
-                values[own[0][i]] = a[i];
-            for (std::size_t i = 0; i < b.size(); ++i)
-                values[own[1][i]] = b[i];
-            pairs.push_back(best_ratio(family, policies, values, decoded));
-        }
-    std::ranges::stable_sort(pairs, {}, &Pair::squares);
+        TableFit{{}, infinity, 0}};
+    const PairSearch stages{family, policies, target, decoded, search};
+    const std::vector<Pair> pairs = stages.pairs(curves);
     if (pairs.empty())
         return fit;
     constexpr int cells = 18;
     fit.passes_percent = std::sqrt(pairs.front().squares / cells);
 
-    // The pairs with the best numbers of passes, fitted by least squares.
-    const DecodedResiduals residuals{family, policies, target, decoded};
-    std::vector<TableFit> fits;
-    for (const Pair& pair : pairs) {
-        if (static_cast<int>(fits.size()) >= search.fitted ||
-            !std::isfinite(pair.squares))
-            break;
-        const LeastSquares found = least_squares(fit_ranges(family), residuals,
-                                                 pair.values, search.fit_iterations);
-        fits.push_back({found.values,
-                        table_loss(family, policies, target, found.values, infinity),
-                        found.evaluations});
-    }
-    std::ranges::stable_sort(fits, {}, &TableFit::loss);
+    const std::vector<TableFit> fits = stages.fits(pairs);
     int evaluations = 0;
     for (const TableFit& found : fits)
         evaluations += found.evaluations;
-    for (std::size_t i = 0; i < fits.size() && static_cast<int>(i) < search.refined;
-         ++i) {
-        TableFit found = refined(family, policies, target, residuals, fits[i], search);
+    const auto refined = std::min<std::size_t>(fits.size(), search.refined);
+    for (std::size_t i = 0; i < refined; ++i) {
+        TableFit found = stages.refined(fits[i]);
         evaluations += found.evaluations;
         if (found.loss < fit.best.loss)
             fit.best = std::move(found);

@@ -52,8 +52,10 @@ struct DecodedTables {
 
 /// Effort of the staged search.
 struct StagedSearch {
-    int curves = 60;                   ///< searches for each of the two curves
-    int curve_evaluations = 15'000;    ///< of each of them
+    int curves = 60;                 ///< searches for each of the two curves
+    int curve_evaluations = 15'000;  ///< of each of them
+    double most_concavity =
+        0.12;  ///< of a curve, 1/mm; more is penalised: the balls would not fit
     double accepted_loss = 0;          ///< of a curve, see curve_loss
     int fitted = 20;                   ///< best pairs of curves, fitted by least squares
     int fit_iterations = 40;           ///< of each of them
@@ -80,6 +82,10 @@ std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
 
 /// Difference of the highest and the lowest point of 31 a piece, mm.
 double height_of(const CompositeCurve& curve);
+
+/// Largest curvature towards +z, seen across the curve, at 31 points a piece, 1/mm; 0 for a convex curve.
+/// A translational surface is at most as concave along the curve.
+double concavity_of(const CompositeCurve& curve);
 
 /// Result of the staged search.
 struct StagedFit {

@@ -43,41 +43,56 @@ constexpr int dense_samples = 16;
 // A start value is off by a small part of its own correction.
 constexpr double sure_corrections = 4;
 
-// The curvature of the pass at a parameter; negative if there is none.
+// The rules by which a pass is marched.
+struct MarchRules {
+    double chord_tolerance;
+    EndPoint end_point;
+    PatchBorders borders;
+};
+
+// Where a step from t ends; nothing if the pass ends at t. Adds the step, or the share of it that is left,
+// to `steps`.
+std::optional<double> next_parameter(const CompositeCurve& curve, double t,
+                                     const StepLength& step, const MarchRules& rules,
+                                     double& steps)
+{
+    const double end = curve.end();
+    const CurveJet jet = curve.jet(t);
+    const Vec3 feed = jet.first / jet.first.norm();
+    std::optional<double> next;
+    if (step.status != LengthStatus::Unlimited)
+        next = curve.first_reach(t, feed, step.projected);
+    if (next)
+        steps += 1;
+    else
+        steps += std::clamp((curve.point(end) - jet.point).dot(feed) / step.projected,
+                            0.0, 1.0);
+    if (!next && rules.end_point == EndPoint::Force)
+        next = end;
+    if (rules.borders == PatchBorders::Stop) {
+        const double above = std::floor(t + end_width) + 1;
+        next = std::min(next.value_or(end), std::min(above, end));
+    }
+    return next;
+}
+
 template <typename Curvature>
 std::optional<MarchedCurve> march_with(const CompositeCurve& curve,
-                                       double chord_tolerance, EndPoint end_point,
-                                       PatchBorders borders, const Curvature& curvature)
+                                       const MarchRules& rules,
+                                       const Curvature& curvature)
 {
     const double end = curve.end();
     MarchedCurve pass{{0}, 0};
     double t = 0;
     while (t < end) {
         const CurveJet jet = curve.jet(t);
-        const double speed = jet.first.norm();
-        if (!(speed > 0) || static_cast<int>(pass.parameters.size()) > most_steps)
+        if (!(jet.first.norm() > 0) ||
+            static_cast<int>(pass.parameters.size()) > most_steps)
             return std::nullopt;
-        const StepLength step = step_length(curvature(t, jet), chord_tolerance);
-        const Vec3 feed = jet.first / speed;
-        std::optional<double> next;
-        if (step.status != LengthStatus::Unlimited)
-            next = curve.first_reach(t, feed, step.projected);
-        const bool is_short = !next;
-        if (is_short) {
-            const double share =
-                (curve.point(end) - jet.point).dot(feed) / step.projected;
-            pass.steps += std::clamp(share, 0.0, 1.0);
-            if (end_point == EndPoint::Force)
-                next = end;
-        }
-        if (borders == PatchBorders::Stop) {
-            const double above = std::floor(t + end_width) + 1;
-            next = std::min(next.value_or(end), std::min(above, end));
-        }
+        const StepLength step = step_length(curvature(jet), rules.chord_tolerance);
+        const auto next = next_parameter(curve, t, step, rules, pass.steps);
         if (!next)
             break;
-        if (!is_short)
-            pass.steps += 1;
         if (*next <= t)
             return std::nullopt;
         t = *next >= end - end_width ? end : *next;
@@ -256,12 +271,12 @@ private:
                                   options_.patch_borders);
         else {
             const Vec3 across = across_.jet(v).first;
-            marched =
-                march_with(curve, tolerance_, options_.end_point, options_.patch_borders,
-                           [&](double, const CurveJet& jet) {
-                               const Vec3 normal = jet.first.cross(across).normalized();
-                               return jet.second.dot(normal) / jet.first.squaredNorm();
-                           });
+            marched = march_with(
+                curve, {tolerance_, options_.end_point, options_.patch_borders},
+                [&](const CurveJet& jet) {
+                    const Vec3 normal = jet.first.cross(across).normalized();
+                    return jet.second.dot(normal) / jet.first.squaredNorm();
+                });
         }
         if (!marched)
             return std::nullopt;
@@ -503,8 +518,7 @@ std::optional<MarchedCurve> march_curve(const CompositeCurve& curve,
                                         double chord_tolerance, EndPoint end_point,
                                         PatchBorders borders)
 {
-    return march_with(curve, chord_tolerance, end_point, borders,
-                      [](double, const CurveJet& jet) { return curvature_of(jet); });
+    return march_with(curve, {chord_tolerance, end_point, borders}, curvature_of);
 }
 
 bool visit_runs(const TranslationalSurface& surface, const RunPolicies& policies,
