@@ -12,9 +12,11 @@
 #include "economic-cl-data/lost-surface/search_case.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/tool_path_svg.h"
+#include "endmill/files/surface_file.h"
 #include "endmill/planning/detail/integer_decoding.h"
 #include "endmill/planning/detail/structureless_tables.h"
 #include "endmill/surface/extent.h"
+#include "endmill/surface/nurbs.h"
 #include "support/printed_tables.h"
 
 namespace endmill {
@@ -288,6 +290,16 @@ std::string passes_svg(const BestSurface& best, Parameter direction)
     return tool_path_svg(plan.path, options);
 }
 
+// The surface as a file for the program.
+std::string surface_file(const BestSurface& best)
+{
+    const Surface surface =
+        as_surface(family_surface(best.family, without_ratio(best.values)));
+    return surface_text(nurbs_of(surface), ToolSide::Up, best.name,
+                        "a fit of experiments/economic-cl-data/lost-surface, not the "
+                        "surface of the paper");
+}
+
 // The 18 runs of a surface beside the print.
 void add_cells(CsvTable& cells, const BestSurface& best, const EconomyTables& printed)
 {
@@ -343,6 +355,7 @@ void add_best_surfaces(CsvTable& result, Experiment& run,
         for (const Parameter direction : table_directions)
             run.write(best.name + (direction == Parameter::U ? "-u.svg" : "-v.svg"),
                       passes_svg(best, direction));
+        run.write(best.name + ".json", surface_file(best));
         add_cells(cells, best, printed);
     }
     run.write("best-cells.csv", cells.text());
