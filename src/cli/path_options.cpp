@@ -186,9 +186,6 @@ void take_reading(PathOptions& path, const Json& summary)
     for (const auto& [word, point] : programmed_points)
         if (text("programmed_point") == word)
             path.programmed_point = point;
-    for (const auto& [word, interpreter] : interpreters)
-        if (text("interpreter") == word)
-            path.interpreter = interpreter;
     const auto arcs = summary.find("arc_tolerance_mm");
     if (arcs != summary.end() && arcs->is_number() &&
         *arcs != GcodeReadOptions{}.arc_tolerance_mm && arcs->get<double>() > 0)

@@ -54,7 +54,8 @@ void refuse_idle_tool_options(const PathOptions& path, const CommonOptions& opti
 void add_reading(Json& summary, const PathOptions& path);
 
 /// Sets the options for reading a program by the keys of `add_reading`, and by wrapped and
-/// tool_table, in a summary. Values of another type or unknown words set nothing.
+/// tool_table, in a summary. Values of another type or unknown words set nothing, and neither
+/// does interpreter: no file decides which program runs.
 void take_reading(PathOptions& path, const Json& summary);
 
 /// Adds the key interpreter only.

@@ -325,6 +325,10 @@ ViewPath read_view_path(const ViewInput& input, const ViewOptions& options)
     PathSummary known = path_summary_of(path, common);
     if (const ViewSummary* const reader = summary_of_reader(input, common.limits)) {
         take_reading(path, reader->content);
+        if (text_in(reader->content, "interpreter") == "linuxcnc")
+            warn(common, shown_path(path.file) +
+                             " was judged as LinuxCNC reads it (--interpreter linuxcnc); "
+                             "the page shows it as endmill reads it");
         const auto stated = read_path_summary(reader->file, common.limits);
         if (!known.machine && stated)
             known.machine = stated->machine;

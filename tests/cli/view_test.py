@@ -5,6 +5,7 @@ import csv
 import hashlib
 import json
 import math
+import os
 import re
 import shutil
 import struct
@@ -285,6 +286,13 @@ class View(ProgramTest):
         self.assertEqual(done.returncode, 0, done.stderr)
         content, numbers = self.view("judged")
         self.assertEqual(array(content["path"]["tips"], numbers)[-3:], (9, 0, 1))
+        # a summary starts no other program
+        summary = self.folder / "judged/summary.json"
+        summary.write_text(summary.read_text(encoding="utf-8").replace('"interpreter": "endmill"', '"interpreter": "linuxcnc"'),
+                           encoding="utf-8")
+        done = endmill("view", "judged", "-o", "read.html", cwd=self.folder, env={**os.environ, "PATH": "/nowhere"})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("the page shows it as endmill reads it", done.stderr)
 
     def test_verify_states_the_path_that_it_judged_and_another_one_is_named(self):
         folder = self.planned()

@@ -60,24 +60,6 @@ TEST(StructurelessTables, HavePointsAndTravelOnALine)
         }
 }
 
-// Interpretations of the rows of one direction.
-std::array<std::vector<Decoding>, 3> readings_of(const EconomyTables& tables,
-                                                 int direction,
-                                                 const DecodingRules& rules)
-{
-    std::array<std::vector<Decoding>, 3> readings;
-    for (int i = 0; i < 3; ++i) {
-        CostRow row{};
-        for (int j = 0; j < 3; ++j) {
-            row.ncl[j] = static_cast<int>(tables.runs[direction][i][j].ncl);
-            row.tcd_mm[j] = tables.runs[direction][i][j].tcd_mm;
-        }
-        readings[i] = decodings(row, rules.tolerance_mm,
-                                chord_bounds(table_directions[direction], rules));
-    }
-    return readings;
-}
-
 // Rows whose numbers of passes are whole all have an interpretation. Of rows without structure
 // about a third have one by chance, because the interpretation has as many unknowns as a row
 // has numbers; of triples of rows with one chord length, few.

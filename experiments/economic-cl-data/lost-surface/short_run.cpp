@@ -105,25 +105,6 @@ void add_readings(CsvTable& table, Experiment& run)
     }
 }
 
-// Interpretations of the three rows of one direction.
-std::array<std::vector<Decoding>, 3> readings_of(const EconomyTables& tables,
-                                                 int direction,
-                                                 const DecodingRules& rules)
-{
-    std::array<std::vector<Decoding>, 3> readings;
-    for (int i = 0; i < 3; ++i) {
-        CostRow row{};
-        for (int j = 0; j < 3; ++j) {
-            const DirectionCost& run = tables.runs[direction][i][j];
-            row.ncl[j] = static_cast<int>(run.ncl);
-            row.tcd_mm[j] = run.tcd_mm;
-        }
-        readings[i] = decodings(row, rules.tolerance_mm,
-                                chord_bounds(table_directions[direction], rules));
-    }
-    return readings;
-}
-
 void add_null_readings(CsvTable& table, Experiment& run)
 {
     const EconomyTables printed = printed_tables();

@@ -143,6 +143,24 @@ Interval chord_bounds(Parameter direction, const DecodingRules& rules)
     return {width, rules.longest_chord * width};
 }
 
+std::array<std::vector<Decoding>, 3> readings_of(const EconomyTables& tables,
+                                                 std::size_t direction,
+                                                 const DecodingRules& rules)
+{
+    std::array<std::vector<Decoding>, 3> readings;
+    for (int i = 0; i < 3; ++i) {
+        CostRow row{};
+        for (int j = 0; j < 3; ++j) {
+            const DirectionCost& run = tables.runs[direction][i][j];
+            row.ncl[j] = static_cast<int>(run.ncl);
+            row.tcd_mm[j] = run.tcd_mm;
+        }
+        readings[i] = decodings(row, rules.tolerance_mm,
+                                chord_bounds(table_directions[direction], rules));
+    }
+    return readings;
+}
+
 NullTest null_test(const EconomyTables& printed, const DecodingRules& rules, int triples,
                    std::uint32_t seed)
 {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -54,6 +55,12 @@ struct DecodingRules {
 /// Bounds of L in mm for passes along `direction` on the paper's part of 200 by 120 mm.
 /// Source: [KimChoi, fig. 2].
 Interval chord_bounds(Parameter direction, const DecodingRules& rules);
+
+/// The interpretations of the rows of one direction, one for each tolerance.
+/// \param direction index of table_directions.
+std::array<std::vector<Decoding>, 3> readings_of(const EconomyTables& tables,
+                                                 std::size_t direction,
+                                                 const DecodingRules& rules);
 
 /// Counts of rows that have an interpretation although nothing in them is a whole number.
 struct NullTest {
