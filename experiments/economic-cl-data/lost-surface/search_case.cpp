@@ -25,6 +25,8 @@ constexpr double net_change_mm = 5;
 // Planted surfaces lie in this share of the ranges about their middle, which holds those of the
 // size of the paper's tables.
 constexpr double planted_share = 0.6;
+constexpr Interval cell_sizes{0.7, 1.4};
+constexpr Interval staged_sizes{0.6, 1.6};
 
 // The number after the last dash.
 std::uint32_t number_at_end(const std::string& text)
@@ -115,36 +117,96 @@ DecodedTables planted_decoding(const SearchCase& search)
     return decoded;
 }
 
-// Numbers of passes by the power law of the decoded ones, with the scatter of its residuals.
-DecodedTables renumbered_decoding(std::uint32_t seed)
+// Deviations of log N of a row from the common power of R, and their mean.
+struct RowScatter {
+    std::array<double, 3> deviations;
+    double mean;
+
+    double squares() const
+    {
+        double sum = 0;
+        for (const double deviation : deviations)
+            sum += (deviation - mean) * (deviation - mean);
+        return sum;
+    }
+};
+
+// log N = row effect + c log R + deviation, with c by least squares from the nine numbers of a direction.
+std::array<RowScatter, 3> row_scatters(const std::array<std::array<int, 3>, 3>& counts,
+                                       double& power)
+{
+    std::array<double, 3> logs{};
+    double mean_log = 0;
+    for (int j = 0; j < 3; ++j) {
+        logs[j] = std::log(table_diameters_mm[j]);
+        mean_log += logs[j] / 3;
+    }
+    double products = 0;
+    double squares = 0;
+    for (const auto& row : counts)
+        for (int j = 0; j < 3; ++j) {
+            products += (logs[j] - mean_log) * std::log(row[j]);
+            squares += (logs[j] - mean_log) * (logs[j] - mean_log);
+        }
+    power = products / squares;
+    std::array<RowScatter, 3> scatters{};
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            scatters[i].deviations[j] = std::log(counts[i][j]) - power * logs[j];
+            scatters[i].mean += scatters[i].deviations[j] / 3;
+        }
+    return scatters;
+}
+
+// A sum of 12 uniform numbers: mean 0, standard deviation 1.
+double normal(PortableUniform& uniform)
+{
+    double sum = -6;
+    for (int i = 0; i < 12; ++i)
+        sum += uniform(0, 1);
+    return sum;
+}
+
+// Numbers of passes with the row effects of the decoded ones and new deviations with the scatter of their
+// row. If `is_regular`, the row v, 1 mm has the pooled scatter of the other rows.
+DecodedTables renumbered_decoding(std::uint32_t seed, bool is_regular)
 {
     DecodedTables decoded = printed_decoding();
-    EconomyTables numbers = printed_tables();
-    for (int k = 0; k < 2; ++k)
+    PortableUniform uniform{seed};
+    std::array<double, 2> powers{};
+    std::array<std::array<RowScatter, 3>, 2> scatters{};
+    double pooled = 0;
+    constexpr int free_numbers = 2;  // three less their mean
+    for (int k = 0; k < 2; ++k) {
+        scatters[k] = row_scatters(decoded.counts[k], powers[k]);
         for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j)
-                numbers.runs[k][i][j].ncl =
-                    static_cast<std::size_t>(decoded.counts[k][i][j]);
-    const EconomyTables drawn = structureless_tables(numbers, seed);
+            if (k == 0 || i > 0)
+                pooled += scatters[k][i].squares() / (5 * free_numbers);
+    }
     for (int k = 0; k < 2; ++k)
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3; ++i) {
+            const bool is_smoothed = is_regular && k == 1 && i == 0;
+            const double scatter = std::sqrt(
+                is_smoothed ? pooled : scatters[k][i].squares() / free_numbers);
             for (int j = 0; j < 3; ++j)
-                decoded.counts[k][i][j] = static_cast<int>(drawn.runs[k][i][j].ncl);
+                decoded.counts[k][i][j] = static_cast<int>(std::round(std::exp(
+                    scatters[k][i].mean + powers[k] * std::log(table_diameters_mm[j]) +
+                    scatter * normal(uniform))));
+        }
     return decoded;
 }
 
-// The cells that equal passes of the print have with the numbers of passes of `decoded`: f, b and L as
+// The cells that equal passes of the print have with the numbers of passes of `renumbered`: f, b and L as
 // decoded, W of the row kept.
-EconomyTables renumbered_tables(std::uint32_t seed)
+EconomyTables renumbered_tables(const DecodedTables& renumbered)
 {
-    const DecodedTables moved = renumbered_decoding(seed);
     const DecodedTables decoded = printed_decoding();
     EconomyTables tables = printed_tables();
     for (int k = 0; k < 2; ++k)
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
                 const PassPair& pair = decoded.passes[k][i];
-                const int passes = moved.counts[k][i][j];
+                const int passes = renumbered.counts[k][i][j];
                 const int forward = pair.points_forward.value_or(pair.points_a_pair / 2);
                 DirectionCost& run = tables.runs[k][i][j];
                 const int points =
@@ -154,6 +216,23 @@ EconomyTables renumbered_tables(std::uint32_t seed)
             }
     round_as_printed(tables);
     return tables;
+}
+
+bool is_renumbered(const SearchCase& search)
+{
+    return starts_with(search.table, "renumbered-") ||
+           starts_with(search.table, "regular-");
+}
+
+// The interpretation that the search in stages is given.
+DecodedTables decoding_of(const SearchCase& search)
+{
+    if (starts_with(search.table, "planted-"))
+        return planted_decoding(search);
+    if (is_renumbered(search))
+        return renumbered_decoding(number_at_end(search.table),
+                                   starts_with(search.table, "regular-"));
+    return printed_decoding();
 }
 
 // Numbers like those of target 1 that no curve need have: up to two points more or less a pair, f within
@@ -183,6 +262,7 @@ int curves_found(const SearchCase& search, int curve)
         target = random_target(target, number_at_end(search.table));
     StagedSearch stage;
     stage.curves = search.curves;
+    stage.curve_searches = search.curves;
     stage.curve_evaluations = search.evaluations;
     stage.most_height = search.most_height;
     stage.seed = search.seed;
@@ -211,19 +291,57 @@ CsvTable run_curve_case(const SearchCase& search)
 StagedFit staged_fit(const SearchCase& search, SurfaceFamily family,
                      const RunPolicies& policies, const EconomyTables& target)
 {
-    const DecodedTables decoded = starts_with(search.table, "planted-")
-                                      ? planted_decoding(search)
-                                  : starts_with(search.table, "renumbered-")
-                                      ? renumbered_decoding(number_at_end(search.table))
-                                      : printed_decoding();
     StagedSearch stages;
     stages.curves = search.curves;
-    stages.refined_evaluations = search.evaluations;
+    stages.curve_searches = 10 * search.curves;
+    stages.evaluations = search.evaluations;
     stages.most_height = search.most_height;
     stages.seed = search.seed;
-    stages.accepted_loss = 0.5;  // the fit of pairs corrects the rest
-    stages.fitted = std::max(10, search.curves / 5);
-    return search_in_stages(family, policies, target, decoded, stages);
+    return search_in_stages(family, policies, target, decoding_of(search), stages);
+}
+
+// Values in the planted share of their ranges.
+std::vector<double> drawn_values(const std::vector<Interval>& ranges,
+                                 PortableUniform& uniform)
+{
+    std::vector<double> values;
+    for (const auto [low, high] : ranges) {
+        const double middle = (low + high) / 2;
+        const double half = planted_share * (high - low) / 2;
+        values.push_back(uniform(middle - half, middle + half));
+    }
+    return values;
+}
+
+// Draws the values of a curve until its passes look like those of the print.
+void draw_plausible_curve(std::vector<double>& values, SurfaceFamily family, int curve,
+                          double most_height, PortableUniform& uniform)
+{
+    const std::vector<Interval> all = value_ranges(family);
+    const std::vector<std::size_t> positions = curve_positions(family, curve);
+    std::vector<Interval> ranges;
+    for (const std::size_t position : positions)
+        ranges.push_back(all[position]);
+    std::vector<double> drawn;
+    do
+        drawn = drawn_values(ranges, uniform);
+    while (!is_plausible(family_curve(family, curve, drawn), most_height));
+    for (std::size_t i = 0; i < positions.size(); ++i)
+        values[positions[i]] = drawn[i];
+}
+
+// Whether the cells with 0.5 mm and 15 mm are those of the print times a factor in `sizes`.
+bool has_printed_size(const EconomyTables& tables, const Interval& sizes)
+{
+    const EconomyTables printed = printed_tables();
+    for (const Parameter direction : table_directions)
+        for (const TableQuantity quantity : table_quantities) {
+            const double share = tables.cell(quantity, direction, 1, 1) /
+                                 printed.cell(quantity, direction, 1, 1);
+            if (share <= sizes.low || share >= sizes.high)
+                return false;
+        }
+    return true;
 }
 
 CsvCell list_of(const std::vector<double>& values)
@@ -247,26 +365,16 @@ PlantedSurface planted_surface(const SearchCase& search)
 {
     const SurfaceFamily family = family_named(search.family);
     const RunPolicies policies = policies_of(search.policies);
-    const EconomyTables printed = printed_tables();
     PortableUniform uniform{number_at_end(search.table)};
     while (true) {
-        std::vector<double> values;
-        for (const auto [low, high] : fit_ranges(family)) {
-            const double middle = (low + high) / 2;
-            const double half = planted_share * (high - low) / 2;
-            values.push_back(uniform(middle - half, middle + half));
-        }
+        std::vector<double> values = drawn_values(fit_ranges(family), uniform);
+        if (search.method == "stages")
+            for (int k = 0; k < 2; ++k)
+                draw_plausible_curve(values, family, k, search.most_height, uniform);
         auto tables = fitted_tables(family, policies, values);
-        if (!tables)
-            continue;
-        bool is_similar = true;
-        for (const Parameter direction : table_directions)
-            for (const TableQuantity quantity : table_quantities) {
-                const double share = tables->cell(quantity, direction, 1, 1) /
-                                     printed.cell(quantity, direction, 1, 1);
-                is_similar = is_similar && 0.7 < share && share < 1.4;
-            }
-        if (!is_similar)
+        if (!tables || !has_printed_size(*tables, search.method == "stages"
+                                                      ? staged_sizes
+                                                      : cell_sizes))
             continue;
         round_as_printed(*tables);
         return {values, *tables};
@@ -330,8 +438,8 @@ EconomyTables searched_tables(const SearchCase& search)
         return tables_near_net(search.table);
     if (starts_with(search.table, "planted-"))
         return planted_surface(search).tables;
-    if (starts_with(search.table, "renumbered-"))
-        return renumbered_tables(number_at_end(search.table));
+    if (is_renumbered(search))
+        return renumbered_tables(decoding_of(search));
     throw DomainError{"searched_tables: unknown table " + search.table};
 }
 

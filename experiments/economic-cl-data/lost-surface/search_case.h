@@ -22,16 +22,16 @@ struct SearchCase {
     /// "cells", "stages", or "curve-u" and "curve-v" for the first stage alone.
     std::string method;
     /// The cells that are searched: "print"; "null-N", without structure (null A); "net-NAME-N", of a
-    /// fitted net with heights changed by up to 5 mm (null B); "planted-N", of a random surface of the family;
-    /// "renumbered-N", the interpretation of the print with numbers of passes that follow the power law of the
-    /// decoded ones, with its scatter (stages only); "targets-N", numbers of points and lengths near those of
-    /// the print (first stage only).
+    /// fitted net with heights changed by up to 5 mm (null B); "planted-N", of a random surface of the family, for
+    /// stages with passes like those of the print; "renumbered-N", the interpretation of the print with other numbers of
+    /// passes of the same scatter, and "regular-N", with a small scatter also in the row v, 1 mm (both stages only);
+    /// "targets-N", numbers of points and lengths near those of the print (first stage only).
     std::string table;
     std::string family;    ///< see family_name
     std::string policies;  ///< see policies_of
     std::uint32_t seed;    ///< of the search
     int evaluations;       ///< of surfaces, per search or per refined pair
-    int curves;            ///< searches for each curve; stages only
+    int curves;            ///< wanted of each curve; stages only
     double most_height;    ///< of a curve, mm; stages only
 };
 

@@ -137,6 +137,7 @@ void add_curves(CsvTable& table, Experiment& run)
 {
     StagedSearch search;
     search.curves = static_cast<int>(run.number("curve_searches"));
+    search.curve_searches = search.curves;
     search.curve_evaluations = static_cast<int>(run.number("curve_evaluations"));
     const DecodedTables decoded = printed_decoding();
     for (int k = 0; k < 2; ++k) {

@@ -10,6 +10,11 @@
 namespace endmill {
 namespace {
 
+// See has_regular_passes.
+constexpr int most_uneven_points = 2;
+constexpr double most_uneven_share = 0.01;
+constexpr double least_length_share = 0.985;
+
 constexpr double step_weight = 4;
 // A last step shorter than this share of a step might vanish by rounding.
 constexpr double least_share = 1e-3;
@@ -111,6 +116,20 @@ double curve_loss(const CompositeCurve& curve, const CurveTarget& target, double
         loss += pair_loss(*march, target[i]);
     }
     return loss;
+}
+
+bool has_regular_passes(const std::array<CurveMarch, 3>& march)
+{
+    const auto mean_mm = [](const CurveMarch& pass) {
+        return (pass.forward_mm + pass.backward_mm) / 2;
+    };
+    const double longest = mean_mm(march.back());
+    return std::ranges::all_of(march, [&](const CurveMarch& pass) {
+        return std::abs(pass.points_forward - pass.points_backward) <= most_uneven_points &&
+               std::abs(pass.forward_mm - pass.backward_mm) <=
+                   most_uneven_share * longest &&
+               mean_mm(pass) >= least_length_share * longest;
+    });
 }
 
 int curve_matches(const std::array<CurveMarch, 3>& march, const CurveTarget& target)

@@ -37,6 +37,12 @@ struct CurveMarch {
 /// \return nothing if a step makes no progress.
 std::optional<std::array<CurveMarch, 3>> march_both_ways(const CompositeCurve& curve);
 
+/// Whether no step cuts off a bend, so that the passes are like those of the decoded print: for each tolerance
+/// the forward and the backward pass differ by at most 2 points and 1 % of the length, and their mean length is at
+/// least 98.5 % of that for the smallest tolerance.
+/// Source: experiments/economic-cl-data/lost-surface/criterion.md, amendment 1.
+bool has_regular_passes(const std::array<CurveMarch, 3>& march);
+
 /// Steps that are missing or too many for `points` points, counted with the share of the last step: 0 if
 /// the pass has that number of points and its last step is at least 0.001 of a step.
 double missing_steps(double steps, int points);

@@ -7,29 +7,38 @@
 #include <variant>
 
 #include "endmill/core/error.h"
-#include "endmill/planning/detail/least_squares.h"
+#include "endmill/planning/detail/portable_uniform.h"
 
 namespace endmill {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Interval scallop_range{0.3, 1.1};  // h / delta
-// Ratios h / delta that a pair of curves is tried with: a first one, and those predicted from it.
-constexpr double first_ratio = 0.5;
-constexpr int ratio_rounds = 3;
-constexpr int predicted_ratios = 400;
 // Weight of squared percents of deviation against bits.
 constexpr double percent_weight = 2;
 // Penalties of a square millimetre of height beyond the limit, and of the square of a concavity of twice
 // the limit.
 constexpr double height_weight = 0.01;
 constexpr double concavity_weight = 10;
-constexpr int height_samples = 30;  // a piece
-// Residuals of the fit: a millimetre of travel weighs as much as this part of a pass or a step.
-constexpr double count_unit = 0.01;
-// Sides of the boxes in which fits are refined, as shares of the ranges.
-constexpr double wide_box = 0.1;
-constexpr double narrow_box = 0.002;
+// A ball of 20 mm fits a concavity of 0.1 / mm; seen across a steep pass a curve is flatter.
+constexpr double most_concavity = 0.25;  // 1/mm
+constexpr int height_samples = 30;       // a piece
+// Random curves are drawn in this share of the ranges, and searched in boxes with sides of the second share.
+constexpr double drawn_share = 0.6;
+constexpr double curve_box = 0.3;
+constexpr int most_draws = 100'000;
+// A curve that misses its target by this loss is taken: the pairs are fitted anyway.
+constexpr double accepted_curve_loss = 0.5;
+constexpr double enough_curve_loss = 0.05;
+// The ratio h / delta that pairs are tried with, and those that are predicted from it.
+constexpr double first_ratio = 0.5;
+constexpr int predicted_ratios = 400;
+// Sides of the boxes in which pairs are fitted and refined, as shares of the ranges. The unit of structure_loss is
+// as many percent.
+constexpr double fitting_box = 0.1;
+constexpr std::array refining_boxes{0.03, 0.01, 0.003};
+constexpr double cell_box = 0.002;
+constexpr int population = 20;
 
 double percent(double value, double target)
 {
@@ -62,148 +71,121 @@ double missing_pass_count(double passes_real, int passes, LastPath last_path)
     return std::max({0.0, low - passes_real, passes_real - high});
 }
 
-struct Pair {
-    double squares;  // of missing passes in percent
-    std::vector<double> values;
+// A surface with the loss by which it was judged.
+struct Candidate {
+    double loss;
+    std::vector<double> values;  // of the family, then h / delta
 };
 
-// Real numbers of passes of the 18 runs; nothing if a run does not exist.
-std::optional<std::vector<double>> real_passes(const FamilyMember& member,
-                                               RunPolicies policies, double ratio)
+// Real numbers of passes with the largest tolerance. Indices: direction, diameter.
+using CoarsePasses = std::array<std::array<double, 3>, 2>;
+
+std::optional<CoarsePasses> coarse_passes(const FamilyMember& member,
+                                          RunPolicies policies)
 {
-    policies.table.scallop_per_tolerance = ratio;
-    std::vector<double> passes(18);
+    policies.table.scallop_per_tolerance = first_ratio;
+    CoarsePasses passes{};
+    int runs = 0;
     const auto keep = [&](const RunPlace& at, const TableRun& run) {
-        passes[9 * at.direction + 3 * at.tolerance + at.diameter] = run.passes_real;
-        return true;
+        passes[at.direction][at.diameter] = run.passes_real;
+        return ++runs < 6;
     };
     if (!visit_runs(member, policies, keep))
         return std::nullopt;
     return passes;
 }
 
-// Squares of the missing passes in percent, if N - 1 were multiplied by `factor`.
-double missing_squares(std::span<const double> passes, double factor,
-                       const DecodedTables& decoded, LastPath last_path)
+// The pair with the ratio h / delta for which it misses the fewest passes with the largest tolerance, judged by
+// their squares in percent. The interval grows about with the root of the ratio.
+Candidate judged_pair(SurfaceFamily family, const RunPolicies& policies,
+                      std::vector<double> values, const DecodedTables& decoded)
 {
-    double squares = 0;
-    for (int k = 0; k < 2; ++k)
-        for (int i = 0; i < 3; ++i)
+    const LastPath last_path = policies.table.plan.last_path;
+    Candidate pair{infinity, std::move(values)};
+    const auto passes = coarse_passes(family_surface(family, pair.values), policies);
+    pair.values.push_back(first_ratio);
+    if (!passes)
+        return pair;
+    for (int i = 0; i <= predicted_ratios; ++i) {
+        const double ratio =
+            std::lerp(scallop_range.low, scallop_range.high, i / double(predicted_ratios));
+        double squares = 0;
+        for (int k = 0; k < 2; ++k)
             for (int j = 0; j < 3; ++j) {
-                const int count = decoded.counts[k][i][j];
-                const double real = 1 + factor * (passes[9 * k + 3 * i + j] - 1);
+                const int count = decoded.counts[k][0][j];
+                const double real =
+                    1 + std::sqrt(first_ratio / ratio) * ((*passes)[k][j] - 1);
                 const double missing =
                     100 * missing_pass_count(real, count, last_path) / count;
                 squares += missing * missing;
             }
-    return squares;
-}
-
-// The ratio with the fewest missing passes. The interval grows about with the root of the ratio; each
-// round predicts the best ratio from the last one.
-Pair best_ratio(SurfaceFamily family, const RunPolicies& policies,
-                std::vector<double> values, const DecodedTables& decoded)
-{
-    const FamilyMember member = family_surface(family, values);
-    const LastPath last_path = policies.table.plan.last_path;
-    Pair pair{infinity, std::move(values)};
-    pair.values.push_back(first_ratio);
-    double ratio = first_ratio;
-    for (int round = 0; round < ratio_rounds; ++round) {
-        const auto passes = real_passes(member, policies, ratio);
-        if (!passes)
-            return pair;
-        const double squares = missing_squares(*passes, 1, decoded, last_path);
-        if (squares < pair.squares) {
-            pair.squares = squares;
+        if (squares < pair.loss) {
+            pair.loss = squares;
             pair.values.back() = ratio;
         }
-        double best = infinity;
-        double predicted = ratio;
-        for (int i = 0; i <= predicted_ratios; ++i) {
-            const double trial = std::lerp(scallop_range.low, scallop_range.high,
-                                           i / double(predicted_ratios));
-            const double found =
-                missing_squares(*passes, std::sqrt(ratio / trial), decoded, last_path);
-            if (found < best) {
-                best = found;
-                predicted = trial;
-            }
-        }
-        ratio = predicted;
     }
     return pair;
 }
 
-// Real numbers of steps by which a march misses the counts of its target.
-void add_missing_steps(std::vector<double>& residuals,
-                       const std::array<CurveMarch, 3>& marches,
-                       const CurveTarget& target)
+// log(1 + x^2): quadratic near zero, and nearly indifferent to what is lost anyway.
+double mild(double x)
 {
+    return std::log1p(x * x);
+}
+
+// Loss of the steps that the passes of a curve miss.
+double step_loss(const std::array<CurveMarch, 3>& marches, const CurveTarget& target,
+                 double unit_percent)
+{
+    double loss = 0;
     for (int i = 0; i < 3; ++i) {
         const PassPair& pair = target[i];
         // Without f, the present one, as far as the sum allows.
         const int forward = pair.points_forward.value_or(
             std::clamp(marches[i].points_forward, pair.points_a_pair / 2 - 1,
                        pair.points_a_pair / 2 + 2));
-        residuals.push_back(missing_steps(marches[i].steps_forward, forward) /
-                            count_unit);
-        residuals.push_back(
-            missing_steps(marches[i].steps_backward, pair.points_a_pair - forward) /
-            count_unit);
+        const double unit = unit_percent / 100 * pair.points_a_pair / 2;
+        loss += mild(missing_steps(marches[i].steps_forward, forward) / unit) +
+                mild(missing_steps(marches[i].steps_backward,
+                                   pair.points_a_pair - forward) /
+                     unit);
     }
+    return loss;
 }
 
-// Residuals that are continuous in the values while the counts are near the decoded ones: travel as if
-// the number of passes were the decoded one, missing passes, missing steps.
-class DecodedResiduals {
-public:
-    DecodedResiduals(SurfaceFamily family, const RunPolicies& policies,
-                     const EconomyTables& target, const DecodedTables& decoded)
-        : family_{family},
-          policies_{policies},
-          target_{target},
-          decoded_{decoded}
-    {
-    }
-
-    std::optional<Eigen::VectorXd> operator()(std::span<const double> values) const
-    {
-        RunPolicies policies = policies_;
-        policies.table.scallop_per_tolerance = values.back();
-        const FamilyMember member = member_of(family_, values);
-        const auto& surface = std::get<TranslationalSurface>(member);
-        const std::array marches{march_both_ways(surface.along_u),
-                                 march_both_ways(surface.along_v)};
-        if (!marches[0] || !marches[1])
-            return std::nullopt;
-        std::vector<double> residuals;
-        const auto add = [&](const RunPlace& at, const TableRun& run) {
-            const auto [k, i, j] = at;
-            const int passes = decoded_.counts[k][i][j];
-            const CurveMarch& march = (*marches[k])[i];
-            const double chord = (march.forward_mm + march.backward_mm) / 2;
-            residuals.push_back(run.cost.tcd_mm + (passes - run.passes) * chord -
-                                target_.runs[k][i][j].tcd_mm);
-            residuals.push_back(missing_pass_count(run.passes_real, passes,
-                                                   policies.table.plan.last_path) /
-                                count_unit);
-            return true;
-        };
-        if (!visit_runs(member, policies, add))
-            return std::nullopt;
-        for (int k = 0; k < 2; ++k)
-            add_missing_steps(residuals, *marches[k], decoded_.passes[k]);
-        return Eigen::VectorXd{Eigen::Map<const Eigen::VectorXd>(
-            residuals.data(), static_cast<Eigen::Index>(residuals.size()))};
-    }
-
-private:
-    SurfaceFamily family_;
-    const RunPolicies& policies_;
-    const EconomyTables& target_;
-    const DecodedTables& decoded_;
-};
+// How far a surface is from the numbers of `decoded` and the travel of `target`: sum of log(1 + (e / unit)^2) over the
+// deviations e in percent of the travel, as if the numbers of passes were the decoded ones, of the passes and of the
+// steps. It is continuous in the values but for jumps of a step, unlike table_loss. Gives up beyond `give_up`; infinite if
+// a run does not exist.
+double structure_loss(SurfaceFamily family, RunPolicies policies,
+                      const EconomyTables& target, const DecodedTables& decoded,
+                      std::span<const double> values, double unit_percent, double give_up)
+{
+    policies.table.scallop_per_tolerance = values.back();
+    const FamilyMember member = member_of(family, values);
+    const auto& surface = std::get<TranslationalSurface>(member);
+    const std::array marches{march_both_ways(surface.along_u),
+                             march_both_ways(surface.along_v)};
+    if (!marches[0] || !marches[1])
+        return infinity;
+    double loss = step_loss(*marches[0], decoded.passes[0], unit_percent) +
+                  step_loss(*marches[1], decoded.passes[1], unit_percent);
+    const auto add = [&](const RunPlace& at, const TableRun& run) {
+        const auto [k, i, j] = at;
+        const int passes = decoded.counts[k][i][j];
+        const CurveMarch& march = (*marches[k])[i];
+        const double chord = (march.forward_mm + march.backward_mm) / 2;
+        const double travel = run.cost.tcd_mm + (passes - run.passes) * chord;
+        const double missing = missing_pass_count(run.passes_real, passes,
+                                                  policies.table.plan.last_path);
+        loss += mild(percent(travel, target.runs[k][i][j].tcd_mm) / unit_percent) +
+                mild(100 * missing / passes / unit_percent);
+        return loss <= give_up;
+    };
+    if (loss <= give_up && !visit_runs(member, policies, add))
+        return infinity;
+    return loss;
+}
 
 // The part of `ranges` about `values` whose sides are `share` of theirs.
 std::vector<Interval> box_about(std::span<const double> values,
@@ -229,16 +211,15 @@ public:
           target_{target},
           decoded_{decoded},
           search_{search},
-          ranges_{fit_ranges(family)},
-          residuals_{family, policies, target, decoded}
+          ranges_{fit_ranges(family)}
     {
     }
 
-    // All pairs of the curves with their best ratios, those with the fewest missing passes first.
-    std::vector<Pair> pairs(
+    // All pairs of the curves that exist, those with the fewest missing passes first.
+    std::vector<Candidate> pairs(
         const std::array<std::vector<std::vector<double>>, 2>& curves) const
     {
-        std::vector<Pair> pairs;
+        std::vector<Candidate> pairs;
         const std::array own{curve_positions(family_, 0), curve_positions(family_, 1)};
         std::vector<double> values(value_ranges(family_).size());
         for (const std::vector<double>& a : curves[0])
@@ -247,57 +228,80 @@ public:
                     values[own[0][i]] = a[i];
                 for (std::size_t i = 0; i < b.size(); ++i)
                     values[own[1][i]] = b[i];
-                pairs.push_back(best_ratio(family_, policies_, values, decoded_));
+                Candidate pair = judged_pair(family_, policies_, values, decoded_);
+                if (std::isfinite(pair.loss))
+                    pairs.push_back(std::move(pair));
             }
-        std::ranges::stable_sort(pairs, {}, &Pair::squares);
+        std::ranges::stable_sort(pairs, {}, &Candidate::loss);
         return pairs;
     }
 
-    // The first of `pairs` fitted by least squares, those with the smallest loss first.
-    std::vector<TableFit> fits(std::span<const Pair> pairs) const
+    // The first of `pairs` judged by structure_loss, the best of them fitted, and the best of these refined.
+    TableFit best_fit(std::span<const Candidate> pairs)
     {
-        std::vector<TableFit> fits;
-        for (const Pair& pair : pairs) {
-            if (static_cast<int>(fits.size()) >= search_.fitted ||
-                !std::isfinite(pair.squares))
-                break;
-            const LeastSquares found =
-                least_squares(ranges_, residuals_, pair.values, search_.fit_iterations);
-            fits.push_back(
-                {found.values, loss(found.values, infinity), found.evaluations});
+        std::vector<Candidate> fits = judged(pairs);
+        fits.resize(std::min<std::size_t>(fits.size(), search_.fitted));
+        for (Candidate& fit : fits)
+            fit = fitted(fit.values, fitting_box);
+        std::ranges::stable_sort(fits, {}, &Candidate::loss);
+        fits.resize(std::min<std::size_t>(fits.size(), search_.refined));
+        TableFit best{{}, infinity, 0};
+        for (Candidate& fit : fits) {
+            for (const double side : refining_boxes)
+                fit = fitted(fit.values, side);
+            FoundValues found = minimise(
+                box_about(fit.values, ranges_, cell_box),
+                [&](std::span<const double> trial, double give_up) {
+                    return table_loss(family_, policies_, target_, trial, give_up);
+                },
+                settings(fit.values));
+            evaluations_ += found.evaluations;
+            if (found.loss < best.loss)
+                best = {std::move(found.values), found.loss, 0};
         }
-        std::ranges::stable_sort(fits, {}, &TableFit::loss);
-        return fits;
-    }
-
-    // Refines a fit: first the continuous residuals, in a wide box and then by least squares,
-    // and last the cells themselves in a narrow box.
-    TableFit refined(const TableFit& start) const
-    {
-        const auto squares = [&](std::span<const double> trial, double) {
-            const auto found = residuals_(trial);
-            return found ? found->squaredNorm() : infinity;
-        };
-        const auto cells = [&](std::span<const double> trial, double give_up) {
-            return loss(trial, give_up);
-        };
-        const int evaluations = search_.refined_evaluations / 2;
-        const FoundValues wide = minimise(
-            box_about(start.values, ranges_, wide_box), squares,
-            {.evaluations = evaluations, .seed = search_.seed, .start = {start.values}});
-        const LeastSquares fitted =
-            least_squares(ranges_, residuals_, wide.values, search_.fit_iterations);
-        const FoundValues narrow = minimise(
-            box_about(fitted.values, ranges_, narrow_box), cells,
-            {.evaluations = evaluations, .seed = search_.seed, .start = {fitted.values}});
-        return {narrow.values, narrow.loss,
-                wide.evaluations + fitted.evaluations + narrow.evaluations};
+        best.evaluations = evaluations_;
+        return best;
     }
 
 private:
-    double loss(std::span<const double> values, double give_up) const
+    BoundedSearch settings(const std::vector<double>& start) const
     {
-        return table_loss(family_, policies_, target_, values, give_up);
+        return {.evaluations = search_.evaluations,
+                .seed = search_.seed,
+                .population = population,
+                .start = {start}};
+    }
+
+    double loss(std::span<const double> values, double unit_percent, double give_up) const
+    {
+        return structure_loss(family_, policies_, target_, decoded_, values, unit_percent,
+                              give_up);
+    }
+
+    std::vector<Candidate> judged(std::span<const Candidate> pairs)
+    {
+        std::vector<Candidate> candidates;
+        for (const Candidate& pair : pairs) {
+            if (static_cast<int>(candidates.size()) >= search_.scored)
+                break;
+            candidates.push_back({loss(pair.values, fitting_box, infinity), pair.values});
+            ++evaluations_;
+        }
+        std::ranges::stable_sort(candidates, {}, &Candidate::loss);
+        return candidates;
+    }
+
+    // The best values in a box with these sides about `start`.
+    Candidate fitted(const std::vector<double>& start, double side)
+    {
+        FoundValues found = minimise(
+            box_about(start, ranges_, side),
+            [&](std::span<const double> trial, double give_up) {
+                return loss(trial, side, give_up);
+            },
+            settings(start));
+        evaluations_ += found.evaluations;
+        return {found.loss, std::move(found.values)};
     }
 
     SurfaceFamily family_;
@@ -306,7 +310,7 @@ private:
     const DecodedTables& decoded_;
     const StagedSearch& search_;
     std::vector<Interval> ranges_;
-    DecodedResiduals residuals_;
+    int evaluations_ = 0;  // of surfaces
 };
 
 }  // namespace
@@ -373,6 +377,14 @@ double concavity_of(const CompositeCurve& curve)
     return most;
 }
 
+bool is_plausible(const CompositeCurve& curve, double most_height)
+{
+    if (concavity_of(curve) > most_concavity || height_of(curve) > most_height)
+        return false;
+    const auto march = march_both_ways(curve);
+    return march && has_regular_passes(*march);
+}
+
 std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
                                                const CurveTarget& target,
                                                const StagedSearch& search)
@@ -384,19 +396,39 @@ std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
     const auto loss = [&](std::span<const double> values, double give_up) {
         const CompositeCurve trial = family_curve(family, curve, values);
         const double excess = std::max(0.0, height_of(trial) - search.most_height);
-        const double tight =
-            std::max(0.0, concavity_of(trial) / search.most_concavity - 1);
+        const double tight = std::max(0.0, concavity_of(trial) / most_concavity - 1);
         const double penalty =
             height_weight * excess * excess + concavity_weight * tight * tight;
         return penalty + curve_loss(trial, target, give_up - penalty);
     };
+    PortableUniform uniform{search.seed};
+    const auto drawn = [&] {
+        std::vector<double> values;
+        for (const auto [low, high] : ranges)
+            values.push_back(uniform(std::lerp(low, high, (1 - drawn_share) / 2),
+                                     std::lerp(low, high, (1 + drawn_share) / 2)));
+        return values;
+    };
     std::vector<std::vector<double>> curves;
-    for (int i = 0; i < search.curves; ++i) {
+    int draws = 0;
+    for (int i = 0; i < search.curve_searches &&
+                    static_cast<int>(curves.size()) < search.curves;
+         ++i) {
+        std::vector<double> start = drawn();
+        while (!is_plausible(family_curve(family, curve, start), search.most_height)) {
+            if (++draws > most_draws)
+                return curves;
+            start = drawn();
+        }
+        draws = 0;
         FoundValues best =
-            minimise(ranges, loss,
+            minimise(box_about(start, ranges, curve_box), loss,
                      {.evaluations = search.curve_evaluations,
-                      .seed = search.seed + static_cast<std::uint32_t>(i)});
-        if (best.loss <= search.accepted_loss)
+                      .seed = search.seed + static_cast<std::uint32_t>(i),
+                      .population = population,
+                      .enough = enough_curve_loss,
+                      .start = {start}});
+        if (best.loss <= accepted_curve_loss)
             curves.push_back(std::move(best.values));
     }
     return curves;
@@ -454,25 +486,13 @@ StagedFit search_in_stages(SurfaceFamily family, const RunPolicies& policies,
         {static_cast<int>(curves[0].size()), static_cast<int>(curves[1].size())},
         infinity,
         TableFit{{}, infinity, 0}};
-    const PairSearch stages{family, policies, target, decoded, search};
-    const std::vector<Pair> pairs = stages.pairs(curves);
+    PairSearch stages{family, policies, target, decoded, search};
+    const std::vector<Candidate> pairs = stages.pairs(curves);
     if (pairs.empty())
         return fit;
-    constexpr int cells = 18;
-    fit.passes_percent = std::sqrt(pairs.front().squares / cells);
-
-    const std::vector<TableFit> fits = stages.fits(pairs);
-    int evaluations = 0;
-    for (const TableFit& found : fits)
-        evaluations += found.evaluations;
-    const auto refined = std::min<std::size_t>(fits.size(), search.refined);
-    for (std::size_t i = 0; i < refined; ++i) {
-        TableFit found = stages.refined(fits[i]);
-        evaluations += found.evaluations;
-        if (found.loss < fit.best.loss)
-            fit.best = std::move(found);
-    }
-    fit.best.evaluations = evaluations;
+    constexpr int coarse_runs = 6;
+    fit.passes_percent = std::sqrt(pairs.front().loss / coarse_runs);
+    fit.best = stages.best_fit(pairs);
     return fit;
 }
 

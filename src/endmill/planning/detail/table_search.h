@@ -52,17 +52,15 @@ struct DecodedTables {
 
 /// Effort of the staged search.
 struct StagedSearch {
-    int curves = 60;                 ///< searches for each of the two curves
-    int curve_evaluations = 15'000;  ///< of each of them
-    double most_concavity =
-        0.12;  ///< of a curve, 1/mm; more is penalised: the balls would not fit
-    double accepted_loss = 0;          ///< of a curve, see curve_loss
-    int fitted = 20;                   ///< best pairs of curves, fitted by least squares
-    int fit_iterations = 40;           ///< of each of them
-    int refined = 2;                   ///< best of these that are refined
-    int refined_evaluations = 20'000;  ///< of each of them
-    double most_height = 220;          ///< of a curve, mm; higher ones are penalised
-    std::uint32_t seed = 1;            ///< first of the seeds
+    int curves = 150;              ///< wanted for each of A and B
+    int curve_searches = 1500;     ///< most searches for them
+    int curve_evaluations = 3000;  ///< of each of them
+    int scored = 1000;             ///< best pairs of curves, judged by all runs
+    int fitted = 6;                ///< best of these, fitted in a box
+    int refined = 2;               ///< best of these, refined in smaller boxes
+    int evaluations = 3000;        ///< of surfaces, in each box
+    double most_height = 360;      ///< of a curve, mm; higher ones are penalised
+    std::uint32_t seed = 1;        ///< of the random curves, and first of the searches
 };
 
 /// Values of the family that belong to its curve A (0) or B (1), in their order.
@@ -73,12 +71,17 @@ std::vector<std::size_t> curve_positions(SurfaceFamily family, int curve);
 CompositeCurve family_curve(SurfaceFamily family, int curve,
                             std::span<const double> values);
 
-/// The first stage: searches for curves that have the points and the lengths of `target` by themselves.
-/// \return the values of those found, at most one for each of `search.curves` searches; see
-///         family_curve.
+/// The first stage: searches for curves that have the points and the lengths of `target` by themselves, each
+/// in a box about a random curve that could be one: with regular passes, no higher than `search.most_height`,
+/// and not too concave for the balls.
+/// \return the values of those found, at most `search.curves`; see family_curve. Empty if random curves
+///         are never such.
 std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
                                                const CurveTarget& target,
                                                const StagedSearch& search);
+
+/// Whether a curve may be the start of a search for curves, see search_curves.
+bool is_plausible(const CompositeCurve& curve, double most_height);
 
 /// Difference of the highest and the lowest point of 31 a piece, mm.
 double height_of(const CompositeCurve& curve);
@@ -90,18 +93,17 @@ double concavity_of(const CompositeCurve& curve);
 /// Result of the staged search.
 struct StagedFit {
     std::array<int, 2> curves_found;  ///< curves along u and v that fulfil their target
-    double
-        passes_percent;  ///< root mean square of the missing passes of the best pair, in percent
+    /// Root mean square of the passes with 1 mm that the best pair misses, in percent.
+    double passes_percent;
     TableFit best;  ///< values empty if one of the curves was not found
 };
 
 /// The search for a translational surface in stages:
 /// 1. curves A and B that have the points and the lengths of `decoded` by themselves;
-/// 2. pairs of them and ratios h / delta, ordered by the passes that they miss;
-/// 3. `least_squares` from the best pairs, with residuals that are continuous: travel as if the numbers of
-///    passes were those of `decoded`, missing passes and missing steps;
-/// 4. from the best fits, `minimise` of the same residuals in boxes of 10 % of the ranges, and
-/// 5. `minimise` of table_loss in boxes of 0.2 %.
+/// 2. all pairs of them with a ratio h / delta, ordered by the passes with 1 mm that they miss, and
+///    the best of these by structure_loss;
+/// 3. `minimise` of structure_loss in boxes about the best pairs, smaller ones for the best fits, and
+/// 4. `minimise` of table_loss in boxes of 0.2 %.
 /// \pre the family is Translational, Uneven or Skew, and steps follow the curvature of the curve
 StagedFit search_in_stages(SurfaceFamily family, const RunPolicies& policies,
                            const EconomyTables& target, const DecodedTables& decoded,
