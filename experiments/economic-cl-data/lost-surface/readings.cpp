@@ -121,6 +121,16 @@ double interval_spread(const EconomyTables& printed, int direction, int toleranc
     return high / low - 1;
 }
 
+double middle_ball_deviation(const EconomyTables& tables, int direction, int tolerance)
+{
+    const auto& row = tables.runs[direction][tolerance];
+    const double share = std::log(table_diameters_mm[1] / table_diameters_mm[0]) /
+                         std::log(table_diameters_mm[2] / table_diameters_mm[0]);
+    const double expected =
+        std::lerp(std::log(row[0].tcd_mm), std::log(row[2].tcd_mm), share);
+    return 100 * (std::log(row[1].tcd_mm) - expected);
+}
+
 LinkContradiction link_contradiction(const EconomyTables& printed,
                                      const DecodedTables& decoded, LastPath last_path,
                                      double interval_factor)

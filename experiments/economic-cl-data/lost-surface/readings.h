@@ -27,6 +27,10 @@ Surplus surplus_points(const EconomyTables& printed, const DecodedTables& decode
 double interval_spread(const EconomyTables& printed, int direction, int tolerance,
                        double ratio);
 
+/// Deviation of the TCD of the middle ball from the power law through the two others, in percent. On a
+/// surface with governing curvatures near zero it is about what rounding the numbers of passes leaves, half a pass.
+double middle_ball_deviation(const EconomyTables& tables, int direction, int tolerance);
+
 /// The smallest contradiction in mm between the printed TCD and a translational surface with the decoded
 /// numbers of passes: each row needs lengths L_f and L_b of its passes, at most the arc of their curve, and
 /// links W = TCD - n_f L_f - n_b L_b between what the last pass leaves and the arc of the other curve.

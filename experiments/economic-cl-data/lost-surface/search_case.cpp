@@ -186,8 +186,8 @@ DecodedTables renumbered_decoding(std::uint32_t seed, bool is_regular)
     for (int k = 0; k < 2; ++k)
         for (int i = 0; i < 3; ++i) {
             const bool is_smoothed = is_regular && k == 1 && i == 0;
-            const double scatter = std::sqrt(
-                is_smoothed ? pooled : scatters[k][i].squares() / free_numbers);
+            const double scatter =
+                std::sqrt(is_smoothed ? pooled : scatters[k][i].squares() / free_numbers);
             for (int j = 0; j < 3; ++j)
                 decoded.counts[k][i][j] = static_cast<int>(std::round(std::exp(
                     scatters[k][i].mean + powers[k] * std::log(table_diameters_mm[j]) +
@@ -264,6 +264,7 @@ int curves_found(const SearchCase& search, int curve)
     stage.curves = search.curves;
     stage.curve_searches = search.curves;
     stage.curve_evaluations = search.evaluations;
+    stage.accepted_curve_loss = 0;
     stage.most_height = search.most_height;
     stage.seed = search.seed;
     return static_cast<int>(
@@ -372,9 +373,8 @@ PlantedSurface planted_surface(const SearchCase& search)
             for (int k = 0; k < 2; ++k)
                 draw_plausible_curve(values, family, k, search.most_height, uniform);
         auto tables = fitted_tables(family, policies, values);
-        if (!tables || !has_printed_size(*tables, search.method == "stages"
-                                                      ? staged_sizes
-                                                      : cell_sizes))
+        if (!tables || !has_printed_size(*tables, search.method == "stages" ? staged_sizes
+                                                                            : cell_sizes))
             continue;
         round_as_printed(*tables);
         return {values, *tables};

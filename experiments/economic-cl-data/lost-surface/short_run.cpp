@@ -133,11 +133,51 @@ void add_null_readings(CsvTable& table, Experiment& run)
                 .tried = tables});
 }
 
+// How often a random translational surface has a row v, 1 mm like the print, and the range of its deviations.
+void add_random_rows(CsvTable& table, Experiment& run)
+{
+    constexpr int v = 1;
+    constexpr int coarsest = 0;
+    const EconomyTables printed = printed_tables();
+    for (int k = 0; k < 2; ++k)
+        for (int i = 0; i < 3; ++i)
+            add(table,
+                {.name = table_row_label("middle ball off the power law, %",
+                                         table_tolerances_mm[i], table_directions[k]),
+                 .low = middle_ball_deviation(printed, k, i)});
+    const double print = std::abs(middle_ball_deviation(printed, v, coarsest));
+    const int surfaces = static_cast<int>(run.number("random_surfaces"));
+    int irregular = 0;
+    Interval range{1e9, -1e9};
+    for (int seed = 1; seed <= surfaces; ++seed) {
+        const SearchCase drawn{"",
+                               "stages",
+                               "planted-" + std::to_string(seed),
+                               "translational",
+                               run.text("policies"),
+                               1,
+                               0,
+                               0,
+                               run.number("most_height_mm")};
+        const double deviation =
+            middle_ball_deviation(planted_surface(drawn).tables, v, coarsest);
+        range = {std::min(range.low, deviation), std::max(range.high, deviation)};
+        irregular += std::abs(deviation) >= print ? 1 : 0;
+    }
+    add(table, {.name = "random surfaces with a row v, 1 mm as irregular as the print",
+                .count = irregular,
+                .tried = surfaces,
+                .low = range.low,
+                .high = range.high});
+}
+
 void add_curves(CsvTable& table, Experiment& run)
 {
     StagedSearch search;
+    search.most_height = run.number("most_height_mm");
     search.curves = static_cast<int>(run.number("curve_searches"));
     search.curve_searches = search.curves;
+    search.accepted_curve_loss = 0;
     search.curve_evaluations = static_cast<int>(run.number("curve_evaluations"));
     const DecodedTables decoded = printed_decoding();
     for (int k = 0; k < 2; ++k) {
@@ -305,6 +345,7 @@ CsvTable short_result(Experiment& run)
     CsvTable table = empty_result();
     add_readings(table, run);
     add_null_readings(table, run);
+    add_random_rows(table, run);
     add_curves(table, run);
     add_small_search(table, run);
     return table;

@@ -125,7 +125,8 @@ bool has_regular_passes(const std::array<CurveMarch, 3>& march)
     };
     const double longest = mean_mm(march.back());
     return std::ranges::all_of(march, [&](const CurveMarch& pass) {
-        return std::abs(pass.points_forward - pass.points_backward) <= most_uneven_points &&
+        return std::abs(pass.points_forward - pass.points_backward) <=
+                   most_uneven_points &&
                std::abs(pass.forward_mm - pass.backward_mm) <=
                    most_uneven_share * longest &&
                mean_mm(pass) >= least_length_share * longest;

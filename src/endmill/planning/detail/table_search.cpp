@@ -27,9 +27,8 @@ constexpr int height_samples = 30;       // a piece
 constexpr double drawn_share = 0.6;
 constexpr double curve_box = 0.3;
 constexpr int most_draws = 100'000;
-// A curve that misses its target by this loss is taken: the pairs are fitted anyway.
-constexpr double accepted_curve_loss = 0.5;
-constexpr double enough_curve_loss = 0.05;
+// A search for a curve ends at this share of the loss with which it is taken.
+constexpr double enough_share = 0.1;
 // The ratio h / delta that pairs are tried with, and those that are predicted from it.
 constexpr double first_ratio = 0.5;
 constexpr int predicted_ratios = 400;
@@ -107,8 +106,8 @@ Candidate judged_pair(SurfaceFamily family, const RunPolicies& policies,
     if (!passes)
         return pair;
     for (int i = 0; i <= predicted_ratios; ++i) {
-        const double ratio =
-            std::lerp(scallop_range.low, scallop_range.high, i / double(predicted_ratios));
+        const double ratio = std::lerp(scallop_range.low, scallop_range.high,
+                                       i / double(predicted_ratios));
         double squares = 0;
         for (int k = 0; k < 2; ++k)
             for (int j = 0; j < 3; ++j) {
@@ -145,10 +144,10 @@ double step_loss(const std::array<CurveMarch, 3>& marches, const CurveTarget& ta
             std::clamp(marches[i].points_forward, pair.points_a_pair / 2 - 1,
                        pair.points_a_pair / 2 + 2));
         const double unit = unit_percent / 100 * pair.points_a_pair / 2;
-        loss += mild(missing_steps(marches[i].steps_forward, forward) / unit) +
-                mild(missing_steps(marches[i].steps_backward,
-                                   pair.points_a_pair - forward) /
-                     unit);
+        loss +=
+            mild(missing_steps(marches[i].steps_forward, forward) / unit) +
+            mild(missing_steps(marches[i].steps_backward, pair.points_a_pair - forward) /
+                 unit);
     }
     return loss;
 }
@@ -176,8 +175,8 @@ double structure_loss(SurfaceFamily family, RunPolicies policies,
         const CurveMarch& march = (*marches[k])[i];
         const double chord = (march.forward_mm + march.backward_mm) / 2;
         const double travel = run.cost.tcd_mm + (passes - run.passes) * chord;
-        const double missing = missing_pass_count(run.passes_real, passes,
-                                                  policies.table.plan.last_path);
+        const double missing =
+            missing_pass_count(run.passes_real, passes, policies.table.plan.last_path);
         loss += mild(percent(travel, target.runs[k][i][j].tcd_mm) / unit_percent) +
                 mild(100 * missing / passes / unit_percent);
         return loss <= give_up;
@@ -411,8 +410,8 @@ std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
     };
     std::vector<std::vector<double>> curves;
     int draws = 0;
-    for (int i = 0; i < search.curve_searches &&
-                    static_cast<int>(curves.size()) < search.curves;
+    for (int i = 0;
+         i < search.curve_searches && static_cast<int>(curves.size()) < search.curves;
          ++i) {
         std::vector<double> start = drawn();
         while (!is_plausible(family_curve(family, curve, start), search.most_height)) {
@@ -421,14 +420,13 @@ std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
             start = drawn();
         }
         draws = 0;
-        FoundValues best =
-            minimise(box_about(start, ranges, curve_box), loss,
-                     {.evaluations = search.curve_evaluations,
-                      .seed = search.seed + static_cast<std::uint32_t>(i),
-                      .population = population,
-                      .enough = enough_curve_loss,
-                      .start = {start}});
-        if (best.loss <= accepted_curve_loss)
+        FoundValues best = minimise(box_about(start, ranges, curve_box), loss,
+                                    {.evaluations = search.curve_evaluations,
+                                     .seed = search.seed + static_cast<std::uint32_t>(i),
+                                     .population = population,
+                                     .enough = enough_share * search.accepted_curve_loss,
+                                     .start = {start}});
+        if (best.loss <= search.accepted_curve_loss)
             curves.push_back(std::move(best.values));
     }
     return curves;
