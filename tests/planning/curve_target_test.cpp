@@ -64,6 +64,18 @@ TEST(CurveTarget, CountsPointsAndChordsOfACircle)
     }
 }
 
+TEST(CurveTarget, PassesOfACircleAreRegularAndThoseThatSkipABendAreNot)
+{
+    EXPECT_TRUE(has_regular_passes(march_both_ways(circle(50, 2)).value()));
+    // A step from a straight start is not limited by curvature: the forward pass goes from end to end.
+    std::vector<Vec3> points{{50, 0, -90}, {50, 0, -60}, {50, 0, -30}};
+    const CompositeCurve arc = circle(50, 2);
+    points.insert(points.end(), arc.points().begin(), arc.points().end());
+    const auto skipping = march_both_ways(CompositeCurve{points}).value();
+    ASSERT_EQ(skipping[0].points_forward, 2);
+    EXPECT_FALSE(has_regular_passes(skipping));
+}
+
 TEST(CurveTarget, LossVanishesOnTheNumbersOfTheCurveItself)
 {
     const auto march = march_both_ways(circle(60, 2));
