@@ -224,17 +224,6 @@ bool is_renumbered(const SearchCase& search)
            starts_with(search.table, "regular-");
 }
 
-// The interpretation that the search in stages is given.
-DecodedTables decoding_of(const SearchCase& search)
-{
-    if (starts_with(search.table, "planted-"))
-        return planted_decoding(search);
-    if (is_renumbered(search))
-        return renumbered_decoding(number_at_end(search.table),
-                                   starts_with(search.table, "regular-"));
-    return printed_decoding();
-}
-
 // Numbers like those of target 1 that no curve need have: up to two points more or less a pair, f within
 // one of half, all lengths up to 5 % more or less with half to one and a half of their differences.
 CurveTarget random_target(const CurveTarget& print, std::uint32_t seed)
@@ -361,6 +350,16 @@ double height_of(SurfaceFamily family, std::span<const double> values)
 }
 
 }  // namespace
+
+DecodedTables decoding_of(const SearchCase& search)
+{
+    if (starts_with(search.table, "planted-"))
+        return planted_decoding(search);
+    if (is_renumbered(search))
+        return renumbered_decoding(number_at_end(search.table),
+                                   starts_with(search.table, "regular-"));
+    return printed_decoding();
+}
 
 PlantedSurface planted_surface(const SearchCase& search)
 {

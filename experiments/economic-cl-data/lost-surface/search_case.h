@@ -51,6 +51,10 @@ struct PlantedSurface {
 /// The planted surface of a case whose table is "planted-N".
 PlantedSurface planted_surface(const SearchCase& search);
 
+/// The interpretation that the search in stages is given: of the print, that of a renumbered table, or the
+/// true numbers of a planted one.
+DecodedTables decoding_of(const SearchCase& search);
+
 /// A table of results, without rows.
 CsvTable search_table();
 

@@ -133,6 +133,45 @@ void add_null_readings(CsvTable& table, Experiment& run)
                 .tried = tables});
 }
 
+// The search of the table of a random translational surface with passes like those of the print.
+SearchCase planted_case(Experiment& run, int seed)
+{
+    return {"",
+            "stages",
+            "planted-" + std::to_string(seed),
+            "translational",
+            run.text("policies"),
+            1,
+            0,
+            0,
+            run.number("most_height_mm")};
+}
+
+// How often the interpretation of a row of a random translational surface is the truth.
+void add_planted_readings(CsvTable& table, Experiment& run)
+{
+    const DecodingRules rules{run.number("planted_decoding_tolerance_mm"),
+                              run.number("chord_spread"), run.number("longest_chord")};
+    const int surfaces = static_cast<int>(run.number("read_surfaces"));
+    int read = 0;
+    for (int seed = 1; seed <= surfaces; ++seed) {
+        const SearchCase planted = planted_case(run, seed);
+        const EconomyTables tables = planted_surface(planted).tables;
+        const DecodedTables truth = decoding_of(planted);
+        for (int k = 0; k < 2; ++k) {
+            const auto readings = readings_of(tables, k, rules);
+            for (int i = 0; i < 3; ++i)
+                read += std::ranges::any_of(readings[i], [&](const Decoding& reading) {
+                    return reading.points_a_pair == truth.passes[k][i].points_a_pair &&
+                           reading.passes == truth.counts[k][i];
+                });
+        }
+    }
+    add(table, {.name = "rows of random surfaces whose readings contain the truth",
+                .count = read,
+                .tried = 6 * surfaces});
+}
+
 // How often a random translational surface has a row v, 1 mm like the print, and the range of its deviations.
 void add_random_rows(CsvTable& table, Experiment& run)
 {
@@ -150,17 +189,8 @@ void add_random_rows(CsvTable& table, Experiment& run)
     int irregular = 0;
     Interval range{1e9, -1e9};
     for (int seed = 1; seed <= surfaces; ++seed) {
-        const SearchCase drawn{"",
-                               "stages",
-                               "planted-" + std::to_string(seed),
-                               "translational",
-                               run.text("policies"),
-                               1,
-                               0,
-                               0,
-                               run.number("most_height_mm")};
-        const double deviation =
-            middle_ball_deviation(planted_surface(drawn).tables, v, coarsest);
+        const double deviation = middle_ball_deviation(
+            planted_surface(planted_case(run, seed)).tables, v, coarsest);
         range = {std::min(range.low, deviation), std::max(range.high, deviation)};
         irregular += std::abs(deviation) >= print ? 1 : 0;
     }
@@ -345,6 +375,7 @@ CsvTable short_result(Experiment& run)
     CsvTable table = empty_result();
     add_readings(table, run);
     add_null_readings(table, run);
+    add_planted_readings(table, run);
     add_random_rows(table, run);
     add_curves(table, run);
     add_small_search(table, run);
