@@ -9,6 +9,7 @@
 #include <sstream>
 #include <vector>
 
+#include "economic-cl-data/lost-surface/readings.h"
 #include "endmill/core/error.h"
 #include "endmill/core/text.h"
 #include "endmill/planning/detail/portable_uniform.h"
@@ -88,12 +89,23 @@ EconomyTables tables_near_net(const std::string& text)
     }
 }
 
+// The policies of a planted table: those of the search, with the words after a plus.
+RunPolicies planted_policies(const SearchCase& search)
+{
+    const auto plus = search.table.find('+');
+    if (plus == std::string::npos)
+        return policies_of(search.policies);
+    const std::string words =
+        search.table.substr(plus + 1, search.table.rfind('-') - plus - 1);
+    return policies_of(search.policies + " " + words);
+}
+
 // What an interpretation of the planted tables without error would give.
 DecodedTables planted_decoding(const SearchCase& search)
 {
     const PlantedSurface truth = planted_surface(search);
     const SurfaceFamily family = family_named(search.family);
-    RunPolicies policies = policies_of(search.policies);
+    RunPolicies policies = planted_policies(search);
     policies.table.scallop_per_tolerance = truth.values.back();
     const FamilyMember member = family_surface(
         family, std::span<const double>{truth.values}.first(truth.values.size() - 1));
@@ -188,31 +200,34 @@ DecodedTables renumbered_decoding(std::uint32_t seed, bool is_regular)
             const bool is_smoothed = is_regular && k == 1 && i == 0;
             const double scatter =
                 std::sqrt(is_smoothed ? pooled : scatters[k][i].squares() / free_numbers);
-            for (int j = 0; j < 3; ++j)
-                decoded.counts[k][i][j] = static_cast<int>(std::round(std::exp(
+            PassPair& pair = decoded.passes[k][i];
+            for (int j = 0; j < 3; ++j) {
+                const int passes = static_cast<int>(std::round(std::exp(
                     scatters[k][i].mean + powers[k] * std::log(table_diameters_mm[j]) +
                     scatter * normal(uniform))));
+                decoded.counts[k][i][j] = passes;
+                if (passes % 2 == 1 && !pair.points_forward)
+                    pair.points_forward = pair.points_a_pair / 2;
+            }
         }
     return decoded;
 }
 
-// The cells that equal passes of the print have with the numbers of passes of `renumbered`: f, b and L as
-// decoded, W of the row kept.
-EconomyTables renumbered_tables(const DecodedTables& renumbered)
+// The cells that equal passes have with the numbers of passes of `to`: f, b and L of `from`, and W of each run kept.
+EconomyTables with_counts(EconomyTables tables, const DecodedTables& from,
+                          const DecodedTables& to)
 {
-    const DecodedTables decoded = printed_decoding();
-    EconomyTables tables = printed_tables();
     for (int k = 0; k < 2; ++k)
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
-                const PassPair& pair = decoded.passes[k][i];
-                const int passes = renumbered.counts[k][i][j];
+                const PassPair& pair = from.passes[k][i];
+                const int passes = to.counts[k][i][j];
                 const int forward = pair.points_forward.value_or(pair.points_a_pair / 2);
                 DirectionCost& run = tables.runs[k][i][j];
                 const int points =
                     pair.points_a_pair * (passes / 2) + (passes % 2 == 1 ? forward : 0);
                 run.ncl = static_cast<std::size_t>(points);
-                run.tcd_mm += pair.chord_mm * (passes - decoded.counts[k][i][j]);
+                run.tcd_mm += pair.chord_mm * (passes - from.counts[k][i][j]);
             }
     round_as_printed(tables);
     return tables;
@@ -222,6 +237,37 @@ bool is_renumbered(const SearchCase& search)
 {
     return starts_with(search.table, "renumbered-") ||
            starts_with(search.table, "regular-");
+}
+
+// The same case with another table.
+SearchCase with_table(SearchCase search, const std::string& table)
+{
+    search.table = table;
+    return search;
+}
+
+// The case of the table of which this one is a change; nothing if it is none.
+std::optional<SearchCase> changed_case(const SearchCase& search,
+                                       const std::string& change)
+{
+    if (!starts_with(search.table, change.c_str()))
+        return std::nullopt;
+    return with_table(search, search.table.substr(change.size()));
+}
+
+// The irregular row of the print. Indices of direction and tolerance.
+constexpr int irregular_direction = 1;
+constexpr int irregular_tolerance = 0;
+
+// A planted surface whose run v, 1 mm, 15 mm has fewer passes by the deviation of the print.
+DecodedTables irregular_decoding(const SearchCase& planted)
+{
+    DecodedTables decoded = planted_decoding(planted);
+    int& passes = decoded.counts[irregular_direction][irregular_tolerance][1];
+    const double percent =
+        middle_ball_deviation(printed_tables(), irregular_direction, irregular_tolerance);
+    passes = static_cast<int>(std::round(passes * std::exp(percent / 100)));
+    return decoded;
 }
 
 // Numbers like those of target 1 that no curve need have: up to two points more or less a pair, f within
@@ -353,7 +399,14 @@ double height_of(SurfaceFamily family, std::span<const double> values)
 
 DecodedTables decoding_of(const SearchCase& search)
 {
-    if (starts_with(search.table, "planted-"))
+    if (const auto whole = changed_case(search, "less-")) {
+        DecodedTables decoded = decoding_of(*whole);
+        decoded.counts[irregular_direction][irregular_tolerance] = {};
+        return decoded;
+    }
+    if (const auto planted = changed_case(search, "irregular-"))
+        return irregular_decoding(*planted);
+    if (starts_with(search.table, "planted"))
         return planted_decoding(search);
     if (is_renumbered(search))
         return renumbered_decoding(number_at_end(search.table),
@@ -364,7 +417,7 @@ DecodedTables decoding_of(const SearchCase& search)
 PlantedSurface planted_surface(const SearchCase& search)
 {
     const SurfaceFamily family = family_named(search.family);
-    const RunPolicies policies = policies_of(search.policies);
+    const RunPolicies policies = planted_policies(search);
     PortableUniform uniform{number_at_end(search.table)};
     while (true) {
         std::vector<double> values = drawn_values(fit_ranges(family), uniform);
@@ -386,6 +439,7 @@ RunPolicies policies_of(const std::string& text)
     IsoParametricOptions& plan = policies.table.plan;
     const std::map<std::string, std::function<void()>> words{
         {"alternate", [&] { plan.march = March::Alternate; }},
+        {"border", [&] { plan.last_path = LastPath::Border; }},
         {"none", [&] { plan.last_path = LastPath::None; }},
         {"half", [&] { plan.last_path = LastPath::Half; }},
         {"free", [&] { plan.end_point = EndPoint::Free; }},
@@ -435,10 +489,18 @@ EconomyTables searched_tables(const SearchCase& search)
         return structureless_tables(printed_tables(), number_at_end(search.table));
     if (starts_with(search.table, "net-"))
         return tables_near_net(search.table);
-    if (starts_with(search.table, "planted-"))
+    if (starts_with(search.table, "planted"))
         return planted_surface(search).tables;
     if (is_renumbered(search))
-        return renumbered_tables(decoding_of(search));
+        return with_counts(printed_tables(), printed_decoding(), decoding_of(search));
+    if (const auto planted = changed_case(search, "irregular-"))
+        return with_counts(searched_tables(*planted), decoding_of(*planted),
+                           decoding_of(search));
+    if (const auto whole = changed_case(search, "less-")) {
+        EconomyTables tables = searched_tables(*whole);
+        tables.runs[irregular_direction][irregular_tolerance] = {};
+        return tables;
+    }
     throw DomainError{"searched_tables: unknown table " + search.table};
 }
 

@@ -11,7 +11,7 @@
 namespace endmill {
 
 /// The policies of a text such as "alternate none": words for the choices that differ from the planner's
-/// defaults. alternate; none, half; free; stop; normal, first-pass; dense-min, mean, first, max; tip;
+/// defaults. alternate; none, half, border; free; stop; normal, first-pass; dense-min, mean, first, max; tip;
 /// cuts; single; diameter (taken for the radius); chord.
 /// \throws DomainError for another word.
 RunPolicies policies_of(const std::string& text);
@@ -21,10 +21,17 @@ struct SearchCase {
     std::string name;  ///< unique, also a file name
     /// "cells", "stages", or "curve-u" and "curve-v" for the first stage alone.
     std::string method;
-    /// The cells that are searched: "print"; "null-N", without structure (null A); "net-NAME-N", of a
-    /// fitted net with heights changed by up to 5 mm (null B); "planted-N", of a random surface of the family, for
-    /// stages with passes like those of the print; "renumbered-N", the interpretation of the print with other numbers of
-    /// passes of the same scatter, and "regular-N", with a small scatter also in the row v, 1 mm (both stages only);
+    /// The cells that are searched:
+    /// "print";
+    /// "null-N", without structure (null A);
+    /// "net-NAME-N", of a fitted net with heights changed by up to 5 mm (null B);
+    /// "planted-N", of a random surface of the family, for stages with passes like those of the print;
+    /// "planted+WORDS-N", the same planned with these words of `policies` besides.
+    /// For stages only:
+    /// "renumbered-N", the interpretation of the print with other numbers of passes of the same scatter;
+    /// "regular-N", the same with a small scatter also in the row v, 1 mm;
+    /// "irregular-planted-N", planted with a run v, 1 mm, 15 mm as irregular as that of the print;
+    /// "less-TABLE", one of these without the row v, 1 mm;
     /// "targets-N", numbers of points and lengths near those of the print (first stage only).
     std::string table;
     std::string family;    ///< see family_name

@@ -74,8 +74,15 @@ double deviation_bits(TableQuantity quantity, double difference)
     return std::log2(1 + share * share) / 2;
 }
 
+bool is_left_out(const DirectionCost& target)
+{
+    return target.ncl == 0;
+}
+
 double deviation_bits(const DirectionCost& run, const DirectionCost& target)
 {
+    if (is_left_out(target))
+        return 0;
     const double points = static_cast<double>(run.ncl) - static_cast<double>(target.ncl);
     return deviation_bits(TableQuantity::Ncl, points) +
            deviation_bits(TableQuantity::Tcd, run.tcd_mm - target.tcd_mm);
@@ -102,6 +109,8 @@ TableMatch table_match(const EconomyTables& tables, const EconomyTables& target,
             for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j) {
                     const double cell = target.cell(quantity, direction, i, j);
+                    if (cell == 0)
+                        continue;
                     const double difference =
                         tables.cell(quantity, direction, i, j) - cell;
                     const double percent = 100 * std::abs(difference) / cell;

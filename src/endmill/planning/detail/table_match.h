@@ -20,10 +20,13 @@ inline constexpr double matched_travel_mm = 0.1;
 /// a large deviation.
 double deviation_bits(TableQuantity quantity, double difference);
 
-/// Bits of the deviation of a run: those of NCL and TCD.
+/// Whether a run of given tables is left out: it has no points. It counts nowhere.
+bool is_left_out(const DirectionCost& target);
+
+/// Bits of the deviation of a run: those of NCL and TCD; 0 if `target` is left out.
 double deviation_bits(const DirectionCost& run, const DirectionCost& target);
 
-/// Bits of the deviation of all 36 cells.
+/// Bits of the deviation of all cells.
 double deviation_bits(const EconomyTables& tables, const EconomyTables& target);
 
 /// Number and information of the matched cells of one direction, or of both.
@@ -37,7 +40,7 @@ struct TableMatch {
     double deviation = 0;      ///< see deviation_bits
 };
 
-/// Compares the cells of `directions`.
+/// Compares the cells of `directions`, but for those that `target` leaves out.
 /// \param tables  computed.
 /// \param target  cells to match.
 /// \param directions one or both; the cells of the others do not count.

@@ -46,6 +46,8 @@ double percent(double value, double target)
 
 double run_loss(const DirectionCost& run, const DirectionCost& target)
 {
+    if (is_left_out(target))
+        return 0;
     const double points =
         percent(static_cast<double>(run.ncl), static_cast<double>(target.ncl));
     const double travel = percent(run.tcd_mm, target.tcd_mm);
@@ -112,6 +114,8 @@ Candidate judged_pair(SurfaceFamily family, const RunPolicies& policies,
         for (int k = 0; k < 2; ++k)
             for (int j = 0; j < 3; ++j) {
                 const int count = decoded.counts[k][0][j];
+                if (count == 0)
+                    continue;
                 const double real =
                     1 + std::sqrt(first_ratio / ratio) * ((*passes)[k][j] - 1);
                 const double missing =
@@ -172,6 +176,8 @@ double structure_loss(SurfaceFamily family, RunPolicies policies,
     const auto add = [&](const RunPlace& at, const TableRun& run) {
         const auto [k, i, j] = at;
         const int passes = decoded.counts[k][i][j];
+        if (passes == 0)
+            return true;
         const CurveMarch& march = (*marches[k])[i];
         const double chord = (march.forward_mm + march.backward_mm) / 2;
         const double travel = run.cost.tcd_mm + (passes - run.passes) * chord;

@@ -46,7 +46,7 @@ TableFit search_cells(SurfaceFamily family, const RunPolicies& policies,
 struct DecodedTables {
     /// Points and lengths of the passes along u and v.
     std::array<CurveTarget, 2> passes;
-    /// Numbers of passes. Indices: direction, tolerance, diameter.
+    /// Numbers of passes; 0 for runs that are left out. Indices: direction, tolerance, diameter.
     std::array<std::array<std::array<int, 3>, 3>, 2> counts;
 };
 
@@ -94,7 +94,7 @@ double concavity_of(const CompositeCurve& curve);
 
 /// Result of the staged search.
 struct StagedFit {
-    std::array<int, 2> curves_found;  ///< curves along u and v that fulfil their target
+    std::array<int, 2> curves_found;  ///< curves along u and v that were taken
     /// Root mean square of the passes with 1 mm that the best pair misses, in percent.
     double passes_percent;
     TableFit best;  ///< values empty if one of the curves was not found
