@@ -21,7 +21,7 @@ struct SearchCase {
     std::string name;  ///< unique, also a file name
     /// "cells", "stages", or "curve-u" and "curve-v" for the first stage alone.
     std::string method;
-    /// The cells that are searched:
+    /// The cells that are searched, see searched_tables:
     /// "print";
     /// "null-N", without structure (null A);
     /// "net-NAME-N", of a fitted net with heights changed by up to 5 mm (null B);
@@ -41,26 +41,6 @@ struct SearchCase {
     int curves;            ///< wanted of each curve; stages only
     double most_height;    ///< of a curve, mm; stages only
 };
-
-/// The interpretation of the printed tables by experiments/economic-cl-data/decode, with the tolerances of
-/// the lengths of criterion.md.
-DecodedTables printed_decoding();
-
-/// The cells that a case searches.
-EconomyTables searched_tables(const SearchCase& search);
-
-/// A random surface of a family whose tables have about the size of the print.
-struct PlantedSurface {
-    std::vector<double> values;  ///< of the family, then h / delta
-    EconomyTables tables;        ///< its cells, TCD rounded as in print
-};
-
-/// The planted surface of a case whose table is "planted-N".
-PlantedSurface planted_surface(const SearchCase& search);
-
-/// The interpretation that the search in stages is given: of the print, that of a renumbered table, or the
-/// true numbers of a planted one.
-DecodedTables decoding_of(const SearchCase& search);
 
 /// A table of results, without rows.
 CsvTable search_table();

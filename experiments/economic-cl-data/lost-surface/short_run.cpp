@@ -10,6 +10,7 @@
 
 #include "economic-cl-data/lost-surface/readings.h"
 #include "economic-cl-data/lost-surface/search_case.h"
+#include "economic-cl-data/lost-surface/searched_tables.h"
 #include "endmill/core/text.h"
 #include "endmill/figures/tool_path_svg.h"
 #include "endmill/files/surface_file.h"

@@ -144,15 +144,6 @@ private:
         return trial;
     }
 
-    // A sum of 12 uniform numbers, nearly normal.
-    double normal()
-    {
-        double sum = -6;
-        for (int i = 0; i < 12; ++i)
-            sum += uniform_(0, 1);
-        return sum;
-    }
-
     // Alternates steps of one value, of its own size, and steps of all values along the
     // spread of the population.
     void refine()
@@ -168,13 +159,13 @@ private:
             std::vector<double> trial = best_.values;
             const std::size_t one = uniform_.below(static_cast<int>(count));
             if (is_single) {
-                trial[one] += steps[one] * ranges_[one].length() * normal();
+                trial[one] += steps[one] * ranges_[one].length() * uniform_.normal();
             } else {
                 const int size = static_cast<int>(members_.size());
                 const Member& a = members_[uniform_.below(size)];
                 const Member& b = members_[uniform_.below(size)];
                 for (std::size_t k = 0; k < count; ++k)
-                    trial[k] += common * (normal() * spread[k] +
+                    trial[k] += common * (uniform_.normal() * spread[k] +
                                           0.5 * (a.values[k] - b.values[k]));
             }
             for (std::size_t k = 0; k < count; ++k)

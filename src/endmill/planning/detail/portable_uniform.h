@@ -23,6 +23,15 @@ public:
     /// A whole number from 0 to count - 1. \pre count >= 1
     int below(int count) { return static_cast<int>((*this)(0, count)); }
 
+    /// A number of about normal distribution with mean 0 and standard deviation 1: a sum of 12 uniform ones.
+    double normal()
+    {
+        double sum = -6;
+        for (int i = 0; i < 12; ++i)
+            sum += (*this)(0, 1);
+        return sum;
+    }
+
 private:
     std::mt19937 generator_;
 };

@@ -65,15 +65,6 @@ std::array<double, 3> slopes(const EconomyTables& printed, Parameter direction,
     return smooth;
 }
 
-// A sum of 12 uniform numbers: mean 0, standard deviation 1.
-double normal(PortableUniform& uniform)
-{
-    double sum = -6;
-    for (int i = 0; i < 12; ++i)
-        sum += uniform(0, 1);
-    return sum;
-}
-
 }  // namespace
 
 EconomyTables structureless_tables(const EconomyTables& printed, std::uint32_t seed)
@@ -90,7 +81,7 @@ EconomyTables structureless_tables(const EconomyTables& printed, std::uint32_t s
         const std::array<double, 3> slope = slopes(printed, direction, links);
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
-                const double factor = 1 + law.deviation * normal(uniform);
+                const double factor = 1 + law.deviation * uniform.normal();
                 const double points = std::round(law.points(i, j) * factor);
                 const double travel = slope[i] * points + links[i] + uniform(-0.5, 0.5);
                 tables.runs[k][i][j] = {static_cast<std::size_t>(points),
