@@ -31,6 +31,7 @@ struct SearchCase {
     /// "renumbered-N", the interpretation of the print with other numbers of passes of the same scatter;
     /// "regular-N", the same with a small scatter also in the row v, 1 mm;
     /// "irregular-planted-N", planted with a run v, 1 mm, 15 mm as irregular as that of the print;
+    /// "noisy-planted-N", planted with one pass more, one less or none in each run;
     /// "less-TABLE", one of these without the row v, 1 mm;
     /// "targets-N", numbers of points and lengths near those of the print (first stage only).
     std::string table;

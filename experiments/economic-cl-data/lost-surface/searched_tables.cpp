@@ -265,6 +265,18 @@ DecodedTables irregular_decoding(const SearchCase& planted)
     return decoded;
 }
 
+// A planted surface with one pass more, one less or none, at random for each run.
+DecodedTables noisy_decoding(const SearchCase& planted)
+{
+    DecodedTables decoded = planted_decoding(planted);
+    PortableUniform uniform{number_at_end(planted.table)};
+    for (auto& direction : decoded.counts)
+        for (auto& row : direction)
+            for (int& passes : row)
+                passes += uniform.below(3) - 1;
+    return decoded;
+}
+
 // Numbers like those of target 1 that no curve need have: up to two points more or less a pair, f within
 // one of half, all lengths up to 5 % more or less with half to one and a half of their differences.
 CurveTarget random_target(const CurveTarget& print, std::uint32_t seed)
@@ -340,6 +352,8 @@ DecodedTables decoding_of(const SearchCase& search)
     }
     if (const auto planted = changed_case(search, "irregular-"))
         return irregular_decoding(*planted);
+    if (const auto planted = changed_case(search, "noisy-"))
+        return noisy_decoding(*planted);
     if (starts_with(search.table, "planted"))
         return planted_decoding(search);
     if (is_renumbered(search))
@@ -394,9 +408,10 @@ EconomyTables searched_tables(const SearchCase& search)
         return planted_surface(search).tables;
     if (is_renumbered(search))
         return with_counts(printed_tables(), printed_decoding(), decoding_of(search));
-    if (const auto planted = changed_case(search, "irregular-"))
-        return with_counts(searched_tables(*planted), decoding_of(*planted),
-                           decoding_of(search));
+    for (const char* change : {"irregular-", "noisy-"})
+        if (const auto planted = changed_case(search, change))
+            return with_counts(searched_tables(*planted), decoding_of(*planted),
+                               decoding_of(search));
     if (const auto whole = changed_case(search, "less-")) {
         EconomyTables tables = searched_tables(*whole);
         tables.runs[irregular_direction][irregular_tolerance] = {};
