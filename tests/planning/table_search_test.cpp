@@ -69,97 +69,15 @@ TEST(TableSearch, TakesTheRatioOfScallopAndTolerance)
     EXPECT_NEAR(fitted.runs[1][2][0].tcd_mm, planned.runs[1][2][0].tcd_mm, 1e-4);
 }
 
-TEST(TableSearch, StartsWithCurvesThatHaveTheirNumbers)
-{
-    const DecodedTables decoded = decoding_of(wave, alternate());
-    const StagedSearch search{
-        .curves = 2, .curve_searches = 60, .accepted_curve_loss = 0, .most_height = 150};
-    for (int k = 0; k < 2; ++k) {
-        const auto curves = search_curves(family, k, decoded.passes[k], search);
-        EXPECT_FALSE(curves.empty());
-        for (const std::vector<double>& values : curves) {
-            const CompositeCurve curve = family_curve(family, k, values);
-            EXPECT_EQ(curve_matches(march_both_ways(curve).value(), decoded.passes[k]),
-                      9);
-            EXPECT_LE(height_of(curve), search.most_height + 1e-9);
-        }
-    }
-}
-
-// A curve over x with these heights above 0, 1/9, ... of 200 mm.
-CompositeCurve curve_with_heights(const std::vector<double>& free_heights)
-{
-    return family_curve(family, 0, free_heights);
-}
-
-TEST(TableSearch, DrawsOnlyCurvesThatCouldBeTheOnesOfTheTables)
-{
-    // The arch of `wave`: it bends to one side only.
-    const CompositeCurve arch = curve_with_heights({60, 100, 130, 128, 100, 55, 2});
-    EXPECT_TRUE(is_plausible(arch, 200));
-    EXPECT_FALSE(is_plausible(arch, 100));  // it is higher
-    // Turned over, its bend of radius 20 mm or so is a trough, still wider than the limit of 4 mm.
-    EXPECT_TRUE(
-        is_plausible(curve_with_heights({-60, -100, -130, -128, -100, -55, -2}), 200));
-    // A trough with a radius below 4 mm.
-    EXPECT_FALSE(is_plausible(curve_with_heights({0, -170, -170, 170, 170, 0, 0}), 400));
-}
-
-// The parabola z = c x^2 / 2 has the curvature c at its vertex; turned over it is convex.
-TEST(TableSearch, MeasuresTheConcavityOfACurve)
-{
-    const double c = 0.05;
-    const auto parabola = [](double bend) {
-        // Control points of z = bend x^2 / 2 over -30 to 30.
-        return CompositeCurve{{{-30, 0, 450 * bend},
-                               {-10, 0, -150 * bend},
-                               {10, 0, -150 * bend},
-                               {30, 0, 450 * bend}}};
-    };
-    EXPECT_NEAR(concavity_of(parabola(c)), c, 1e-12);
-    EXPECT_EQ(concavity_of(parabola(-c)), 0);
-    EXPECT_NEAR(height_of(parabola(c)), 450 * c, 1e-12);
-}
-
-TEST(TableSearch, SplitsTheValuesBetweenTheCurves)
-{
-    for (const SurfaceFamily each :
-         {SurfaceFamily::Translational, SurfaceFamily::Uneven, SurfaceFamily::Skew}) {
-        const std::vector<Interval> ranges = value_ranges(each);
-        std::vector<int> used(ranges.size(), 0);
-        for (int k = 0; k < 2; ++k)
-            for (const std::size_t position : curve_positions(each, k))
-                ++used[position];
-        EXPECT_EQ(used, std::vector<int>(ranges.size(), 1));
-        // A value of A moves A and not B.
-        std::vector<double> values(ranges.size(), 0.0);
-        values[curve_positions(each, 0).back()] = 5;
-        const FamilyMember member = family_surface(each, values);
-        const auto& surface = std::get<TranslationalSurface>(member);
-        const FamilyMember flat =
-            family_surface(each, std::vector<double>(ranges.size(), 0.0));
-        const auto& even = std::get<TranslationalSurface>(flat);
-        const auto differs = [](const CompositeCurve& one, const CompositeCurve& other) {
-            double most = 0;
-            for (std::size_t i = 0; i < one.points().size(); ++i)
-                most = std::max(most, (one.points()[i] - other.points()[i]).norm());
-            return most > 0;
-        };
-        EXPECT_TRUE(differs(surface.along_u, even.along_u));
-        EXPECT_FALSE(differs(surface.along_v, even.along_v));
-    }
-}
-
 TEST(TableSearch, InStagesComesNearThePlantedCells)
 {
     const EconomyTables cells = fitted_tables(family, alternate(), wave).value();
-    const StagedSearch search{.curves = 4,
-                              .curve_searches = 20,
-                              .curve_evaluations = 2000,
-                              .scored = 16,
-                              .fitted = 1,
-                              .refined = 1,
-                              .evaluations = 300};
+    const StagedSearch search{
+        .curves = {.wanted = 4, .searches = 20, .evaluations = 2000},
+        .scored = 16,
+        .fitted = 1,
+        .refined = 1,
+        .evaluations = 300};
     const StagedFit fit = search_in_stages(family, alternate(), cells,
                                            decoding_of(wave, alternate()), search);
     ASSERT_FALSE(fit.best.values.empty());

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "economic-cl-data/lost-surface/case_runner.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <string>
+
+#include "economic-cl-data/lost-surface/searched_tables.h"
 
 namespace endmill {
 namespace {
@@ -22,6 +27,22 @@ std::optional<NumberRange> range_at_end(const std::string& text)
     const auto start = text.rfind('-', dots) + 1;
     return NumberRange{text.substr(0, start), std::stoi(text.substr(start, dots - start)),
                        std::stoi(text.substr(dots + 2))};
+}
+
+// How far the values of a fit are from those of the planted surface: the largest difference in mm, and that of
+// h / delta in percent. Empty for other tables.
+std::array<CsvCell, 2> truth_errors(const SearchCase& search, const std::string& values)
+{
+    if (search.method != "stages" || search.table.rfind("planted-", 0) != 0)
+        return {};
+    const std::vector<double> truth = planted_surface(search).values;
+    const std::vector<double> found = values_of(values);
+    if (found.size() != truth.size())
+        return {};
+    double most = 0;
+    for (std::size_t i = 0; i + 1 < truth.size(); ++i)
+        most = std::max(most, std::abs(found[i] - truth[i]));
+    return {most, 100 * std::abs(found.back() / truth.back() - 1)};
 }
 
 std::string file_of(const SearchCase& search)
@@ -77,12 +98,17 @@ int run_missing_cases(const std::vector<SearchCase>& cases, const CaseShard& sha
 CsvTable collected_results(const std::vector<SearchCase>& cases,
                            const std::filesystem::path& folder)
 {
-    CsvTable all = search_table();
+    const CsvTable own = search_table();
+    std::vector<std::string> columns{own.columns().begin(), own.columns().end()};
+    columns.insert(columns.end(), {"value_error_mm", "ratio_error_percent"});
+    CsvTable all{columns};
     for (const SearchCase& search : cases) {
         const CsvTable one = read_csv(folder / file_of(search));
         std::vector<CsvCell> row;
-        for (const std::string& column : all.columns())
+        for (const std::string& column : own.columns())
             row.emplace_back(one.cell(0, column));
+        for (const CsvCell& error : truth_errors(search, one.cell(0, "values")))
+            row.push_back(error);
         all.add_row(row);
     }
     return all;

@@ -21,7 +21,8 @@ std::vector<SearchCase> read_cases(const std::filesystem::path& file);
 int run_missing_cases(const std::vector<SearchCase>& cases, const CaseShard& shard,
                       const std::filesystem::path& folder);
 
-/// The results of all cases in `folder`, in the order of the cases.
+/// The results of all cases in `folder`, in the order of the cases, with the distance of the fits of planted tables
+/// from the planted surfaces.
 /// \throws FormatError if one is missing.
 CsvTable collected_results(const std::vector<SearchCase>& cases,
                            const std::filesystem::path& folder);

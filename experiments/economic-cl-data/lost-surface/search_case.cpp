@@ -21,15 +21,15 @@ namespace {
 // Number of curves that the first stage finds.
 int curves_found(const SearchCase& search, int curve)
 {
-    StagedSearch stage;
-    stage.curves = search.curves;
-    stage.curve_searches = search.curves;
-    stage.curve_evaluations = search.evaluations;
-    stage.accepted_curve_loss = 0;
-    stage.most_height = search.most_height;
-    stage.seed = search.seed;
+    CurveSearch effort;
+    effort.wanted = search.curves;
+    effort.searches = search.curves;
+    effort.evaluations = search.evaluations;
+    effort.accepted_loss = 0;
+    effort.most_height = search.most_height;
+    effort.seed = search.seed;
     return static_cast<int>(search_curves(family_named(search.family), curve,
-                                          searched_target(search, curve), stage)
+                                          searched_target(search, curve), effort)
                                 .size());
 }
 
@@ -55,10 +55,11 @@ StagedFit staged_fit(const SearchCase& search, SurfaceFamily family,
                      const RunPolicies& policies, const EconomyTables& target)
 {
     StagedSearch stages;
-    stages.curves = search.curves;
-    stages.curve_searches = 10 * search.curves;
+    stages.curves.wanted = search.curves;
+    stages.curves.searches = 10 * search.curves;
+    stages.curves.most_height = search.most_height;
+    stages.curves.seed = search.seed;
     stages.evaluations = search.evaluations;
-    stages.most_height = search.most_height;
     stages.seed = search.seed;
     return search_in_stages(family, policies, target, decoding_of(search), stages);
 }
@@ -71,7 +72,7 @@ CsvCell list_of(const std::vector<double>& values)
     return text;
 }
 
-double height_of(SurfaceFamily family, std::span<const double> values)
+double extent_height(SurfaceFamily family, std::span<const double> values)
 {
     const Surface surface =
         as_surface(family_surface(family, values.first(values.size() - 1)));
@@ -111,6 +112,17 @@ RunPolicies policies_of(const std::string& text)
         found->second();
     }
     return policies;
+}
+
+std::vector<double> values_of(const std::string& text)
+{
+    std::istringstream input{text};
+    std::string word;
+    input >> word;
+    std::vector<double> values;
+    for (double value = 0; input >> value;)
+        values.push_back(value);
+    return values;
 }
 
 CsvTable search_table()
@@ -162,7 +174,7 @@ CsvTable run_case(const SearchCase& search)
         const TableMatch match = table_match(*tables, target);
         row.insert(row.end(), {std::int64_t{match.ncl}, std::int64_t{match.tcd},
                                match.rms_percent, match.worst_percent, match.deviation,
-                               height_of(family, fit.values), list_of(fit.values)});
+                               extent_height(family, fit.values), list_of(fit.values)});
     } else {
         row.insert(row.end(), 7, CsvCell{});
     }

@@ -38,10 +38,13 @@ struct SearchCase {
     std::string family;    ///< see family_name
     std::string policies;  ///< see policies_of
     std::uint32_t seed;    ///< of the search
-    int evaluations;       ///< of surfaces, per search or per refined pair
-    int curves;            ///< wanted of each curve; stages only
-    double most_height;    ///< of a curve, mm; stages only
+    int evaluations;  ///< of surfaces, per search or box; of curves for the first stage alone
+    int curves;  ///< wanted of each curve; number of searches for the first stage alone
+    double most_height;  ///< of a curve, mm; not for cells
 };
+
+/// The values of a fit as search_table has them: the word "values" and numbers.
+std::vector<double> values_of(const std::string& text);
 
 /// A table of results, without rows.
 CsvTable search_table();

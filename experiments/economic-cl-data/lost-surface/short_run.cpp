@@ -6,7 +6,6 @@
 #include <cmath>
 #include <optional>
 #include <span>
-#include <sstream>
 
 #include "economic-cl-data/lost-surface/readings.h"
 #include "economic-cl-data/lost-surface/search_case.h"
@@ -218,19 +217,19 @@ void add_random_rows(CsvTable& table, Experiment& run)
 
 void add_curves(CsvTable& table, Experiment& run)
 {
-    StagedSearch search;
+    CurveSearch search;
     search.most_height = run.number("most_height_mm");
-    search.curves = static_cast<int>(run.number("curve_searches"));
-    search.curve_searches = search.curves;
-    search.accepted_curve_loss = 0;
-    search.curve_evaluations = static_cast<int>(run.number("curve_evaluations"));
+    search.wanted = static_cast<int>(run.number("curve_searches"));
+    search.searches = search.wanted;
+    search.accepted_loss = 0;
+    search.evaluations = static_cast<int>(run.number("curve_evaluations"));
     const DecodedTables decoded = printed_decoding();
     for (int k = 0; k < 2; ++k) {
         const auto curves = search_curves(curves_family, k, decoded.passes[k], search);
         const std::string name = k == 0 ? "target 1 u: " : "target 1 v: ";
         add(table, {.name = name + "curves found",
                     .count = static_cast<int>(curves.size()),
-                    .tried = search.curves});
+                    .tried = search.searches});
         std::array<Interval, 4> ranges;
         ranges.fill({1e9, -1e9});
         for (const std::vector<double>& values : curves) {
@@ -281,14 +280,9 @@ std::vector<BestSurface> read_best(const std::filesystem::path& file)
     const CsvTable table = read_csv(file);
     std::vector<BestSurface> surfaces;
     for (std::size_t i = 0; i < table.rows(); ++i) {
-        std::istringstream text{table.cell(i, "values")};
-        std::string word;  // "values"
-        text >> word;
-        std::vector<double> values;
-        for (double value = 0; text >> value;)
-            values.push_back(value);
         surfaces.push_back({table.cell(i, "name"), family_named(table.cell(i, "family")),
-                            policies_of(table.cell(i, "policies")), std::move(values)});
+                            policies_of(table.cell(i, "policies")),
+                            values_of(table.cell(i, "values"))});
     }
     return surfaces;
 }

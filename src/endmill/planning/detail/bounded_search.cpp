@@ -198,4 +198,16 @@ FoundValues minimise(std::span<const Interval> ranges, const BoundedLoss& loss,
     return Minimiser{ranges, loss, search}.run();
 }
 
+std::vector<Interval> box_about(std::span<const double> values,
+                                std::span<const Interval> ranges, double share)
+{
+    std::vector<Interval> box;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        const double half = share / 2 * ranges[i].length();
+        box.push_back({std::max(ranges[i].low, values[i] - half),
+                       std::min(ranges[i].high, values[i] + half)});
+    }
+    return box;
+}
+
 }  // namespace endmill

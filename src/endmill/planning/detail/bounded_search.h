@@ -46,4 +46,8 @@ struct FoundValues {
 FoundValues minimise(std::span<const Interval> ranges, const BoundedLoss& loss,
                      const BoundedSearch& search);
 
+/// The part of `ranges` about `values` whose sides are `share` of theirs.
+std::vector<Interval> box_about(std::span<const double> values,
+                                std::span<const Interval> ranges, double share);
+
 }  // namespace endmill

@@ -7,7 +7,11 @@
 #include <variant>
 
 #include "endmill/core/error.h"
-#include "endmill/planning/detail/portable_uniform.h"
+
+// Counts of passes and points jump, so that table_loss says little about the way to a better surface.
+// structure_loss replaces them by real numbers: passes with a share of the last interval, steps with a share of the
+// last step. It is searched in boxes about pairs of curves that nearly have their numbers; the boxes shrink, and the unit of
+// the loss with them. Only the last box is searched by table_loss.
 
 namespace endmill {
 namespace {
@@ -16,19 +20,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Interval scallop_range{0.3, 1.1};  // h / delta
 // Weight of squared percents of deviation against bits.
 constexpr double percent_weight = 2;
-// Penalties of a square millimetre of height beyond the limit, and of the square of a concavity of twice
-// the limit.
-constexpr double height_weight = 0.01;
-constexpr double concavity_weight = 10;
-// A ball of 20 mm fits a concavity of 0.1 / mm; seen across a steep pass a curve is flatter.
-constexpr double most_concavity = 0.25;  // 1/mm
-constexpr int height_samples = 30;       // a piece
-// Random curves are drawn in this share of the ranges, and searched in boxes with sides of the second share.
-constexpr double drawn_share = 0.6;
-constexpr double curve_box = 0.3;
-constexpr int most_draws = 100'000;
-// A search for a curve ends at this share of the loss with which it is taken.
-constexpr double enough_share = 0.1;
 // The ratio h / delta that pairs are tried with, and those that are predicted from it.
 constexpr double first_ratio = 0.5;
 constexpr int predicted_ratios = 400;
@@ -192,19 +183,6 @@ double structure_loss(SurfaceFamily family, RunPolicies policies,
     return loss;
 }
 
-// The part of `ranges` about `values` whose sides are `share` of theirs.
-std::vector<Interval> box_about(std::span<const double> values,
-                                std::span<const Interval> ranges, double share)
-{
-    std::vector<Interval> box;
-    for (std::size_t i = 0; i < ranges.size(); ++i) {
-        const double half = share / 2 * ranges[i].length();
-        box.push_back({std::max(ranges[i].low, values[i] - half),
-                       std::min(ranges[i].high, values[i] + half)});
-    }
-    return box;
-}
-
 // The stages after the search for curves.
 class PairSearch {
 public:
@@ -327,117 +305,6 @@ std::vector<Interval> fit_ranges(SurfaceFamily family)
     return ranges;
 }
 
-std::vector<std::size_t> curve_positions(SurfaceFamily family, int curve)
-{
-    // Runs of values: those of A, those of B, and again where the family has more.
-    std::vector<std::size_t> lengths{7, 5};
-    if (family == SurfaceFamily::Uneven)
-        lengths.insert(lengths.end(), {6, 4});
-    if (family == SurfaceFamily::Skew)
-        lengths.insert(lengths.end(), {7, 5});
-    std::vector<std::size_t> own;
-    std::size_t first = 0;
-    for (std::size_t k = 0; k < lengths.size(); ++k) {
-        for (std::size_t i = 0; i < lengths[k]; ++i)
-            if (static_cast<int>(k % 2) == curve)
-                own.push_back(first + i);
-        first += lengths[k];
-    }
-    return own;
-}
-
-CompositeCurve family_curve(SurfaceFamily family, int curve,
-                            std::span<const double> values)
-{
-    const std::vector<std::size_t> positions = curve_positions(family, curve);
-    std::vector<double> all(value_ranges(family).size(), 0.0);
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        all[positions[i]] = values[i];
-    const FamilyMember member = family_surface(family, all);
-    const auto& surface = std::get<TranslationalSurface>(member);
-    return curve == 0 ? surface.along_u : surface.along_v;
-}
-
-double height_of(const CompositeCurve& curve)
-{
-    double low = infinity;
-    double high = -infinity;
-    for (int i = 0; i <= height_samples * curve.pieces(); ++i) {
-        const double z = curve.point(i / double(height_samples)).z();
-        low = std::min(low, z);
-        high = std::max(high, z);
-    }
-    return high - low;
-}
-
-double concavity_of(const CompositeCurve& curve)
-{
-    double most = 0;
-    for (int i = 0; i <= height_samples * curve.pieces(); ++i) {
-        const CurveJet jet = curve.jet(i / double(height_samples));
-        const double speed2 = jet.first.squaredNorm();
-        const Vec3 up = Vec3::UnitZ() - jet.first.z() / speed2 * jet.first;
-        most = std::max(most, jet.second.dot(up) / (speed2 * up.norm()));
-    }
-    return most;
-}
-
-bool is_plausible(const CompositeCurve& curve, double most_height)
-{
-    if (concavity_of(curve) > most_concavity || height_of(curve) > most_height)
-        return false;
-    const auto march = march_both_ways(curve);
-    return march && has_regular_passes(*march);
-}
-
-std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
-                                               const CurveTarget& target,
-                                               const StagedSearch& search)
-{
-    const std::vector<Interval> all_ranges = value_ranges(family);
-    std::vector<Interval> ranges;
-    for (const std::size_t position : curve_positions(family, curve))
-        ranges.push_back(all_ranges[position]);
-    const auto loss = [&](std::span<const double> values, double give_up) {
-        const CompositeCurve trial = family_curve(family, curve, values);
-        const double excess = std::max(0.0, height_of(trial) - search.most_height);
-        const double tight = std::max(0.0, concavity_of(trial) / most_concavity - 1);
-        const double penalty =
-            height_weight * excess * excess + concavity_weight * tight * tight;
-        return penalty + curve_loss(trial, target, give_up - penalty);
-    };
-    PortableUniform uniform{search.seed};
-    const auto drawn = [&] {
-        std::vector<double> values;
-        for (const auto [low, high] : ranges)
-            values.push_back(uniform(std::lerp(low, high, (1 - drawn_share) / 2),
-                                     std::lerp(low, high, (1 + drawn_share) / 2)));
-        return values;
-    };
-    std::vector<std::vector<double>> curves;
-    int draws = 0;
-    for (int i = 0;
-         i < search.curve_searches && static_cast<int>(curves.size()) < search.curves;
-         ++i) {
-        std::vector<double> start = drawn();
-        while (!is_plausible(family_curve(family, curve, start), search.most_height)) {
-            if (++draws > most_draws)
-                return curves;
-            start = drawn();
-        }
-        draws = 0;
-        FoundValues best = minimise(box_about(start, ranges, curve_box), loss,
-                                    {.evaluations = search.curve_evaluations,
-                                     .seed = search.seed + static_cast<std::uint32_t>(i),
-                                     .population = population,
-                                     .enough = enough_share * search.accepted_curve_loss,
-                                     .start = {start}});
-        if (best.loss <= search.accepted_curve_loss)
-            curves.push_back(std::move(best.values));
-    }
-    return curves;
-}
-
 std::optional<EconomyTables> fitted_tables(SurfaceFamily family, RunPolicies policies,
                                            std::span<const double> values)
 {
@@ -485,7 +352,7 @@ StagedFit search_in_stages(SurfaceFamily family, const RunPolicies& policies,
             "search_in_stages: need a family with free curves");
     std::array<std::vector<std::vector<double>>, 2> curves;
     for (int k = 0; k < 2; ++k)
-        curves[k] = search_curves(family, k, decoded.passes[k], search);
+        curves[k] = search_curves(family, k, decoded.passes[k], search.curves);
     StagedFit fit{
         {static_cast<int>(curves[0].size()), static_cast<int>(curves[1].size())},
         infinity,
@@ -494,7 +361,10 @@ StagedFit search_in_stages(SurfaceFamily family, const RunPolicies& policies,
     const std::vector<Candidate> pairs = stages.pairs(curves);
     if (pairs.empty())
         return fit;
-    constexpr int coarse_runs = 6;
+    int coarse_runs = 0;
+    for (const auto& direction : decoded.counts)
+        for (const int count : direction.front())
+            coarse_runs += count > 0 ? 1 : 0;
     fit.passes_percent = std::sqrt(pairs.front().loss / coarse_runs);
     fit.best = stages.best_fit(pairs);
     return fit;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "endmill/planning/detail/bounded_search.h"
-#include "endmill/planning/detail/curve_target.h"
+#include "endmill/planning/detail/curve_search.h"
 #include "endmill/planning/detail/surface_families.h"
 #include "endmill/planning/detail/table_match.h"
 
@@ -52,45 +52,13 @@ struct DecodedTables {
 
 /// Effort of the staged search.
 struct StagedSearch {
-    int curves = 150;              ///< wanted for each of A and B
-    int curve_searches = 1500;     ///< most searches for them
-    int curve_evaluations = 3000;  ///< of each of them
-    /// Loss with which a curve is taken, see curve_loss: 0 if it has to have all its numbers, more if the fit of the
-    /// pairs may correct the rest.
-    double accepted_curve_loss = 0.5;
-    int scored = 1000;         ///< best pairs of curves, judged by all runs
-    int fitted = 6;            ///< best of these, fitted in a box
-    int refined = 2;           ///< best of these, refined in smaller boxes
-    int evaluations = 3000;    ///< of surfaces, in each box
-    double most_height = 360;  ///< of a curve, mm; higher ones are penalised
-    std::uint32_t seed = 1;    ///< of the random curves, and first of the searches
+    CurveSearch curves;      ///< of the first stage
+    int scored = 1000;       ///< best pairs of curves, judged by all runs
+    int fitted = 6;          ///< best of these, fitted in a box
+    int refined = 2;         ///< best of these, refined in smaller boxes
+    int evaluations = 3000;  ///< of surfaces, in each box
+    std::uint32_t seed = 1;  ///< of the searches in boxes
 };
-
-/// Values of the family that belong to its curve A (0) or B (1), in their order.
-/// \pre the family is Translational, Uneven or Skew
-std::vector<std::size_t> curve_positions(SurfaceFamily family, int curve);
-
-/// The curve A (0) or B (1) with these of the values, see curve_positions.
-CompositeCurve family_curve(SurfaceFamily family, int curve,
-                            std::span<const double> values);
-
-/// The first stage: searches for curves that have the points and the lengths of `target` by themselves,
-/// each in a box about a random plausible curve.
-/// \return the values of those found, at most `search.curves`; see family_curve.
-std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
-                                               const CurveTarget& target,
-                                               const StagedSearch& search);
-
-/// Whether a curve could be one of the print: with regular passes, no higher than `most_height` mm, and not so
-/// concave that even seen across steep passes the balls would not fit.
-bool is_plausible(const CompositeCurve& curve, double most_height);
-
-/// Difference of the highest and the lowest point of 31 a piece, mm.
-double height_of(const CompositeCurve& curve);
-
-/// Largest curvature towards +z, seen across the curve, at 31 points a piece, 1/mm; 0 for a convex curve.
-/// A translational surface is at most as concave along the curve.
-double concavity_of(const CompositeCurve& curve);
 
 /// Result of the staged search.
 struct StagedFit {
