@@ -4,7 +4,7 @@
 //   economic-cl-data-lost-surface OUTPUT_FOLDER
 //   economic-cl-data-lost-surface OUTPUT_FOLDER CASES.csv [NUMBER COUNT]
 //
-// The first form is the short run, under 10 s. The second form runs the searches of CASES.csv that have no
+// The first form is the short run, under 20 s. The second form runs the searches of CASES.csv that have no
 // result in OUTPUT_FOLDER yet, or every COUNT-th from NUMBER on; the form without NUMBER writes
 // search.csv when all are done. Deterministic. Columns: README.md beside this.
 

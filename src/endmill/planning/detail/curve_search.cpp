@@ -111,6 +111,7 @@ std::vector<std::vector<double>> search_curves(SurfaceFamily family, int curve,
     PortableUniform uniform{search.seed};
     const auto drawn = [&] {
         std::vector<double> values;
+        values.reserve(ranges.size());
         for (const auto [low, high] : ranges)
             values.push_back(uniform(std::lerp(low, high, (1 - drawn_share) / 2),
                                      std::lerp(low, high, (1 + drawn_share) / 2)));

@@ -147,42 +147,6 @@ double step_loss(const std::array<CurveMarch, 3>& marches, const CurveTarget& ta
     return loss;
 }
 
-// How far a surface is from the numbers of `decoded` and the travel of `target`: sum of log(1 + (e / unit)^2) over the
-// deviations e in percent of the travel, as if the numbers of passes were the decoded ones, of the passes and of the
-// steps. It is continuous in the values but for jumps of a step, unlike table_loss. Gives up beyond `give_up`; infinite if
-// a run does not exist.
-double structure_loss(SurfaceFamily family, RunPolicies policies,
-                      const EconomyTables& target, const DecodedTables& decoded,
-                      std::span<const double> values, double unit_percent, double give_up)
-{
-    policies.table.scallop_per_tolerance = values.back();
-    const FamilyMember member = member_of(family, values);
-    const auto& surface = std::get<TranslationalSurface>(member);
-    const std::array marches{march_both_ways(surface.along_u),
-                             march_both_ways(surface.along_v)};
-    if (!marches[0] || !marches[1])
-        return infinity;
-    double loss = step_loss(*marches[0], decoded.passes[0], unit_percent) +
-                  step_loss(*marches[1], decoded.passes[1], unit_percent);
-    const auto add = [&](const RunPlace& at, const TableRun& run) {
-        const auto [k, i, j] = at;
-        const int passes = decoded.counts[k][i][j];
-        if (passes == 0)
-            return true;
-        const CurveMarch& march = (*marches[k])[i];
-        const double chord = (march.forward_mm + march.backward_mm) / 2;
-        const double travel = run.cost.tcd_mm + (passes - run.passes) * chord;
-        const double missing =
-            missing_pass_count(run.passes_real, passes, policies.table.plan.last_path);
-        loss += mild(percent(travel, target.runs[k][i][j].tcd_mm) / unit_percent) +
-                mild(100 * missing / passes / unit_percent);
-        return loss <= give_up;
-    };
-    if (loss <= give_up && !visit_runs(member, policies, add))
-        return infinity;
-    return loss;
-}
-
 // The stages after the search for curves.
 class PairSearch {
 public:
@@ -255,10 +219,40 @@ private:
                 .start = {start}};
     }
 
-    double loss(std::span<const double> values, double unit_percent, double give_up) const
+    // How far a surface is from the numbers of decode and the travel of the target: sum of log(1 + (e / unit)^2) over the
+    // deviations e in percent of the travel, as if the numbers of passes were the decoded ones, of the passes and of the
+    // steps. It is continuous in the values but for jumps of a step, unlike table_loss. Gives up beyond `give_up`; infinite if
+    // a run does not exist.
+    double structure_loss(std::span<const double> values, double unit_percent,
+                          double give_up) const
     {
-        return structure_loss(family_, policies_, target_, decoded_, values, unit_percent,
-                              give_up);
+        RunPolicies policies = policies_;
+        policies.table.scallop_per_tolerance = values.back();
+        const FamilyMember member = member_of(family_, values);
+        const auto& surface = std::get<TranslationalSurface>(member);
+        const std::array marches{march_both_ways(surface.along_u),
+                                 march_both_ways(surface.along_v)};
+        if (!marches[0] || !marches[1])
+            return infinity;
+        double loss = step_loss(*marches[0], decoded_.passes[0], unit_percent) +
+                      step_loss(*marches[1], decoded_.passes[1], unit_percent);
+        const auto add = [&](const RunPlace& at, const TableRun& run) {
+            const auto [k, i, j] = at;
+            const int passes = decoded_.counts[k][i][j];
+            if (passes == 0)
+                return true;
+            const CurveMarch& march = (*marches[k])[i];
+            const double chord = (march.forward_mm + march.backward_mm) / 2;
+            const double travel = run.cost.tcd_mm + (passes - run.passes) * chord;
+            const double missing = missing_pass_count(run.passes_real, passes,
+                                                      policies.table.plan.last_path);
+            loss += mild(percent(travel, target_.runs[k][i][j].tcd_mm) / unit_percent) +
+                    mild(100 * missing / passes / unit_percent);
+            return loss <= give_up;
+        };
+        if (loss <= give_up && !visit_runs(member, policies, add))
+            return infinity;
+        return loss;
     }
 
     std::vector<Candidate> judged(std::span<const Candidate> pairs)
@@ -267,7 +261,8 @@ private:
         for (const Candidate& pair : pairs) {
             if (static_cast<int>(candidates.size()) >= search_.scored)
                 break;
-            candidates.push_back({loss(pair.values, fitting_box, infinity), pair.values});
+            candidates.push_back(
+                {structure_loss(pair.values, fitting_box, infinity), pair.values});
             ++evaluations_;
         }
         std::ranges::stable_sort(candidates, {}, &Candidate::loss);
@@ -280,7 +275,7 @@ private:
         FoundValues found = minimise(
             box_about(start, ranges_, side),
             [&](std::span<const double> trial, double give_up) {
-                return loss(trial, side, give_up);
+                return structure_loss(trial, side, give_up);
             },
             settings(start));
         evaluations_ += found.evaluations;
