@@ -52,6 +52,22 @@ TEST(TableMatch, OfOneDirectionIgnoresTheOther)
     EXPECT_EQ(match.deviation, 0);
 }
 
+TEST(TableMatch, IgnoresRunsThatTheTargetLeavesOut)
+{
+    EconomyTables target = round_tables();
+    target.runs[1][0] = {};
+    EconomyTables tables = round_tables();
+    tables.runs[1][0].fill({1, 1});
+    const TableMatch match = table_match(tables, target);
+    EXPECT_EQ(match.ncl, 15);
+    EXPECT_EQ(match.tcd, 15);
+    EXPECT_EQ(match.choice, 0);
+    EXPECT_EQ(match.worst_percent, 0);
+    EXPECT_EQ(match.deviation, 0);
+    EXPECT_EQ(deviation_bits(tables, target), 0);
+    EXPECT_EQ(table_match(tables, EconomyTables{}).rms_percent, 0);
+}
+
 TEST(TableMatch, DeviationGrowsByABitWhenItDoubles)
 {
     for (const TableQuantity quantity : table_quantities) {

@@ -104,27 +104,28 @@ TableMatch table_match(const EconomyTables& tables, const EconomyTables& target,
 {
     TableMatch match;
     int cells = 0;
+    double squares = 0;
+    const auto compare = [&](TableQuantity quantity, double computed, double wanted) {
+        const double difference = computed - wanted;
+        const double percent = 100 * std::abs(difference) / wanted;
+        match.worst_percent = std::max(match.worst_percent, percent);
+        squares += percent * percent;
+        match.deviation += deviation_bits(quantity, difference);
+        ++cells;
+        if (!is_matched(quantity, difference))
+            return;
+        ++(quantity == TableQuantity::Ncl ? match.ncl : match.tcd);
+        match.information += std::log2(expected_share * wanted / cell_width(quantity));
+    };
     for (const Parameter direction : directions)
         for (const TableQuantity quantity : quantities)
             for (int i = 0; i < 3; ++i)
                 for (int j = 0; j < 3; ++j) {
-                    const double cell = target.cell(quantity, direction, i, j);
-                    if (cell == 0)
-                        continue;
-                    const double difference =
-                        tables.cell(quantity, direction, i, j) - cell;
-                    const double percent = 100 * std::abs(difference) / cell;
-                    match.worst_percent = std::max(match.worst_percent, percent);
-                    match.rms_percent += percent * percent;
-                    match.deviation += deviation_bits(quantity, difference);
-                    ++cells;
-                    if (!is_matched(quantity, difference))
-                        continue;
-                    ++(quantity == TableQuantity::Ncl ? match.ncl : match.tcd);
-                    match.information +=
-                        std::log2(expected_share * cell / cell_width(quantity));
+                    const double wanted = target.cell(quantity, direction, i, j);
+                    if (wanted != 0)  // not left out
+                        compare(quantity, tables.cell(quantity, direction, i, j), wanted);
                 }
-    match.rms_percent = std::sqrt(match.rms_percent / cells);
+    match.rms_percent = cells > 0 ? std::sqrt(squares / cells) : 0;
     match.choice = choice_bits(match.ncl + match.tcd, cells);
     return match;
 }
