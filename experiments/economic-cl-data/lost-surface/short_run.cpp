@@ -148,10 +148,10 @@ SearchCase planted_case(Experiment& run, int seed)
 }
 
 // How often the interpretation of a row of a random translational surface is the truth.
-void add_planted_readings(CsvTable& table, Experiment& run)
+void add_planted_readings(CsvTable& table, Experiment& run, const std::string& tolerance)
 {
-    const DecodingRules rules{run.number("planted_decoding_tolerance_mm"),
-                              run.number("chord_spread"), run.number("longest_chord")};
+    const DecodingRules rules{run.number(tolerance), run.number("chord_spread"),
+                              run.number("longest_chord")};
     const int surfaces = static_cast<int>(run.number("read_surfaces"));
     int read = 0;
     for (int seed = 1; seed <= surfaces; ++seed) {
@@ -167,7 +167,8 @@ void add_planted_readings(CsvTable& table, Experiment& run)
                 });
         }
     }
-    add(table, {.name = "rows of random surfaces whose readings contain the truth",
+    add(table, {.name = "rows of random surfaces whose readings contain the truth, " +
+                        to_text(rules.tolerance_mm) + " mm",
                 .count = read,
                 .tried = 6 * surfaces});
 }
@@ -341,8 +342,8 @@ std::string passes_svg(const BestSurface& best, Parameter direction)
     const DirectionCost cost = path_cost(plan.path, policies);
     const char* letter = direction == Parameter::U ? "u" : "v";
     FigureOptions options;
-    options.title = std::string{"Passes along "} + letter + " on " + best.name +
-                    ", a fit and not the authors' surface";
+    options.title = std::string{"Passes along "} + letter + ", fit \"" + best.name +
+                    "\", not the authors' surface";
     options.captions = {
         "tolerance 0.5 mm, ball of 15 mm: NCL " + to_text(double(cost.ncl)) + ", TCD " +
         to_text(std::round(10 * cost.tcd_mm) / 10) + " mm, " +
@@ -384,7 +385,8 @@ CsvTable short_result(Experiment& run)
     CsvTable table = empty_result();
     add_readings(table, run);
     add_null_readings(table, run);
-    add_planted_readings(table, run);
+    add_planted_readings(table, run, "decoding_tolerance_mm");
+    add_planted_readings(table, run, "planted_decoding_tolerance_mm");
     add_random_rows(table, run);
     add_curves(table, run);
     add_small_search(table, run);
